@@ -9,9 +9,10 @@ use whirl_solver::dynamics::BodyStart;
 use whirl_solver::machine::MachineParts;
 use whirl_solver::model::{Form, Model};
 
+use super::built::{BodyFact, BodyFacts, Built, Counts, FieldMesh};
+use super::forces;
 use super::plan::BodyPlan;
 use super::springs::explain;
-use super::{BodyFact, BodyFacts, Built, Counts, FieldMesh, forces};
 use crate::case::{Gravity, LawSource};
 use crate::errors::Failure;
 

@@ -4,7 +4,7 @@ use whirl_codegen::diagnostic::Located;
 use whirl_solver::mesh::Fineness;
 use whirl_text::rounded;
 
-use super::plan::geometry::mm;
+use super::wording::mm;
 
 /// Frequencies of bending that are off by more than this part are warned of.
 const OFF: f64 = 0.05;

@@ -4,8 +4,7 @@ use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::mesh::{Mesh, Selection, SetPlace};
 use whirl_text::rounded;
 
-use super::plan::AXES;
-use super::plan::geometry::mm;
+use super::wording::{AXES, mm};
 use crate::case::NamedSelection;
 use crate::errors::Failure;
 

@@ -5,11 +5,11 @@ use whirl_solver::assembly::mass_properties;
 use whirl_solver::mesh::{MeanComponent, NodeSetMean};
 use whirl_solver::model::{Attachment, AttachmentKind, Place};
 
-use super::PlannedBody;
+use super::planned_body::PlannedBody;
 use super::section::{ends, nodes_at};
 use crate::case::{Attached, Carried};
 use crate::machine::plan::BodyPlan;
-use crate::machine::plan::geometry::mm;
+use crate::machine::wording::mm;
 
 /// A section is at most this part of the body's length away from where it is looked for.
 const NEAR: f64 = 0.01;

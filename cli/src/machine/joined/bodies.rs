@@ -2,45 +2,18 @@
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::constraints::GroundSpring;
+use whirl_solver::loads::Release;
 use whirl_solver::mesh::{MeanComponent, Mesh, NodeSetMean};
-use whirl_solver::model::{Form as ModelForm, Place};
 use whirl_solver::rigid::RigidBody;
 
+use super::of_case::{meshed, turns};
+use super::planned_body::{PlannedBody, RigidPlan};
 use super::section;
-use super::{meshed, section_of, turns};
-use crate::case::{self, Acting, Form, JoinedLoad, JoinedMachine, MeshedBody, NamedBody};
+use crate::case::{self, Form, JoinedMachine, MeshedBody, NamedBody};
 use crate::errors::Failure;
-use crate::machine::plan::{AXES, BodyPlan, HoldingWords};
+use crate::machine::plan::{BodyPlan, HoldingWords};
+use crate::machine::wording::AXES;
 use crate::machine::{fineness, meshes};
-
-/// A body before its reduction, if it needs one.
-pub(crate) enum PlannedBody {
-    /// A mesh.
-    Meshed(Box<BodyPlan>),
-    /// Numbers.
-    Rigid(RigidPlan),
-}
-
-/// A rigid body, and the nodes that joints and loads need on it.
-pub(crate) struct RigidPlan {
-    /// Its numbers.
-    pub(crate) body: RigidBody,
-    /// Positions of its nodes, m.
-    pub(crate) nodes: Vec<[f64; 3]>,
-}
-
-impl RigidPlan {
-    /// Adds a node; its place.
-    pub(super) fn node(&mut self, position: [f64; 3]) -> usize {
-        self.nodes.push(position);
-        self.nodes.len() - 1
-    }
-
-    /// √(inertia / mass), where a couple has its forces (m).
-    fn radius_of_gyration(&self) -> f64 {
-        (self.body.polar_inertia / self.body.mass).sqrt()
-    }
-}
 
 /// The bodies of a case: meshes that turn with their own axis at x = y = 0, all else in space.
 pub(super) fn plan(
@@ -142,9 +115,6 @@ fn suits(mesh: &Mesh, own: &MeshedBody, turns: bool) -> Result<(), Failure> {
     }
 }
 
-/// The only mean motion of a rigid body, which is its motion as a whole.
-const WHOLE: Place = Place::Mean(0);
-
 /// Whether sets that are held keep a mesh from turning about z.
 fn held_against_turning(mesh: &Mesh, sets: &[Located]) -> bool {
     let nodes = sets.iter().filter_map(|set| mesh.node_set(set.text()).ok()).flatten();
@@ -153,44 +123,6 @@ fn held_against_turning(mesh: &Mesh, sets: &[Located]) -> bool {
 }
 
 impl PlannedBody {
-    /// Its plan, if it has a mesh.
-    pub(super) fn meshed(&self) -> Option<&BodyPlan> {
-        match self {
-            PlannedBody::Meshed(plan) => Some(plan),
-            PlannedBody::Rigid(_) => None,
-        }
-    }
-
-    /// The body as the solver takes it.
-    pub(super) fn form(&self) -> ModelForm<'_> {
-        match self {
-            PlannedBody::Meshed(plan) => plan.form(),
-            PlannedBody::Rigid(RigidPlan { body, nodes }) => ModelForm::Rigid(body, nodes),
-        }
-    }
-
-    /// Where a couple drives it.
-    pub(super) fn driven(&mut self, drive: &case::Drive, errors: &mut Diagnostics) -> Place {
-        match self {
-            PlannedBody::Meshed(plan) if plan.mean_frame => plan.tie(drive, errors),
-            // A section that the case names turns with the frame, or all of a body that is rigid or held to it.
-            PlannedBody::Meshed(plan) => plan.driven(drive, errors).0,
-            PlannedBody::Rigid(_) => WHOLE,
-        }
-    }
-
-    /// Where a load acts on it.
-    pub(super) fn loaded(&mut self, load: &JoinedLoad, errors: &mut Diagnostics) -> Place {
-        match self {
-            PlannedBody::Meshed(plan) => plan.loaded((&load.load, load.name.text()), errors),
-            PlannedBody::Rigid(_) if matches!(load.load.acting, Acting::Couple(_)) => WHOLE,
-            PlannedBody::Rigid(own) => {
-                let [x, y, z] = own.body.centre;
-                Place::Nodes(vec![own.node([x, y, load.z.unwrap_or(z)])])
-            }
-        }
-    }
-
     /// Holds a mesh: its held sets, its springs, its place along z, and the section that turns with its frame.
     pub(super) fn hold(&mut self, place: usize, joined: &JoinedMachine, errors: &mut Diagnostics) {
         let PlannedBody::Meshed(plan) = self else { return };
@@ -275,4 +207,19 @@ fn clamp(plan: &mut BodyPlan, case: &MeshedBody, errors: &mut Diagnostics) {
 pub(super) fn retain_in_plane(plan: &mut BodyPlan, name: &Located, node: usize) {
     plan.retain(name, node, 0);
     plan.retain(name, node, 1);
+}
+
+/// As the section of a drive one that the case names for a body: a set, or two of one node.
+fn section_of(sets: &[Located]) -> case::Drive {
+    let (first, last) = (&sets[0], &sets[sets.len() - 1]);
+    case::Drive {
+        top: first.clone(),
+        bottom: last.clone(),
+        section: (sets.len() == 1).then(|| first.clone()),
+        torque: 0.0,
+        target_speed: 0.0,
+        release: Release::Located,
+        table: None,
+        acts: false,
+    }
 }

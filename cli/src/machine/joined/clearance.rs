@@ -5,9 +5,10 @@ use whirl_codegen::rational::nearest;
 use whirl_solver::bearing::Sides;
 use whirl_solver::mesh::measure::{Circle, circle};
 
-use super::PlannedBody;
+use super::planned_body::PlannedBody;
 use crate::case::{self, Joint, JointSide, rounded};
-use crate::machine::plan::geometry::{mm, nodes_of};
+use crate::machine::plan::geometry::nodes_of;
+use crate::machine::wording::mm;
 
 /// Nodes further from their circle than this part of its radius are not on one.
 const ROUND: f64 = 0.05;

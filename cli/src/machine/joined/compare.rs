@@ -5,13 +5,13 @@ use std::borrow::Cow;
 use whirl_codegen::diagnostic::Diagnostics;
 use whirl_solver::mesh::Mesh;
 
-use super::PlannedBody;
-use super::joints::PlannedJoint;
-use super::{clearance, surfaces, turns};
+use super::of_case::turns;
+use super::planned_body::PlannedBody;
+use super::planned_joint::PlannedJoint;
+use super::{clearance, surfaces};
 use crate::case::{JoinedMachine, JointKind};
 use crate::errors::Failure;
-use crate::machine::plan::BearingOutline;
-use crate::machine::plan::geometry::{bearing, stations};
+use crate::machine::plan::geometry::{BearingOutline, bearing, stations};
 
 /// Notes whatever does not stand where it should: journals off the axis, bores beside them, radii that do not fit.
 pub(super) fn compare(

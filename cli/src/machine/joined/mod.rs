@@ -5,25 +5,27 @@ mod bodies;
 mod clearance;
 mod compare;
 mod joints;
+mod of_case;
 mod others;
 mod planes;
+mod planned_body;
+mod planned_joint;
 mod pushing;
 mod section;
 mod surfaces;
 
 use std::sync::Arc;
 
-use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
+use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::bearing::{Bearing, OtherMotion, Sides};
 use whirl_solver::bodies::Rotation;
 use whirl_solver::dynamics::BodyStart;
-use whirl_solver::loads::Release;
 use whirl_solver::mesh::measure::Circle;
 use whirl_solver::model::{Attachment, BodyModel, Form, Model, Place};
 use whirl_solver::schedule::Schedule;
 
-pub(crate) use self::bodies::PlannedBody;
-use self::joints::PlannedJoint;
+pub(crate) use self::planned_body::PlannedBody;
+use self::planned_joint::PlannedJoint;
 use super::described::Described;
 use super::laws::laws_of;
 use super::plan::{BodyPlan, geometry};
@@ -31,6 +33,7 @@ use super::springs::{self, Laws, angles};
 use super::{forces, outputs};
 use crate::case::{self, Fields, JoinedMachine, LawSource, Output, Turning};
 use crate::errors::Failure;
+
 /// Bodies, joints, drives and loads before the reduction of what has a mesh.
 pub(crate) struct JoinedPlan {
     /// In the order of the case.
@@ -268,38 +271,5 @@ fn rotation(turning: &Turning) -> Rotation {
             let schedule = Schedule::of_speeds(&columns.rows).expect("rows that rise");
             Rotation::Scheduled(Arc::new(schedule))
         }
-    }
-}
-
-/// Text at the place of another.
-fn at(place: &Located, text: String) -> Located {
-    Located::new(place.source(), place.span(), text)
-}
-
-/// As the section of a drive one that the case names for a body: a set, or two of one node.
-fn section_of(sets: &[Located]) -> case::Drive {
-    let (first, last) = (&sets[0], &sets[sets.len() - 1]);
-    case::Drive {
-        top: first.clone(),
-        bottom: last.clone(),
-        section: (sets.len() == 1).then(|| first.clone()),
-        torque: 0.0,
-        target_speed: 0.0,
-        release: Release::Located,
-        table: None,
-        acts: false,
-    }
-}
-
-/// Whether a body turns.
-fn turns(joined: &JoinedMachine, body: usize) -> bool {
-    joined.bodies[body].turning.is_some()
-}
-
-/// The mesh of a body, as the case says it.
-fn meshed(joined: &JoinedMachine, body: usize) -> Option<&case::MeshedBody> {
-    match &joined.bodies[body].form {
-        case::Form::Meshed(meshed) => Some(meshed),
-        case::Form::Rigid(_) => None,
     }
 }

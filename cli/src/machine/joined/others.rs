@@ -4,7 +4,7 @@ use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::bearing::MotionKind;
 use whirl_solver::mesh::MeanComponent;
 
-use super::PlannedBody;
+use super::planned_body::PlannedBody;
 use super::section::nodes_at;
 use crate::case::{Joint, JointSide, LawSource, OtherLaw};
 use crate::machine::plan::BodyPlan;

@@ -3,9 +3,11 @@
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::mesh::NodeSetMean;
 
-use super::{PlannedBody, surfaces};
+use super::planned_body::PlannedBody;
+use super::surfaces;
 use crate::case::{Joint, JointKind, JointSide};
-use crate::machine::plan::geometry::{mm, nodes_of};
+use crate::machine::plan::geometry::nodes_of;
+use crate::machine::wording::mm;
 
 /// Sides are apart along the axis by at most this part of the joint's length or of its radius.
 const PLANES: f64 = 0.05;

@@ -5,8 +5,8 @@
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::mesh::{MeanComponent, Mesh, NodeSetMean};
 
-use crate::machine::plan::geometry::mm;
 use crate::machine::plan::{BodyPlan, Turn};
+use crate::machine::wording::mm;
 
 /// The centre of a section is off the axis by at most this part of how far its nodes reach.
 const CENTRED: f64 = 0.1;

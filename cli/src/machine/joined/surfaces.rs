@@ -6,11 +6,12 @@ use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::bearing::BoreSurface;
 use whirl_solver::mesh::{MeanComponent, Surface};
 
-use super::joints::PlannedJoint;
-use super::{PlannedBody, clearance};
+use super::clearance;
+use super::planned_body::PlannedBody;
+use super::planned_joint::PlannedJoint;
 use crate::case::Joint;
 use crate::machine::plan::BodyPlan;
-use crate::machine::plan::geometry::mm;
+use crate::machine::wording::mm;
 
 /// z of both ends of a surface; an error where the set has no faces.
 pub(super) fn ends(plan: &BodyPlan, set: &Located, errors: &mut Diagnostics) -> Option<[f64; 2]> {

@@ -15,9 +15,9 @@ use whirl_solver::mesh::{MeanComponent, Mesh, NodeSetMean};
 use whirl_solver::model::{Form, MeshModel, Point};
 use whirl_solver::reduction::Row;
 
-use super::AXES;
 use crate::case::{self, StaticCorrection};
-use crate::machine::Counts;
+use crate::machine::built::Counts;
+use crate::machine::wording::AXES;
 use crate::memory;
 
 /// A body before its reduction.

@@ -4,8 +4,9 @@ use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::mesh::MeanComponent;
 use whirl_solver::model::Place;
 
-use super::{AXES, BodyPlan};
+use super::BodyPlan;
 use crate::case::{self, Acting, Spread};
+use crate::machine::wording::AXES;
 
 /// The turn of a section against the frame: Σ cᵢ qᵢ over retained motions i.
 pub(in crate::machine) struct Turn {

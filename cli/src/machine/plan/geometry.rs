@@ -2,6 +2,7 @@
 //! at their word, so that a bore beside its journal would carry it all the same.
 
 pub(in crate::machine) mod bearing;
+mod outline;
 mod place;
 mod sets;
 pub(in crate::machine) mod stations;
@@ -9,10 +10,12 @@ pub(in crate::machine) mod stations;
 use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::mesh::Mesh;
 
-pub(in crate::machine) use self::place::{mm, nodes_of};
+pub(in crate::machine) use self::outline::BearingOutline;
+pub(in crate::machine) use self::place::nodes_of;
 
 use self::place::single;
 use crate::case::{self, Acting, Spread};
+use crate::machine::wording::mm;
 
 /// The arm of the driving couple is at least this part of the distance of its nodes. Below it the forces
 /// along y are ten times those that the distance asks for, and stretch the section between them.

@@ -4,9 +4,9 @@ use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 
 use whirl_solver::mesh::matrices::TurnAboutZ;
 
-use super::AXES;
 use super::body::BodyPlan;
 use crate::case::{self, Acting};
+use crate::machine::wording::AXES;
 
 /// Dofs beside those that are retained of which all modes are kept where the case does not say how many.
 const ALL_MODES: usize = 200;

@@ -1,20 +1,20 @@
 //! A journal and its bore: on one axis, in the same planes, one inside the other.
 
+mod comparison;
 mod planes;
 mod rings;
 
-use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
+use whirl_codegen::diagnostic::Diagnostics;
 use whirl_solver::mesh::Mesh;
 
+use self::comparison::Comparison;
 use self::planes::Length;
-use super::super::BearingOutline;
-use super::place::{digits, list, mm};
+use super::outline::BearingOutline;
+use super::place::digits;
 use super::sets::{Bore, Journal};
 use super::stations::{self, Extent};
-use crate::case;
+use crate::machine::wording::mm;
 
-/// The axes of journal and bore are apart by at most this part of the clearance, which knows nothing of it.
-const AXES: f64 = 0.01;
 /// To this part the radius of a generated shaft's section is known: see `mesh::shaft`.
 const SECTION_DIGITS: f64 = 2e-4;
 
@@ -57,47 +57,7 @@ pub(in crate::machine) fn compare(
     }
 }
 
-struct Comparison<'a, 'e> {
-    /// Of the bearing, counted from 0.
-    place: usize,
-    whole: &'a case::Bearing,
-    /// Names of the bodies of journal and bore, where the case names bodies.
-    bodies: Option<[&'a str; 2]>,
-    errors: &'e mut Diagnostics,
-}
-
 impl Comparison<'_, '_> {
-    fn note(&mut self, at: &Located, message: String, help: String) {
-        self.errors.push(at.error_here(Code::BAD_VALUE, message).help(help));
-    }
-
-    /// What messages call the body of the journal.
-    fn shaft(&self) -> String {
-        self.bodies.map_or("the shaft".to_owned(), |[name, _]| format!("`{name}`"))
-    }
-
-    /// How the case lists sets of the journal or the bore.
-    fn listed<'b>(&self, key: &str, names: impl IntoIterator<Item = &'b str>) -> String {
-        let sets = list(names);
-        match self.bodies {
-            None => format!("write `{key} = {sets}`"),
-            Some([journal, bore]) => {
-                let body = if key == "journal" { journal } else { bore };
-                format!("write `{key} = {{ body = {body:?}, sets = {sets} }}`")
-            }
-        }
-    }
-
-    /// Where the case says `key`, or the bearing.
-    fn place_of(&self, key: &str) -> Located {
-        self.whole.places.get(key).unwrap_or(&self.whole.table).clone()
-    }
-
-    /// How far the axes of journal and bore may be apart.
-    fn off_axis(&self, mesh: &Mesh) -> f64 {
-        (AXES * self.whole.radial_clearance).max(digits(mesh))
-    }
-
     /// The journal's nodes stand on the axis about which the shaft turns.
     fn on_axis(&mut self, journal: &Journal) {
         let allowed = self.off_axis(journal.mesh);

@@ -22,12 +22,6 @@ pub(super) fn digits(mesh: &Mesh) -> f64 {
     f64::from(f32::EPSILON) * extent
 }
 
-/// A length in mm, to the nanometre.
-pub(in crate::machine) fn mm(metres: f64) -> String {
-    // Adding zero takes the sign off what rounds to it.
-    format!("{} mm", (1e9 * metres).round() / 1e6 + 0.0)
-}
-
 /// Names as a list of a case.
 pub(super) fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     let names: Vec<String> = names.into_iter().map(|name| format!("{name:?}")).collect();

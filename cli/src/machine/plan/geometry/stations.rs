@@ -2,9 +2,9 @@
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 
-use super::place::mm;
 use super::sets::PLANES;
 use crate::case::Bearing;
+use crate::machine::wording::mm;
 
 /// Rings stand beyond the ends of a bearing, or beside each other, by at most this part of its length.
 const BEYOND: f64 = 1e-3;

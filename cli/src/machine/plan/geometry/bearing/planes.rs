@@ -2,9 +2,10 @@
 
 use whirl_codegen::diagnostic::Located;
 
-use super::super::place::{digits, mm};
+use super::super::place::digits;
 use super::super::sets::{Bore, Journal, PLANES, same};
-use super::Comparison;
+use super::comparison::Comparison;
+use crate::machine::wording::mm;
 
 /// Where the planes of a bearing stand along the axis.
 #[derive(Clone, Copy)]

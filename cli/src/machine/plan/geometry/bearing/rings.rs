@@ -4,10 +4,11 @@ use whirl_codegen::kinds::law::Acts;
 use whirl_solver::Error;
 use whirl_solver::mesh::measure::circle;
 
-use super::super::place::{digits, list, mm};
+use super::super::place::{digits, list};
 use super::super::sets::{Bore, Journal, PLANES, goes_around, ring_at, spread};
-use super::Comparison;
+use super::comparison::Comparison;
 use crate::machine::springs::NAME_A_RING;
+use crate::machine::wording::mm;
 
 const ENDS: [&str; 3] = ["left", "middle", "right"];
 
