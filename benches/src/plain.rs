@@ -2,12 +2,13 @@
 //! iteration. Its forces and the entries of its matrix are those of the solver's own kernels.
 
 use nalgebra::{DMatrix, DVector};
-use whirl_solver::dynamics::{Coefficients, Newmark, State, System};
+use whirl_solver::dynamics::{Coefficients, Newmark};
+use whirl_solver::equations::{Equations, State};
 use whirl_solver::machine::Machine;
 
 /// A machine whose coordinates are all unknown.
 pub struct PlainStep<'m> {
-    system: System<'m>,
+    equations: Equations<'m>,
     method: Newmark,
     dt: f64,
     tangent: Vec<f64>,
@@ -21,7 +22,7 @@ impl<'m> PlainStep<'m> {
     pub fn new(machine: &'m Machine, method: Newmark, dt: f64) -> Self {
         assert_eq!(machine.first_unknown(), 0, "all coordinates are unknown");
         let tangent = vec![0.0; machine.size() * machine.size()];
-        PlainStep { system: System::new(machine), method, dt, tangent }
+        PlainStep { equations: Equations::new(machine), method, dt, tangent }
     }
 
     /// Takes a state from t − Δt to `t` (s), where loads have stopped driving as `released` says; the iterations that it took. They end where corrections no longer count:
@@ -30,7 +31,7 @@ impl<'m> PlainStep<'m> {
     /// # Panics
     /// If the matrix is singular, or the corrections never end.
     pub fn advance(&mut self, t: f64, state: &mut State, released: &[bool]) -> usize {
-        self.system.release(released);
+        self.equations.release(released);
         let (dt, Newmark { gamma, beta }) = (self.dt, self.method);
         let (a1, a2) = (gamma / (beta * dt), 1.0 / (beta * dt * dt));
         let step = Coefficients::new(self.method, dt);
@@ -42,10 +43,10 @@ impl<'m> PlainStep<'m> {
             state.v[i] += dt * state.a[i];
         }
         for iteration in 1..=50 {
-            self.system.evaluate(t, state);
-            self.system.tangent(t, state, &step, &mut self.tangent);
+            self.equations.evaluate(t, state);
+            self.equations.tangent(t, state, step.weights(), &mut self.tangent);
             let matrix = DMatrix::from_column_slice(size, size, &self.tangent);
-            let residual = DVector::from_column_slice(self.system.residual());
+            let residual = DVector::from_column_slice(self.equations.residual());
             let moved = matrix.lu().solve(&residual).expect("a matrix that is not singular");
             for (i, moved) in moved.iter().enumerate() {
                 state.q[i] += moved;

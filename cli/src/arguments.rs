@@ -7,6 +7,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use whirl_solver::cache::Cache;
 
+use crate::case::MODES;
 use crate::schema;
 use crate::sweep::Order;
 
@@ -26,6 +27,12 @@ pub(crate) enum Command {
     Run(RunArguments),
     /// Run a case at many points, on all cores, and write a table of what they come to
     Sweep(SweepArguments),
+    /// Do the analyses of a case: its tables [analysis.NAME], all of them or one
+    Analyse(AnalyseArguments),
+    /// Natural frequencies, damping and whirl of a case's machine at constant speed
+    Modes(ModesArguments),
+    /// Modes over speed, with critical speeds and thresholds of stability, as table and figure
+    Campbell(ModesArguments),
     /// Check a case, sweep or spec file: report what it would run, or what is known of it, and every error
     Check(CheckArguments),
     /// Show what a spec defines and what follows from it: equations, shapes, costs, report, plot, code
@@ -123,6 +130,57 @@ impl SweepArguments {
             cache: self.cache.open(),
         }
     }
+}
+
+/// Arguments of `whirl analyse`.
+#[derive(Debug, Args)]
+pub(crate) struct AnalyseArguments {
+    /// Path of a case file, or the name of a built-in case (see `whirl list`)
+    pub(crate) case: String,
+    /// Which analysis; all of them, if left out
+    pub(crate) name: Option<String>,
+    /// Where results go
+    #[command(flatten)]
+    pub(crate) results: AnalysisOutput,
+}
+
+/// Arguments of `whirl modes` and `whirl campbell`.
+#[derive(Debug, Args)]
+pub(crate) struct ModesArguments {
+    /// Path of a case file, or the name of a built-in case (see `whirl list`)
+    pub(crate) case: String,
+    /// One speed such as "3000 rpm", or a range such as "0 rpm .. 30000 rpm, 61"; that of the case, or up to it, if left out
+    #[arg(long, value_name = "SPEEDS", alias = "speed")]
+    pub(crate) speeds: Option<String>,
+    /// The body whose speed it is; the first that turns, if left out
+    #[arg(long, value_name = "BODY")]
+    pub(crate) of: Option<String>,
+    /// How many modes, the slowest ones
+    #[arg(long, value_name = "N", default_value_t = MODES)]
+    pub(crate) count: usize,
+    /// Orders of critical speeds, such as 1,2
+    #[arg(long, value_name = "ORDERS", value_delimiter = ',')]
+    pub(crate) orders: Vec<f64>,
+    /// Where results go
+    #[command(flatten)]
+    pub(crate) results: AnalysisOutput,
+}
+
+/// Where the results of analyses go.
+#[derive(Debug, Args)]
+pub(crate) struct AnalysisOutput {
+    /// Folder for tables and figures (nothing is written for `modes`, `results` and the name of the case for the others, if left out)
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Write no figures
+    #[arg(long)]
+    pub(crate) no_figures: bool,
+    /// Print only warnings and errors
+    #[arg(long)]
+    pub(crate) quiet: bool,
+    /// Where reduced machines are kept
+    #[command(flatten)]
+    pub(crate) cache: CacheArguments,
 }
 
 /// Arguments of `whirl check`.

@@ -86,7 +86,9 @@ pub(crate) fn of_case(
         contacts::say(&mut text, case, plan.as_ref(), cache)?;
     }
     say_laws(&mut text, &laws);
-    say_march(&mut text, case);
+    if case.march.is_some() {
+        say_march(&mut text, case);
+    }
     if let Some(words) = start::described(case, &built)? {
         line!(text, "{words}");
     }
@@ -131,7 +133,7 @@ fn say_laws(text: &mut String, laws: &[LawSource]) {
 }
 
 fn say_march(text: &mut String, case: &Case) {
-    let march = &case.march;
+    let march = case.march();
     let what = if march.automatic.is_some() { "rows, one every" } else { "steps of" };
     line!(
         text,

@@ -1,5 +1,6 @@
 //! The `whirl` command: case files, progress, results, figures.
 
+mod analysis;
 pub mod arguments;
 mod case;
 mod check;
@@ -30,6 +31,7 @@ mod start;
 mod streams;
 pub mod sweep;
 mod text_file;
+mod values;
 mod version;
 mod watch;
 
@@ -48,6 +50,7 @@ pub use history::HistoryTable;
 pub use machine::Built;
 
 use arguments::{Arguments, Command};
+use case::AnalysisKind;
 use errors::Failure;
 use streams::{print_error, say};
 
@@ -57,6 +60,9 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
     let done = match &arguments.command {
         Command::Run(arguments) => run::run(arguments),
         Command::Sweep(arguments) => sweep::sweep(&arguments.order()),
+        Command::Analyse(arguments) => analysis::analyse(arguments),
+        Command::Modes(arguments) => analysis::of_kind(AnalysisKind::Modes, arguments),
+        Command::Campbell(arguments) => analysis::of_kind(AnalysisKind::Campbell, arguments),
         Command::Check(arguments) => check::check(arguments).and_then(|text| say(&text)),
         Command::Explain(arguments) => explain::explain(arguments).and_then(|text| say(&text)),
         Command::New(arguments) => new::new(arguments).and_then(|text| say(&text)),

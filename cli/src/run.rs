@@ -36,6 +36,7 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let start = Instant::now();
     let show = ProgressMode::fitting(arguments.quiet);
     let case = streams::warned(|warnings| machine::read(&arguments.case, warnings))?;
+    case.marched()?;
     let folder = folder(arguments, &case);
     let mut results = streams::warned(|warnings| Results::open(&folder, warnings))?;
     let interruption = Interruption::install().map_err(|error| Failure::Output {
@@ -204,7 +205,7 @@ fn closing(case: &Case, summary: &Summary, folder: &Path) -> String {
         none if none.is_empty() => none,
         some => some + "\n",
     };
-    let steady = summary.steadiness(&case.march);
+    let steady = summary.steadiness(case.march());
     let stresses: String = (summary.stresses.iter())
         .map(|(body, own)| format!("largest stress of {body}: {}\n", own.words()))
         .collect();
@@ -215,7 +216,7 @@ fn closing(case: &Case, summary: &Summary, folder: &Path) -> String {
          results in {}\n",
         case.name,
         case.title,
-        1e3 * case.march.cycle,
+        1e3 * case.march().cycle,
         orders,
         summary.verdict.words(),
         summary.steps_taken(),

@@ -22,17 +22,17 @@ const LAYOUT: &str = "whirl state 9";
 /// How a case is marched.
 pub(crate) fn options(case: &Case, built: &Built) -> MarchOptions {
     MarchOptions {
-        time_step: case.march.time_step,
-        automatic: case.march.automatic,
-        steps: case.march.steps,
-        integrator: case.march.integrator,
+        time_step: case.march().time_step,
+        automatic: case.march().automatic,
+        steps: case.march().steps,
+        integrator: case.march().integrator,
         newton: NewtonOptions {
-            force_tolerance: case.march.force_tolerance,
+            force_tolerance: case.march().force_tolerance,
             ..NewtonOptions::default()
         },
-        cycle: case.march.steady_cycle(),
-        steady_rule: case.march.steady_rule,
-        stop_when_steady: case.march.stop_when_steady,
+        cycle: case.march().steady_cycle(),
+        steady_rule: case.march().steady_rule,
+        stop_when_steady: case.march().stop_when_steady,
         initial: built.initial.clone(),
     }
 }
@@ -86,14 +86,14 @@ pub(crate) fn described(case: &Case, built: &Built) -> Result<Option<String>, Fa
     Ok(match &case.start {
         Start::Rest | Start::After(_) => None,
         Start::Equilibrium => {
-            let step = options(case, built).equal_step();
+            let step = case.march.as_ref().and_then(|_| options(case, built).equal_step());
             Some(words(case, &equilibrium(&built.machine, &speeds(case), step)?))
         }
         Start::State(folder) => {
             let (last, _) = read(Path::new(folder.text()), None)?;
             last.check(&built.machine).map_err(|error| refused(folder.text(), error))?;
-            if let Some(fields) = &case.fields {
-                fields.check_times([last.time(), last.time() + case.march.duration()])?;
+            if let (Some(fields), Some(march)) = (&case.fields, &case.march) {
+                fields.check_times([last.time(), last.time() + march.duration()])?;
             }
             Some(going_on(folder.text(), &last))
         }

@@ -64,6 +64,16 @@ pub enum Error {
     /// A file of a mesh is wrong.
     #[error("{0}")]
     Input(#[from] InputErrors),
+    /// A body that turns, and is not round.
+    #[error(
+        "{body} is not round: {lack}. Seen from space its equations vary with its angle, and it has no modes at a speed: march it, or make it round"
+    )]
+    NotRound {
+        /// Its name.
+        body: String,
+        /// What it lacks.
+        lack: String,
+    },
     /// A mesh names a set that it does not have.
     #[error("{origin} has no {kind} set called {name}{}", suggestion(.nearest))]
     MissingSet {

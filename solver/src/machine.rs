@@ -1,6 +1,8 @@
 //! The machine: reduced bodies, the motion that couples their deformation to their rotation, bearings between any
 //! two of them, and loads.
 
+use std::sync::Arc;
+
 use whirl_specs::{Clearance, Motion};
 
 pub use crate::bodies::{Body, BodyPlace, Rotation};
@@ -30,7 +32,8 @@ pub struct MachineParts {
     pub loads: Vec<Load>,
 }
 
-/// A machine ready to be marched. Its coordinates are q = {θ of every turning body, η or x_b of every body}.
+/// A machine ready to be marched; a copy shares the springs. Its coordinates are q = {θ of every turning body, η or x_b of every body}.
+#[derive(Clone)]
 pub struct Machine {
     /// The bodies.
     pub bodies: Vec<Body>,
@@ -38,7 +41,7 @@ pub struct Machine {
     /// How rotation and deformation of a turning body are coupled.
     pub motion: &'static Motion,
     /// The springs of all bearings.
-    pub springs: Springs,
+    pub springs: Arc<Springs>,
     /// External loads.
     pub loads: Vec<Load>,
     /// The outputs of each bearing.
@@ -50,6 +53,7 @@ pub struct Machine {
 }
 
 /// All nodes of a body, with their motion.
+#[derive(Debug, Clone)]
 pub struct Field {
     /// The body, by its place.
     pub body: usize,
@@ -58,6 +62,7 @@ pub struct Field {
 }
 
 /// How the outputs of a bearing are computed.
+#[derive(Debug, Clone)]
 pub(crate) struct Monitor {
     /// Its name in messages.
     pub(crate) name: String,
@@ -134,7 +139,7 @@ impl Machine {
             bodies,
             layout,
             motion,
-            springs,
+            springs: Arc::new(springs),
             loads,
             monitors,
             outputs: Vec::new(),

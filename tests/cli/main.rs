@@ -1,5 +1,6 @@
 //! The `whirl` command as a user meets it: exit statuses, messages, files.
 
+mod analyses;
 mod bad_input;
 mod bad_machine;
 mod bodies;

@@ -26,6 +26,7 @@ fn shaft() -> SolidShaft {
         layers_in_support: 2,
         layers_between: 22,
         loads: vec![0.25, 0.702, 1.154],
+        sections: Vec::new(),
         section: SectionCells::default(),
         material: steel(),
     }
@@ -129,6 +130,7 @@ fn another_shaft_has_the_mass_of_its_polygon() {
         layers_in_support: 4,
         layers_between: 10,
         loads: vec![0.3],
+        sections: Vec::new(),
         section: SectionCells { sectors: 12, rings: 4, order: 1 },
         material: Material::isotropic("bronze", 110e9, 0.34, 8800.0).unwrap(),
     };

@@ -6,7 +6,8 @@ use std::f64::consts::TAU;
 
 use nalgebra::DMatrix;
 use whirl_solver::assembly::mass_properties;
-use whirl_solver::dynamics::{March, State, System, march};
+use whirl_solver::dynamics::{March, march};
+use whirl_solver::equations::{Equations, State};
 use whirl_solver::linalg::{Lu, Matrix, generalised_symmetric_eigen};
 use whirl_solver::machine::{Machine, MachineParts};
 use whirl_solver::shaft::Shaft;
@@ -102,9 +103,9 @@ fn a_spinning_shaft_displaced_as_a_whole_is_in_the_balance_of_the_centred_one() 
 
     let residual = |name: &str, state: &State| {
         let machine = Machine::new(free(shaft.clone(), motion(name))).expect("a machine");
-        let mut system = System::new(&machine);
-        system.evaluate(0.0, state);
-        system.residual().to_vec()
+        let mut equations = Equations::new(&machine);
+        equations.evaluate(0.0, state);
+        equations.residual().to_vec()
     };
     let difference: Vec<f64> = residual("consistent", &moved)
         .iter()
@@ -131,7 +132,7 @@ fn a_spinning_shaft_displaced_as_a_whole_is_in_the_balance_of_the_centred_one() 
 }
 
 /// Energy and angular momentum of the free shaft.
-fn kept(machine: &Machine, system: &mut System, state: &State) -> [f64; 2] {
+fn kept(machine: &Machine, equations: &mut Equations, state: &State) -> [f64; 2] {
     let shaft = machine.bodies[0].shaft().expect("it turns");
     let tensors: Vec<&[f64]> =
         machine.motion.tensors.iter().map(|t| shaft.tensor(t.name).expect("a tensor")).collect();
@@ -139,7 +140,7 @@ fn kept(machine: &Machine, system: &mut System, state: &State) -> [f64; 2] {
     let mut momenta = vec![0.0; 1 + shaft.size()];
     let momentum = machine.motion.momentum.expect("a motion with an energy");
     momentum(&tensors, &motion_state(state), &mut workspace, &mut momenta);
-    [system.kinetic_energy(state) + system.strain_energy(state), momenta[0]]
+    [equations.kinetic_energy(state) + equations.strain_energy(state), momenta[0]]
 }
 
 fn motion_state(state: &State) -> MotionState<'_> {
@@ -189,12 +190,12 @@ fn drifts_of_energy_and_angular_momentum_fall_as_the_square_of_the_step() {
         [options.initial[0].position, options.initial[0].velocity] = [eta.clone(), eta_dot.clone()];
         options.initial[0].speed = 300.0;
         let mut march = March::new(&machine, &options).expect("starts");
-        let mut system = System::new(&machine);
-        let start = kept(&machine, &mut system, march.state());
+        let mut equations = Equations::new(&machine);
+        let start = kept(&machine, &mut equations, march.state());
         let mut squares = [0.0; 2];
         for _ in 0..steps {
             march.advance().unwrap_or_else(|error| panic!("{error}"));
-            let now = kept(&machine, &mut system, march.state());
+            let now = kept(&machine, &mut equations, march.state());
             for (sum, (now, start)) in squares.iter_mut().zip(now.iter().zip(start)) {
                 *sum += (now / start - 1.0).powi(2) / steps as f64;
             }

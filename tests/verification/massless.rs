@@ -26,6 +26,7 @@ fn shaft(layers: usize, density: f64) -> Mesh {
         layers_in_support: 2,
         layers_between: layers,
         loads: Vec::new(),
+        sections: Vec::new(),
         section: SectionCells { sectors: 8, rings: 2, order: 1 },
         material: steel("STEEL", DENSITY),
     };

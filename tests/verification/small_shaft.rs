@@ -30,6 +30,7 @@ pub(crate) fn mesh() -> Mesh {
         layers_in_support: 2,
         layers_between: 8,
         loads: Vec::new(),
+        sections: Vec::new(),
         section: SectionCells { sectors: 8, rings: 2, order: 1 },
         material: Material::isotropic("STEEL", 200e9, 0.3, 7860.0).expect("steel"),
     };

@@ -22,7 +22,7 @@ const PHASES: [(&str, &str); 7] = [
     ("the row of the step", "row::write_row"),
     ("the steady state", "SteadyTest::add"),
 ];
-const EVALUATION: &str = "System::evaluate";
+const EVALUATION: &str = "Equations::evaluate";
 /// What it calls for the springs, where the compiler leaves that a function of its own.
 const SPRINGS: &str = "SpringState::update";
 /// What an evaluation consists of.

@@ -1,5 +1,6 @@
 //! A case: what a case file says, in SI, checked as far as it can be without building the machine.
 
+mod analyses;
 mod columns;
 mod cycle;
 mod fields;
@@ -28,6 +29,9 @@ use std::sync::Arc;
 
 use whirl_codegen::diagnostic::Source;
 
+use crate::errors::Failure;
+
+pub(crate) use analyses::{Analysis, AnalysisKind, MODES, ORDERS, speeds, turning};
 pub(crate) use columns::Columns;
 pub(crate) use cycle::{Run, TWO_REVOLUTIONS};
 pub(crate) use fields::Fields;
@@ -44,7 +48,7 @@ pub(crate) use march::MarchSettings;
 pub(crate) use outputs::{Output, Wanted};
 pub(crate) use parameters::{BearingFacts, SetParameter, rounded};
 pub(crate) use read::read;
-pub(crate) use read::{Draft, SystemDraft, draft, draft_of, draft_with};
+pub(crate) use read::{Draft, Purpose, SystemDraft, draft, draft_of, draft_with};
 pub(crate) use rotor::{
     Bearing, Body, Drive, GeneratedMesh, MatrixFiles, Mesh, MeshFile, Region, StaticCorrection,
 };
@@ -67,8 +71,8 @@ pub struct Case {
     pub(crate) sources: Vec<Arc<Source>>,
     /// What is marched.
     pub(crate) system: System,
-    /// Time step, duration and tolerances.
-    pub(crate) march: MarchSettings,
+    /// Time step, duration and tolerances; none of a case that is only analysed.
+    pub(crate) march: Option<MarchSettings>,
     /// How it begins.
     pub(crate) start: Start,
     /// Bytes that reductions may take, if it says so.
@@ -77,6 +81,8 @@ pub struct Case {
     pub(crate) outputs: Vec<Output>,
     /// What is written of whole bodies.
     pub(crate) fields: Option<Fields>,
+    /// Small motions about steady states.
+    pub(crate) analyses: Vec<Analysis>,
     /// What figures show beyond the results.
     pub(crate) figures: Figures,
 }
@@ -85,7 +91,24 @@ impl Case {
     /// How long it runs.
     pub(crate) fn run(&self) -> Run {
         let goes_on = matches!(self.start, Start::State(_) | Start::After(_));
-        Run { duration: self.march.duration(), goes_on }
+        Run { duration: self.march.as_ref().map_or(0.0, MarchSettings::duration), goes_on }
+    }
+
+    /// How it is marched.
+    ///
+    /// # Errors
+    /// It is only analysed.
+    pub(crate) fn marched(&self) -> Result<&MarchSettings, Failure> {
+        self.march.as_ref().ok_or_else(|| Failure::Argument {
+            message: format!("`{}` has no `[march]`: it can be analysed, not run", self.name),
+            help: "add `[march]` with `time_step` and `duration`, or try `whirl analyse`"
+                .to_owned(),
+        })
+    }
+
+    /// How it is marched, once that is known to be.
+    pub(crate) fn march(&self) -> &MarchSettings {
+        self.march.as_ref().expect("a case that is marched")
     }
 
     /// Name under which results are kept.
@@ -105,12 +128,12 @@ impl Case {
 
     /// Steps that are asked for; rows where the program chooses the steps.
     pub fn steps(&self) -> usize {
-        self.march.steps
+        self.march.as_ref().map_or(0, |own| own.steps)
     }
 
     /// Rows of a history with all steps.
     pub fn rows(&self) -> usize {
-        self.march.steps / self.march.output_every
+        self.march.as_ref().map_or(0, |own| own.steps / own.output_every)
     }
     /// Numbers of its supports or stops, or names of its joints.
     pub fn support_names(&self) -> Vec<String> {

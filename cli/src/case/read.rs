@@ -11,16 +11,25 @@ use super::fields::{self, Fields};
 use super::library::{FileStore, load};
 use super::start::{Start, StartDraft};
 use super::{
-    Case, CaseText, Figures, JoinedMachine, Lumped, MarchSettings, Output, System, law, lumped,
-    machine, march, outputs, reduction, start,
+    Analysis, Case, CaseText, Figures, JoinedMachine, Lumped, MarchSettings, Output, System,
+    analyses, law, lumped, machine, march, outputs, reduction, start,
 };
+
+/// What a case is read for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Purpose {
+    /// To be marched, if it does not ask for analyses alone.
+    March,
+    /// For analyses: it needs no `[march]`.
+    Analysis,
+}
 
 /// Reads the case that the user called `name`: the path of a file, or a built-in case.
 ///
 /// # Errors
 /// Everything that is wrong with the case and the files it includes, each with its place.
 pub(crate) fn read(name: &str) -> Result<Case, Diagnostics> {
-    draft(name)?.finish()
+    draft(name, Purpose::March)?.finish()
 }
 
 /// A case with what is wrong with it so far.
@@ -35,6 +44,7 @@ pub(crate) struct Draft {
     start: Option<StartDraft>,
     memory_limit: Option<usize>,
     outputs: Vec<Output>,
+    analyses: Vec<Analysis>,
     /// What is marched, as far as the case says it.
     pub(crate) system: SystemDraft,
     /// What is wrong.
@@ -72,6 +82,7 @@ impl Draft {
             figures,
             march,
             outputs,
+            analyses,
             fields,
             start,
             memory_limit,
@@ -80,8 +91,8 @@ impl Draft {
         } = self;
         let start = start.map_or(Start::Rest, |own| own.start);
         let place = sources[0].clone();
-        match (errors.into_result(())?, march, system.finish()) {
-            ((), Some(march), Some(system)) => {
+        match (errors.into_result(())?, system.finish()) {
+            ((), Some(system)) => {
                 sources.extend(system.tables());
                 Ok(Case {
                     name,
@@ -93,6 +104,7 @@ impl Draft {
                     start,
                     memory_limit,
                     outputs,
+                    analyses,
                     fields,
                     figures,
                 })
@@ -109,9 +121,9 @@ impl Draft {
 ///
 /// # Errors
 /// Files that cannot be read or are no TOML.
-pub(crate) fn draft(name: &str) -> Result<Draft, Diagnostics> {
+pub(crate) fn draft(name: &str, purpose: Purpose) -> Result<Draft, Diagnostics> {
     let (store, path) = FileStore::find(name)?;
-    draft_in(store, &path, None)
+    draft_in(store, &path, None, purpose)
 }
 
 /// As [`draft`], of a text.
@@ -119,7 +131,7 @@ pub(crate) fn draft(name: &str) -> Result<Draft, Diagnostics> {
 /// # Errors
 /// As [`draft`].
 pub(crate) fn draft_of(text: &CaseText) -> Result<Draft, Diagnostics> {
-    draft_in(FileStore::Given(text), text.path(), None)
+    draft_in(FileStore::Given(text), text.path(), None, Purpose::March)
 }
 
 /// As [`draft_of`], with other values of some keys.
@@ -127,17 +139,28 @@ pub(crate) fn draft_of(text: &CaseText) -> Result<Draft, Diagnostics> {
 /// # Errors
 /// As [`draft`].
 pub(crate) fn draft_with(text: &CaseText, values: Tree) -> Result<Draft, Diagnostics> {
-    draft_in(FileStore::Given(text), text.path(), Some(values))
+    draft_in(FileStore::Given(text), text.path(), Some(values), Purpose::March)
 }
 
-fn draft_in(store: FileStore, path: &Path, values: Option<Tree>) -> Result<Draft, Diagnostics> {
+fn draft_in(
+    store: FileStore,
+    path: &Path,
+    values: Option<Tree>,
+    purpose: Purpose,
+) -> Result<Draft, Diagnostics> {
     let (tree, sources) = load(store, path, values)?;
     let document = Document::of_case(&sources[0], tree);
-    let draft = document.root(Case::SHAPE).read(|file| assemble(store, path, &sources, file));
+    let draft =
+        document.root(Case::SHAPE).read(|file| assemble((store, purpose), path, &sources, file));
     Ok(Draft { errors: document.into_errors(), ..draft })
 }
 
-fn assemble(store: FileStore, path: &Path, sources: &[Arc<Source>], file: &Table) -> Draft {
+fn assemble(
+    (store, purpose): (FileStore, Purpose),
+    path: &Path,
+    sources: &[Arc<Source>],
+    file: &Table,
+) -> Draft {
     let title = file.text_or_none("title");
     let origin = file.optional_string("source");
     let figures = figures(store, file);
@@ -147,8 +170,14 @@ fn assemble(store: FileStore, path: &Path, sources: &[Arc<Source>], file: &Table
         start::check(file, start, &system);
     }
     let goes_on = start.as_ref().is_some_and(StartDraft::goes_on);
+    if purpose == Purpose::March && !file.gives("analysis") {
+        // In the order in which the file would have them.
+        file.demand("title");
+        file.demand("march");
+    }
     let march = march::read(file, &system, goes_on);
     let outputs = outputs::read(file, &system);
+    let analyses = analyses::read(file, &system);
     let fields = fields::read(file, &system);
     if let (Some(fields), Some(march), false) = (&fields, &march, goes_on) {
         let beyond = fields.times_beyond([0.0, march.duration()]);
@@ -165,6 +194,7 @@ fn assemble(store: FileStore, path: &Path, sources: &[Arc<Source>], file: &Table
         start,
         memory_limit,
         outputs,
+        analyses,
         fields,
         system,
         errors: Diagnostics::new(),

@@ -10,6 +10,7 @@ use whirl_codegen::units::Dimension;
 use whirl_specs::MOTIONS;
 
 use super::Case;
+use super::analyses::AnalysisKind;
 use super::joined::schema as joined;
 
 impl Case {
@@ -112,9 +113,14 @@ const CASE: &[Key] = &[
     key("mass", Table(&[LUMPED]), "instead of shaft and support: one mass"),
     key("stop", List(&Table(&[STOP])), "what the mass may strike"),
     key("start", Table(&[BEGINNING]), "how the machine begins; at rest if left out"),
-    merged("march", Table(&[MARCH]), "steps in time"),
+    key("march", Table(&[MARCH]), "steps in time; a case that is only analysed needs none"),
     key("reduction", Table(&[REDUCTION]), "how bodies are reduced"),
     key("output", Named(&Table(&[OUTPUT])), "further columns of history.csv, by name"),
+    key(
+        "analysis",
+        Named(&Table(&[ANALYSIS])),
+        "modes about the state at constant speeds, by name",
+    ),
     key("fields", Table(&[FIELDS]), "motions of whole bodies as VTU files"),
     key("figures", Table(&[FIGURES]), "laws drawn, and numbers of the figures in the paper"),
 ];
@@ -414,6 +420,26 @@ const OUTPUT: &[Key] = &[
     key("frame", Words(&["space", "body"]), "whose components; space if left out"),
     key("components", NAMES, "of \"x\", \"y\" and \"z\"; x and y if left out")
         .like("[\"x\", \"y\"]"),
+];
+
+const ANALYSIS: &[Key] = &[
+    merged(
+        "kind",
+        Words(AnalysisKind::WORDS),
+        "modes at one speed or a few, or followed over speeds",
+    ),
+    key("of", Text, "the body whose speed it is over; the first that turns if left out")
+        .like("\"rotor\""),
+    key(
+        "speeds",
+        Text,
+        "of that body: one, or a range with a number; those of the case if left out",
+    )
+    .like("\"0 rpm .. 30000 rpm, 61\""),
+    key("ratios", Named(&Number), "speeds of other bodies over that; as in the case if left out")
+        .like("{ outer = -1.5 }"),
+    key("count", Count(1, 200), "how many modes, the slowest ones; 10 if left out"),
+    key("orders", List(&Number), "of critical speeds; 1 if left out").like("[1, 2]"),
 ];
 
 const FIELDS: &[Key] = &[

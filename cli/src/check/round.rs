@@ -5,7 +5,6 @@ use std::fmt::Write;
 
 use whirl_solver::Error;
 use whirl_solver::machine::Rotation;
-use whirl_solver::roundness::{ASYMMETRY, Roundness};
 use whirl_text::rounded;
 
 use crate::case::{Case, System};
@@ -28,7 +27,7 @@ pub(super) fn say(text: &mut String, case: &Case, built: &Built) -> Result<(), F
         if found.is_round_at(speed) {
             continue;
         }
-        let reason = reason(&found);
+        let reason = found.lack();
         let hertz = speed.abs() * 2.0 / TAU;
         let at = if hertz > 0.0 {
             format!(", {} Hz at its top speed", rounded(hertz, 5))
@@ -43,29 +42,4 @@ pub(super) fn say(text: &mut String, case: &Case, built: &Built) -> Result<(), F
         );
     }
     Ok(())
-}
-
-/// Why a body does not count as round.
-fn reason(found: &Roundness) -> String {
-    let percent = |share: f64| format!("{} %", rounded(100.0 * share, 3));
-    if !found.has_pairs() {
-        return "nothing on its axis shows its motion along x and y alike".to_owned();
-    }
-    if found.splitting >= ASYMMETRY {
-        let modes = if found.split > 0.0 {
-            format!("a pair of modes at {} Hz", rounded(found.split, 5))
-        } else {
-            "its rigid motions".to_owned()
-        };
-        return format!("{modes} along x and y differ by {}", percent(found.splitting));
-    }
-    if let Some(alone) = found.alone {
-        let hertz = rounded(alone, 5);
-        return format!("its mode at {hertz} Hz, retained motions held, has no partner across");
-    }
-    let worst = found
-        .shares
-        .iter()
-        .fold(("rows", found.rows), |worst, own| if own.1 > worst.1 { *own } else { worst });
-    format!("its {} is off that of a round body by {}", worst.0, percent(worst.1))
 }

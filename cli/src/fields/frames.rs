@@ -37,8 +37,8 @@ impl Schedule {
     /// Of a case that wants frames.
     pub(crate) fn new(case: &Case) -> Option<Schedule> {
         let fields = case.fields.as_ref()?;
-        let dt = case.march.time_step;
-        let cycle = (case.march.cycle / dt).round().max(1.0) as u64;
+        let dt = case.march().time_step;
+        let cycle = (case.march().cycle / dt).round().max(1.0) as u64;
         let frames = fields.frames as u64;
         let every = (frames > 0).then(|| (cycle / frames.max(1)).max(1));
         let slots = every.map_or(0, |every| cycle.div_ceil(every));

@@ -34,8 +34,8 @@ pub(crate) const NAMES: [&str; 8] = [
     "waterfall",
 ];
 
-pub(crate) use self::draw::png;
-pub(crate) use self::figure::{Cells, Cloud, Figure, Line, Map, Panel, Style};
+pub(crate) use self::draw::{png, svg};
+pub(crate) use self::figure::{Cells, Cloud, Dot, Figure, Line, Map, Panel, Style};
 pub use self::laws::{Curve, curves};
 pub(crate) use self::spectra::{Spectrum, last_spectra};
 pub(crate) use self::stack::{Stacked, stack};
@@ -149,14 +149,14 @@ fn figure(
 ) -> io::Result<Option<Figure>> {
     if matches!(stem, "spectrum" | "waterfall") {
         let all = oscillations(case, &built.machine);
-        let step = case.march.time_step * case.march.output_every as f64;
+        let step = case.march().time_step * case.march().output_every as f64;
         return match stem {
-            "spectrum" => spectra::spectrum(history, &all, (step, case.march.cycle)),
+            "spectrum" => spectra::spectrum(history, &all, (step, case.march().cycle)),
             _ => spectra::waterfall(history, &all, step),
         };
     }
     let span = match &case.system {
-        System::Joined(_) => Span::fitting(history, case.march.cycle)?,
+        System::Joined(_) => Span::fitting(history, case.march().cycle)?,
         System::Lumped(_) => Span::All,
     };
     let titles = case.supports();

@@ -26,7 +26,7 @@ pub(crate) use meshes::placed as placed_errors;
 pub(crate) use plan::BodyPlan;
 
 use self::described::Described;
-use crate::case::{self, Case, CaseText, Draft, System, SystemDraft};
+use crate::case::{self, Case, CaseText, Draft, Purpose, System, SystemDraft};
 use crate::errors::Failure;
 
 /// Reads the case that the user called `name`, and checks its meshes and sets even where
@@ -35,7 +35,15 @@ use crate::errors::Failure;
 /// # Errors
 /// Everything that is wrong with the case; of its meshes and sets only where the case has errors.
 pub(crate) fn read(name: &str, warnings: &mut Vec<String>) -> Result<Case, Failure> {
-    checked(case::draft(name)?, warnings)
+    checked(case::draft(name, Purpose::March)?, warnings)
+}
+
+/// As [`read`], of a case that need not be marched.
+///
+/// # Errors
+/// As [`read`].
+pub(crate) fn read_to_analyse(name: &str, warnings: &mut Vec<String>) -> Result<Case, Failure> {
+    checked(case::draft(name, Purpose::Analysis)?, warnings)
 }
 
 /// As [`read`], of a text.

@@ -285,7 +285,7 @@ impl Summary {
         time: Times,
         (verdict, error): (VerdictFacts, Option<String>),
     ) -> io::Result<Summary> {
-        let (cycle, supports) = (case.march.cycle, case.supports());
+        let (cycle, supports) = (case.march().cycle, case.supports());
         let named = matches!(&case.system, System::Joined(machine) if !machine.short);
         Ok(Summary {
             case: case_facts(case, built),
@@ -297,13 +297,13 @@ impl Summary {
             verdict,
             march: MarchFacts {
                 converged,
-                complete: steps == case.march.steps
-                    || case.march.stop_when_steady && outcome.steady.is_some() && error.is_none(),
-                integrator: case.march.integrator_called(),
-                spectral_radius: case.march.spectral_radius,
-                time_step_s: case.march.automatic.is_none().then_some(case.march.time_step),
-                automatic: AutomaticFacts::new(&case.march, outcome),
-                steps_asked: case.march.steps,
+                complete: steps == case.march().steps
+                    || case.march().stop_when_steady && outcome.steady.is_some() && error.is_none(),
+                integrator: case.march().integrator_called(),
+                spectral_radius: case.march().spectral_radius,
+                time_step_s: case.march().automatic.is_none().then_some(case.march().time_step),
+                automatic: AutomaticFacts::new(case.march(), outcome),
+                steps_asked: case.march().steps,
                 steps,
                 iterations: outcome.iterations,
                 factorisations: outcome.factorisations,
@@ -313,9 +313,9 @@ impl Summary {
             orders: orders(history, &oscillations(case, &built.machine), cycle)?,
             stresses: BTreeMap::new(),
             cycle_s: cycle,
-            cycle: case.march.cycle_called,
+            cycle: case.march().cycle_called,
             steady_state: SteadyFacts {
-                checked: case.march.steady_cycle().is_some(),
+                checked: case.march().steady_cycle().is_some(),
                 reached: outcome.steady.is_some(),
                 time_s: outcome.steady.map(|steady| steady.time),
                 left: outcome.left,

@@ -120,7 +120,7 @@ pub(super) fn march(
         None => start::begin((case, built), &options, store.folder(), watch)?,
     };
     if let (Some(fields), true) = (&case.fields, case.run().goes_on) {
-        fields.check_times([march.begun(), march.begun() + case.march.duration()])?;
+        fields.check_times([march.begun(), march.begun() + case.march().duration()])?;
     }
     watch.begun(options.steps, march.progress().step);
     let start = Instant::now();
@@ -134,7 +134,7 @@ pub(super) fn march(
         if let Err(error) = march.advance() {
             break End::Diverged(error.to_string());
         }
-        if let Err(NotWritten(reason)) = store.record(&march, case.march.output_every) {
+        if let Err(NotWritten(reason)) = store.record(&march, case.march().output_every) {
             break End::NotWritten(store.failing(), reason);
         }
         if store.is_due() {
@@ -155,11 +155,11 @@ pub(super) fn march(
     }
     let state = matches!(end, End::Done).then(|| march.last_state());
     let outcome = march.outcome();
-    let diverged = matches!(end, End::Diverged(_)).then_some([step, case.march.steps]);
+    let diverged = matches!(end, End::Diverged(_)).then_some([step, case.march().steps]);
     let verdict = VerdictFacts::new(
         (&built.machine, &case.supports()),
         &outcome,
-        (case.march.time_step, case.march.automatic),
+        (case.march().time_step, case.march().automatic),
         (diverged, before.as_deref()),
     );
     let (end, warning) = match (store.finish(), end) {

@@ -48,9 +48,10 @@ pub(crate) fn simulate<'a>(
     from: Option<Point>,
     (watch, start): (&dyn Watch, Instant),
 ) -> Result<Simulated<'a>, Failure> {
+    case.marched()?;
     let marched = march::march((case, built), store, from, watch)?;
     let time = times(built, &marched, start);
-    let reason = marched.end.reason(marched.step, case.march.steps);
+    let reason = marched.end.reason(marched.step, case.march().steps);
     let motions = Motions::read((case, built), || store.frames(), marched.step);
     let made = store.history().and_then(|history| {
         let converged = !matches!(marched.end, End::Diverged(_));

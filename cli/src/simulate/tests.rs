@@ -58,7 +58,7 @@ fn left(folder: &Path) -> (Value, Vec<u8>, Vec<u8>) {
 /// A short run of a built-in case, with lines of its start; none where such a case does not start so.
 fn case(folder: &Path, (name, automatic): (&str, bool), start: &str) -> Result<Case, Failure> {
     let own = crate::read(name, &mut Vec::new())?;
-    let dt = own.march.time_step;
+    let dt = own.march().time_step;
     let steps = match automatic {
         true => format!("time_step = \"auto\"\noutput_step = \"{dt:e} s\"\n"),
         false => String::new(),

@@ -13,13 +13,13 @@ use super::axis::Along;
 use super::column::{Column, Shown};
 use super::definition::{Keep, Sweep};
 use super::examine::examine;
-use super::level::digits;
 use super::points::Point;
 use super::workers;
 use crate::case::Case;
 use crate::errors::Failure;
 use crate::progress::{self, ProgressMode};
 use crate::simulate::{Watch, in_memory};
+use crate::values::level::digits;
 use crate::{machine, streams};
 
 /// Adds a line to a text.
@@ -186,7 +186,7 @@ fn say_effort(
     let numbers = 40.0 + 25.0 * supports + sweep.keys.len() as f64;
     let mut bytes = sweep.count() as f64 * numbers * (DIGITS_OF_TABLE + 2.0 * BINARY);
     if sweep.keep == Keep::Histories {
-        let rows = sweep.mean_steps(case) / case.march.output_every as f64;
+        let rows = sweep.mean_steps(case) / case.march().output_every as f64;
         bytes += sweep.count() as f64 * rows * columns * DIGITS_OF_HISTORY;
     }
     line!(text, "about {} on disk", size(bytes));

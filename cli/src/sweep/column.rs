@@ -1,7 +1,7 @@
 //! What a table says of a key that varies: numbers in one unit, or texts.
 
-use super::level::{Level, in_unit_of};
 use super::vary::Varied;
+use crate::values::level::{Level, in_unit_of};
 
 /// How the values of a key stand in its column.
 #[derive(Debug, Clone)]

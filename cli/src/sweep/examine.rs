@@ -22,7 +22,9 @@ impl Sweep {
     /// # Errors
     /// Everything that is wrong with it, at the places of its values in the sweep, or in the case.
     pub fn case(&self, point: &Point, warnings: &mut Vec<String>) -> Result<Case, Failure> {
-        machine::read_with(&self.base, self.tree(point), warnings)
+        let case = machine::read_with(&self.base, self.tree(point), warnings)?;
+        case.marched()?;
+        Ok(case)
     }
 
     /// Where the range begins in which an error stands, if it stands in one.

@@ -5,8 +5,8 @@ use whirl_solver::cache::Key;
 
 use super::axis::Axis;
 use super::definition::Sweep;
-use super::level::Level;
 use super::vary::Varied;
+use crate::values::level::Level;
 
 /// A point of a sweep: values of the keys that vary.
 #[derive(Debug, Clone)]

@@ -10,12 +10,12 @@ use whirl_codegen::document::{Document, Table};
 
 use super::axis::{Along, Axis};
 use super::definition::{Keep, Sweep};
-use super::level::{Level, quoted};
 use super::random::Random;
 use super::schema::MOST_POINTS;
 use super::vary::{self, Values, Varied};
 use crate::case::{CaseText, FileStore};
 use crate::errors::Failure;
+use crate::values::level::{Level, quoted};
 
 /// What messages call the arguments of the command line.
 const COMMAND_LINE: &str = "--vary";

@@ -12,9 +12,9 @@ use super::definition::Sweep;
 use super::files::{CSV, PARQUET};
 use super::folder::SweepFolder;
 use super::kept::Kept;
-use super::level::digits;
 use super::parquet::{GROUP, Parquet, Values};
 use super::row::{Row, Verdict};
+use crate::values::level::digits;
 
 /// How many points came to what.
 #[derive(Debug, Default)]

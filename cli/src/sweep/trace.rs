@@ -55,10 +55,10 @@ impl Trace {
             all.extend(mass(case));
         }
         all.truncate(SIGNALS);
-        let alone = case.march.cycle_called == TWO_REVOLUTIONS;
-        let positions = positions(history, &all, (case.march.cycle, alone))?;
-        let step = case.march.time_step * case.march.output_every as f64;
-        let spectra = last_spectra(history, &all, (step, case.march.cycle))?;
+        let alone = case.march().cycle_called == TWO_REVOLUTIONS;
+        let positions = positions(history, &all, (case.march().cycle, alone))?;
+        let step = case.march().time_step * case.march().output_every as f64;
+        let spectra = last_spectra(history, &all, (step, case.march().cycle))?;
         let mut spectra = spectra.map_or(Vec::new(), |own| own.signals).into_iter();
         let traced = |(own, positions): (Oscillation, Vec<Vec<f32>>)| {
             let (found, speed) = spectra.next().unwrap_or_default();

@@ -3,10 +3,10 @@
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics};
 use whirl_codegen::document::tree::{Content, Node, Place, Tree};
 
-use super::level::{Level, quoted};
 use super::random::Random;
-use super::range::{Range, is_range};
 use crate::case::refused;
+use crate::values::level::{Level, quoted};
+use crate::values::range::{Range, is_range};
 
 /// A key of the case with its values.
 #[derive(Debug, Clone)]

@@ -292,6 +292,29 @@ impl<'d> Table<'d> {
         all
     }
 
+    /// Positive numbers in a list; none if the key is not given.
+    pub fn positive_numbers(&self, key: &str) -> Vec<f64> {
+        let is_list =
+            |shape: &Shape| shape.of_items().is_some_and(|own| matches!(own, Shape::Number));
+        let Some((node, _)) = self.entry(key, is_list) else { return Vec::new() };
+        let Content::List(list) = &node.content else {
+            self.wrong(key, node, "numbers", &self.example(key));
+            return Vec::new();
+        };
+        let number = |item: &Node| match &item.content {
+            Content::Number(number) => number.float().filter(|own| *own > 0.0),
+            _ => None,
+        };
+        let mut numbers = Vec::with_capacity(list.len());
+        for item in list {
+            match number(item) {
+                Some(value) => numbers.push(value),
+                None => self.wrong(key, item, "positive numbers", &self.example(key)),
+            }
+        }
+        numbers
+    }
+
     /// Texts in a list, or one alone where this is declared; as many as declared.
     pub fn texts(&self, key: &str) -> Vec<Located> {
         let is_list = |shape: &Shape| shape.of_items().is_some_and(Shape::is_text);

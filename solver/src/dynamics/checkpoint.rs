@@ -4,10 +4,10 @@ use serde::{Deserialize, Serialize};
 
 use super::halvings::Halvings;
 use super::meters::MeterSums;
-use super::newmark::State;
 use super::newton::NewtonState;
 use super::steady::SteadyTest;
 use crate::bearing::Worst;
+use crate::equations::State;
 
 /// From when a march counts its time: that at the end of its step n is time + (step + n) Δt, so that a march which goes on
 /// with the same step has the times of one that was never cut, to the bit.

@@ -1,8 +1,8 @@
 //! Contacts that begin and end within one part of a step: at its ends nothing is seen of them.
 
-use super::newmark::State;
-use super::system::System;
 use crate::bearing::SpringState;
+use crate::equations::Equations;
+use crate::equations::State;
 use crate::machine::Machine;
 
 /// Where within a part is looked, as fractions of it.
@@ -30,15 +30,15 @@ impl Contacts {
     /// does exactly where nothing but constant forces act.
     pub(super) fn are_within(
         &mut self,
-        system: &System,
+        equations: &Equations,
         (t, dt): (f64, f64),
         [start, end]: [&State; 2],
     ) -> bool {
         let Contacts { springs, within, free } = self;
-        let all = &system.machine.springs;
+        let all = &equations.machine.springs;
         free.clear();
         free.extend(
-            (0..system.springs.forces.len()).filter(|at| system.springs.forces[*at] == 0.0),
+            (0..equations.springs.forces.len()).filter(|at| equations.springs.forces[*at] == 0.0),
         );
         if free.is_empty() {
             return false;

@@ -16,8 +16,9 @@ use std::sync::Arc;
 
 use super::jumps::SHORTEST;
 use super::march::March;
-use super::newmark::{Integrator, State};
+use super::newmark::Integrator;
 use crate::curve::Curve;
+use crate::equations::State;
 use crate::error::Error;
 use crate::loads::{Load, Onset, TimeFunction};
 use crate::machine::Machine;

@@ -4,9 +4,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::newmark::State;
 use super::quality::QualityMeter;
-use super::system::System;
+use crate::equations::Equations;
+use crate::equations::State;
 
 /// So many steps.
 const EARLY: usize = 8;
@@ -28,39 +28,39 @@ impl QualityMeter {
     /// Judges a sampled step of a length, which has just ended at time `t` (s), or keeps it until it can be judged.
     pub(super) fn judge(
         &mut self,
-        system: &mut System,
+        equations: &mut Equations,
         (time, dt): (f64, f64),
         [start, end]: [&State; 2],
     ) {
         if self.linearised.is_some() {
-            return self.sample(system, dt, start, end);
+            return self.sample(equations, dt, start, end);
         }
         let (start, end, change) = (start.clone(), end.clone(), self.change.clone());
         self.sums.early.push(EarlyStep { time, dt, start, end, change });
         if self.sums.early.len() >= EARLY {
-            self.judge_early(system);
+            self.judge_early(equations);
         }
     }
 
     /// Judges the steps that were kept, in the modes of the machine at the end of the last of them, where the system is evaluated.
     /// Where a mass matrix is not positive definite nothing is judged.
-    pub(super) fn judge_early(&mut self, system: &mut System) {
+    pub(super) fn judge_early(&mut self, equations: &mut Equations) {
         let early = std::mem::take(&mut self.sums.early);
         let Some(last) = early.last() else { return };
-        let Some(linearised) = self.linearise(system, &last.end) else { return };
+        let Some(linearised) = self.linearise(equations, &last.end) else { return };
         self.add_displacement(&linearised, &early[0].start);
         self.linearised = Some(linearised);
         for step in &early {
             self.change.copy_from_slice(&step.change);
-            self.sample(system, step.dt, &step.start, &step.end);
+            self.sample(equations, step.dt, &step.start, &step.end);
         }
     }
 
     /// Judges what is left of a march that has ended.
-    pub(super) fn judge_rest(&mut self, system: &mut System) {
+    pub(super) fn judge_rest(&mut self, equations: &mut Equations) {
         if let Some(last) = self.sums.early.last() {
-            system.evaluate(last.time, &last.end);
-            self.judge_early(system);
+            equations.evaluate(last.time, &last.end);
+            self.judge_early(equations);
         }
     }
 }

@@ -2,10 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::newmark::State;
-use super::system::System;
 use super::windows::Windows;
 use crate::bearing::work::{Flow, MOTIONS, SpringWork, WorkAlong};
+use crate::equations::Equations;
+use crate::equations::State;
 
 /// The energy balance of a march, in J: work in = kinetic + strain + stored + lost + dissipated + error, each
 /// counted from the start.
@@ -81,8 +81,8 @@ pub(crate) struct EnergyMeter {
 }
 
 /// Work of the forces at a state that was just evaluated on the rounding of what they hold (J).
-pub(super) fn rounding(system: &System, state: &State) -> f64 {
-    let forces = system.load.iter().zip(&system.spring).zip(&system.elastic).zip(&state.q);
+pub(super) fn rounding(equations: &Equations, state: &State) -> f64 {
+    let forces = equations.load.iter().zip(&equations.spring).zip(&equations.elastic).zip(&state.q);
     let held = forces.map(|(((load, spring), elastic), q)| {
         (load.abs() + spring.abs() + elastic.abs()) * q.abs()
     });
@@ -90,34 +90,34 @@ pub(super) fn rounding(system: &System, state: &State) -> f64 {
 }
 
 /// Residuals of the rows of rotations that are given.
-fn drives<'s>(system: &'s System) -> &'s [f64] {
-    &system.residual[..system.machine.first_unknown()]
+fn drives<'s>(equations: &'s Equations) -> &'s [f64] {
+    &equations.residual[..equations.machine.first_unknown()]
 }
 
 impl EnergyMeter {
     /// Starts at a state that was just evaluated.
-    pub(crate) fn new(system: &mut System, state: &State) -> Self {
-        let start = (system.kinetic_energy(state), system.strain_energy(state));
+    pub(crate) fn new(equations: &mut Equations, state: &State) -> Self {
+        let start = (equations.kinetic_energy(state), equations.strain_energy(state));
         EnergyMeter {
             sums: EnergySums {
                 work_in: 0.0,
                 dissipated: 0.0,
                 springs: SpringWork::default(),
-                flows: Windows::new(MOTIONS * system.machine.springs.bearings),
+                flows: Windows::new(MOTIONS * equations.machine.springs.bearings),
                 turnover: start.0 + start.1,
                 start,
             },
-            along: WorkAlong::new(&system.machine.springs, &system.springs),
+            along: WorkAlong::new(&equations.machine.springs, &equations.springs),
             measured: None,
-            load: system.load.clone(),
-            damper: system.damper.clone(),
-            drive: drives(system).to_vec(),
+            load: equations.load.clone(),
+            damper: equations.damper.clone(),
+            drive: drives(equations).to_vec(),
         }
     }
 
     /// Energy made and flowed at every bearing, in each of its [`MOTIONS`], by a step that ends at a state just evaluated and may be added then, or may not.
-    pub(crate) fn measure(&mut self, system: &System) -> &[Flow] {
-        self.measured = Some(self.along.measure(&system.machine.springs, &system.springs));
+    pub(crate) fn measure(&mut self, equations: &Equations) -> &[Flow] {
+        self.measured = Some(self.along.measure(&equations.machine.springs, &equations.springs));
         self.along.flows()
     }
 
@@ -127,28 +127,28 @@ impl EnergyMeter {
     }
 
     /// Measures the next step from a state that was just evaluated, with nothing added of how it came there.
-    pub(crate) fn turn_to(&mut self, system: &System) {
+    pub(crate) fn turn_to(&mut self, equations: &Equations) {
         self.measured = None;
-        self.along.start(&system.springs);
-        self.jump(system);
+        self.along.start(&equations.springs);
+        self.jump(equations);
     }
 
     /// Adds a step that ends at a state just evaluated.
-    pub(crate) fn add(&mut self, system: &System, start: &State, end: &State) {
+    pub(crate) fn add(&mut self, equations: &Equations, start: &State, end: &State) {
         let moved = |before: &[f64], after: &[f64]| -> f64 {
             let forces = before.iter().zip(after).map(|(a, b)| 0.5 * (a + b));
             forces.zip(start.q.iter().zip(&end.q)).map(|(force, (a, b))| force * (b - a)).sum()
         };
-        let driven = moved(&self.drive, drives(system));
-        let work_in = moved(&self.load, &system.load) - driven;
-        let dissipated = moved(&self.damper, &system.damper);
+        let driven = moved(&self.drive, drives(equations));
+        let work_in = moved(&self.load, &equations.load) - driven;
+        let dissipated = moved(&self.damper, &equations.damper);
         self.sums.work_in += work_in;
         self.sums.dissipated += dissipated;
-        self.jump(system);
-        let springs = &system.machine.springs;
+        self.jump(equations);
+        let springs = &equations.machine.springs;
         let known = self.measured.take();
-        let work = known.unwrap_or_else(|| self.along.measure(springs, &system.springs));
-        self.along.start(&system.springs);
+        let work = known.unwrap_or_else(|| self.along.measure(springs, &equations.springs));
+        self.along.start(&equations.springs);
         self.sums.springs.add_step(&work);
         let flows = self.along.flows();
         self.sums.flows.add(flows);
@@ -159,24 +159,24 @@ impl EnergyMeter {
 
     /// Takes the forces of the state that was just evaluated for those of the start of the next step: loads have changed at
     /// once.
-    pub(crate) fn jump(&mut self, system: &System) {
-        self.load.copy_from_slice(&system.load);
-        self.damper.copy_from_slice(&system.damper);
-        self.drive.copy_from_slice(drives(system));
+    pub(crate) fn jump(&mut self, equations: &Equations) {
+        self.load.copy_from_slice(&equations.load);
+        self.damper.copy_from_slice(&equations.damper);
+        self.drive.copy_from_slice(drives(equations));
     }
 
     /// The balance at a state.
-    pub(crate) fn balance(&self, system: &mut System, state: &State) -> EnergyBalance {
+    pub(crate) fn balance(&self, equations: &mut Equations, state: &State) -> EnergyBalance {
         let EnergySums { work_in, dissipated, springs, start, .. } = &self.sums;
         EnergyBalance {
             work_in: *work_in,
-            kinetic: system.kinetic_energy(state) - start.0,
-            strain: system.strain_energy(state) - start.1,
+            kinetic: equations.kinetic_energy(state) - start.0,
+            strain: equations.strain_energy(state) - start.1,
             spring_stored: springs.stored,
             spring_dissipated: springs.dissipated,
             dissipated: *dissipated,
             turnover: self.sums.turnover,
-            rounding: rounding(system, state),
+            rounding: rounding(equations, state),
         }
     }
 
@@ -186,8 +186,8 @@ impl EnergyMeter {
     }
 
     /// Goes on from sums of an earlier march at a state that was just evaluated.
-    pub(crate) fn resume_from(&mut self, system: &System, sums: EnergySums) {
+    pub(crate) fn resume_from(&mut self, equations: &Equations, sums: EnergySums) {
         self.sums = sums;
-        self.turn_to(system);
+        self.turn_to(equations);
     }
 }

@@ -5,9 +5,10 @@ use whirl_specs::ContactTangent;
 
 use super::condensed::Condensed;
 use super::merit::Merit;
-use super::newmark::{Coefficients, Integrator, State};
+use super::newmark::{Coefficients, Integrator};
 use super::secants::Secants;
-use super::system::System;
+use crate::equations::Equations;
+use crate::equations::State;
 use crate::linalg::{Lu, RoughInverse, copy_block_from};
 
 /// Directions from factors before they are inverted, which takes as long as so many from the inverse save.
@@ -62,8 +63,8 @@ struct Factors {
 }
 
 impl Factors {
-    fn new(system: &System, unknowns: usize) -> Self {
-        Factors { lu: Lu::new(unknowns), tangents: system.spring_tangents().to_vec() }
+    fn new(equations: &Equations, unknowns: usize) -> Self {
+        Factors { lu: Lu::new(unknowns), tangents: equations.spring_tangents().to_vec() }
     }
 }
 
@@ -103,16 +104,16 @@ struct Factored {
 }
 
 impl Factored {
-    fn keep(&mut self, (time, state, dt): (f64, &State, f64), system: &System) {
-        (self.time, self.before, self.dt) = (time, system.before, dt);
+    fn keep(&mut self, (time, state, dt): (f64, &State, f64), equations: &Equations) {
+        (self.time, self.before, self.dt) = (time, equations.before, dt);
         self.state.copy_from(state);
-        self.released.copy_from_slice(&system.released);
+        self.released.copy_from_slice(&equations.released);
     }
 
     /// Sets what acts on a system to what acted there.
-    fn restore(&self, system: &mut System) {
-        system.before = self.before;
-        system.released.copy_from_slice(&self.released);
+    fn restore(&self, equations: &mut Equations) {
+        equations.before = self.before;
+        equations.released.copy_from_slice(&self.released);
     }
 
     fn is_there(&self) -> bool {
@@ -136,8 +137,8 @@ impl FactorsState {
 
 impl KeptFactors {
     /// Memory for as many step lengths as there are shelves, and one.
-    pub(super) fn new(system: &System, shelves: usize) -> Self {
-        let machine = system.machine;
+    pub(super) fn new(equations: &Equations, shelves: usize) -> Self {
+        let machine = equations.machine;
         let (size, first) = (machine.size(), machine.first_unknown());
         let unknowns = size - first;
         let released = vec![false; machine.loads.len()];
@@ -150,10 +151,10 @@ impl KeptFactors {
         };
         KeptFactors {
             first,
-            current: Factors::new(system, unknowns),
-            shelves: (0..shelves).map(|_| Factors::new(system, unknowns)).collect(),
+            current: Factors::new(equations, unknowns),
+            shelves: (0..shelves).map(|_| Factors::new(equations, unknowns)).collect(),
             inverse: RoughInverse::new(unknowns),
-            condensed: Condensed::new(system),
+            condensed: Condensed::new(equations),
             memory: vec![0.0; unknowns],
             followed: 0,
             contracts: true,
@@ -204,36 +205,41 @@ impl KeptFactors {
     /// Goes on with what was kept; the system is evaluated elsewhere for it, with loads released as they were.
     pub(super) fn resume_from(
         &mut self,
-        (system, method): (&mut System, Integrator),
+        (equations, method): (&mut Equations, Integrator),
         kept: FactorsState,
         merit: &mut Merit,
     ) {
         for (shelf, own) in kept.shelved.iter().enumerate().filter(|(_, own)| own.is_there()) {
-            self.repeat(system, method, own);
+            self.repeat(equations, method, own);
             std::mem::swap(&mut self.current, &mut self.shelves[shelf]);
         }
         if kept.current.is_there() {
-            let step = self.repeat(system, method, &kept.current);
+            let step = self.repeat(equations, method, &kept.current);
             if kept.directions >= FACTORED {
-                merit.weigh(system, &step);
-                self.invert(system, merit);
+                merit.weigh(equations, &step);
+                self.invert(equations, merit);
             }
             if kept.bodies.is_there() {
-                kept.bodies.restore(system);
+                kept.bodies.restore(equations);
                 let (time, state) = (kept.bodies.time, &kept.bodies.state);
-                self.take_bodies(system, (time, state, &step));
+                self.take_bodies(equations, (time, state, &step));
             }
         }
-        system.before = false;
+        equations.before = false;
         self.state = kept;
     }
 
     /// Computes factors again where they were computed.
-    fn repeat(&mut self, system: &mut System, method: Integrator, own: &Factored) -> Coefficients {
-        own.restore(system);
-        system.evaluate(own.time, &own.state);
+    fn repeat(
+        &mut self,
+        equations: &mut Equations,
+        method: Integrator,
+        own: &Factored,
+    ) -> Coefficients {
+        own.restore(equations);
+        equations.evaluate(own.time, &own.state);
         let step = Coefficients::new(method, own.dt);
-        self.factor(system, own.time, &own.state, &step);
+        self.factor(equations, own.time, &own.state, &step);
         step
     }
 
@@ -271,25 +277,25 @@ impl KeptFactors {
     #[inline(never)]
     pub(super) fn factor(
         &mut self,
-        system: &mut System,
+        equations: &mut Equations,
         t: f64,
         at: &State,
         step: &Coefficients,
     ) -> bool {
         let (first, size) = (self.first, at.q.len());
         if first == 0 {
-            system.tangent(t, at, step, self.current.lu.values_mut());
+            equations.tangent(t, at, step.weights(), self.current.lu.values_mut());
         } else {
-            system.tangent(t, at, step, &mut self.whole);
+            equations.tangent(t, at, step.weights(), &mut self.whole);
             copy_block_from(first, &self.whole, size, self.current.lu.values_mut());
         }
-        for (own, tangent) in self.current.tangents.iter_mut().zip(system.spring_tangents()) {
+        for (own, tangent) in self.current.tangents.iter_mut().zip(equations.spring_tangents()) {
             copy_tangent(tangent, own);
         }
         let done = self.current.lu.factor_in_place().is_ok();
         self.state.begin_count();
         self.state.factorisations += 1;
-        self.state.current.keep((t, at, if done { step.dt } else { 0.0 }), system);
+        self.state.current.keep((t, at, if done { step.dt } else { 0.0 }), equations);
         done
     }
 
@@ -299,23 +305,23 @@ impl KeptFactors {
     #[inline(never)]
     pub(super) fn solve(
         &mut self,
-        system: &mut System,
+        equations: &mut Equations,
         (t, at, step): (f64, &State, &Coefficients),
         r: &mut [f64],
         (merit, tolerance): (&Merit, f64),
     ) {
         if self.state.directions == FACTORED {
-            self.invert(system, merit);
+            self.invert(equations, merit);
         }
         self.state.directions += 1;
         if self.state.by == Directions::Condensed && !self.state.bodies.is_there() {
-            self.take_bodies(system, (t, at, step));
+            self.take_bodies(equations, (t, at, step));
         }
         match (self.state.by, &mut self.condensed) {
             (Directions::Condensed, Some(condensed)) => {
                 let tangents = &self.current.tangents;
                 let judged = (tolerance, self.state.again);
-                match condensed.solve(system, tangents, (at, step), r, judged) {
+                match condensed.solve(equations, tangents, (at, step), r, judged) {
                     Some(followed) => {
                         self.followed += followed.corrections;
                         self.contracts &= followed.contracts;
@@ -335,8 +341,8 @@ impl KeptFactors {
     }
 
     /// Makes of the factors what gives directions faster.
-    fn invert(&mut self, system: &System, merit: &Merit) {
-        let (lu, springs) = (&mut self.current.lu, &system.machine.springs);
+    fn invert(&mut self, equations: &Equations, merit: &Merit) {
+        let (lu, springs) = (&mut self.current.lu, &equations.machine.springs);
         let is_condensed = self
             .condensed
             .as_mut()
@@ -349,10 +355,14 @@ impl KeptFactors {
     }
 
     /// Evaluates the bodies of the condensed iteration at a state.
-    fn take_bodies(&mut self, system: &mut System, (t, at, step): (f64, &State, &Coefficients)) {
+    fn take_bodies(
+        &mut self,
+        equations: &mut Equations,
+        (t, at, step): (f64, &State, &Coefficients),
+    ) {
         let Some(condensed) = self.condensed.as_mut() else { return };
-        if condensed.take_bodies(system, t, at, step) {
-            self.state.bodies.keep((t, at, step.dt), system);
+        if condensed.take_bodies(equations, t, at, step) {
+            self.state.bodies.keep((t, at, step.dt), equations);
         } else {
             self.state.by = Directions::Factors;
         }

@@ -9,10 +9,11 @@
 use serde::{Deserialize, Serialize};
 
 use super::histogram::Histogram;
-use super::newmark::{Integrator, State};
+use super::newmark::Integrator;
 use super::quality::{QualityMeter, larger};
 use super::sampling::{is_sampled, stands_for};
-use super::system::System;
+use crate::equations::Equations;
+use crate::equations::State;
 
 /// States that are looked at together.
 const TOGETHER: usize = 5;
@@ -89,11 +90,11 @@ impl InSpace {
 
 impl QualityMeter {
     /// Measures it at a step of `dt` s that is sampled, where the steps before were as long; needs those before it.
-    pub(super) fn add_in_space(&mut self, system: &mut System, dt: f64, ends: [&State; 2]) {
+    pub(super) fn add_in_space(&mut self, equations: &mut Equations, dt: f64, ends: [&State; 2]) {
         let steps = self.sums.steps;
         let ahead = TOGETHER as u64 - 1;
         let is_wanted = (0..ahead).any(|ahead| weight(steps + ahead).is_some());
-        if !is_wanted || system.turning.is_empty() || self.method != Integrator::default() {
+        if !is_wanted || equations.turning.is_empty() || self.method != Integrator::default() {
             self.sums.in_space.filled = 0;
             return;
         }
@@ -106,7 +107,7 @@ impl QualityMeter {
             return;
         }
         let middle = &self.sums.in_space.states[TOGETHER / 2];
-        system.change_of_inertia([middle, &self.corrected], &mut self.inertia);
+        equations.change_of_inertia([middle, &self.corrected], &mut self.inertia);
         let first = self.inertia.len() - self.motion.len();
         let judged = self.steps.most();
         linearised.driven(judged, &self.inertia[first..], &mut self.within);

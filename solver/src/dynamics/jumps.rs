@@ -4,7 +4,7 @@
 //! split there: its first part ends with what acts before the jump, and the accelerations start anew from what acts after it.
 
 use super::march::{March, accelerate};
-use super::newmark::State;
+use crate::equations::State;
 use crate::error::Error;
 use crate::loads::Onset;
 use crate::machine::{Body, Machine, Rotation};
@@ -44,9 +44,9 @@ impl March<'_> {
             let next = if at < end - near { at } else { end };
             let taken = if begun == t && next == end { dt } else { next - begun };
             if taken > near {
-                self.system.before = true;
+                self.equations.before = true;
                 let solved = self.smooth((begun, taken), halvings);
-                self.system.before = false;
+                self.equations.before = false;
                 solved?;
                 begun = next;
             }
@@ -59,8 +59,8 @@ impl March<'_> {
     pub(super) fn jump(&mut self, t: f64) -> Result<(), Error> {
         let State { q, v, a, .. } = &mut self.state;
         self.machine.set_given(t, false, [q, v, a]);
-        accelerate(&mut self.system, t, &mut self.state)?;
-        self.meters.jump(&self.system);
+        accelerate(&mut self.equations, t, &mut self.state)?;
+        self.meters.jump(&self.equations);
         Ok(())
     }
 }

@@ -10,9 +10,9 @@ use std::ops::Range;
 use serde::{Deserialize, Serialize};
 
 use super::modes::MachineModes;
-use super::newmark::State;
 use super::parts::Part;
-use super::system::System;
+use crate::equations::Equations;
+use crate::equations::State;
 use crate::error::Error;
 
 /// Where a machine was linearised: enough to do it again with the same bits.
@@ -25,8 +25,8 @@ pub(super) struct Place {
 
 impl Place {
     /// Where a system was just evaluated.
-    pub(super) fn of(system: &System, state: &State) -> Self {
-        Place { time: system.time, state: state.clone(), released: system.released.clone() }
+    pub(super) fn of(equations: &Equations, state: &State) -> Self {
+        Place { time: equations.time, state: state.clone(), released: equations.released.clone() }
     }
 }
 
@@ -71,15 +71,15 @@ impl Linearised {
     /// # Errors
     /// A mass matrix that is not positive definite.
     pub(super) fn new(
-        system: &mut System,
+        equations: &mut Equations,
         parts: &[Part],
         length: f64,
         state: &State,
     ) -> Result<Self, Error> {
         // What begins at this instant acts, whichever side of it the step was on.
-        let before = std::mem::replace(&mut system.before, false);
-        let modes = MachineModes::told_apart(system, state, (SLOW / (length * length), length));
-        system.before = before;
+        let before = std::mem::replace(&mut equations.before, false);
+        let modes = MachineModes::told_apart(equations, state, (SLOW / (length * length), length));
+        equations.before = before;
         let modes = modes?;
         let [acted, fast] = modes.acted(0.0);
         let slowest = parts.iter().map(|part| {
@@ -95,15 +95,15 @@ impl Linearised {
     /// # Errors
     /// A mass matrix that is not positive definite.
     pub(super) fn again(
-        system: &mut System,
+        equations: &mut Equations,
         parts: &[Part],
         length: f64,
         place: &Place,
     ) -> Result<Self, Error> {
-        let released = std::mem::replace(&mut system.released, place.released.clone());
-        system.evaluate(place.time, &place.state);
-        let new = Linearised::new(system, parts, length, &place.state);
-        system.released = released;
+        let released = std::mem::replace(&mut equations.released, place.released.clone());
+        equations.evaluate(place.time, &place.state);
+        let new = Linearised::new(equations, parts, length, &place.state);
+        equations.released = released;
         new
     }
 

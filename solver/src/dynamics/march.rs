@@ -9,7 +9,7 @@ use super::energy::EnergyBalance;
 use super::halvings::Halvings;
 use super::jumps::jumps;
 use super::meters::Meters;
-use super::newmark::{Integrator, State};
+use super::newmark::Integrator;
 use super::newton::{Newton, NewtonOptions, NewtonState, StepReport};
 use super::outputs::write_outputs;
 use super::quality::Quality;
@@ -18,8 +18,9 @@ use super::row::{displacements, write_row};
 use super::settled::settled_from;
 use super::steady::{SteadyRule, SteadyState, SteadyTest};
 use super::strides::{MOST_SPLITS, SHELVES, most_halvings};
-use super::system::System;
 use crate::bearing::Worst;
+use crate::equations::Equations;
+use crate::equations::State;
 use crate::error::Error;
 use crate::history::History;
 use crate::linalg::Lu;
@@ -159,7 +160,7 @@ pub fn march(
 pub struct March<'m> {
     pub(super) machine: &'m Machine,
     pub(super) options: MarchOptions,
-    pub(super) system: System<'m>,
+    pub(super) equations: Equations<'m>,
     pub(super) newton: Newton,
     pub(super) state: State,
     clock: Clock,
@@ -219,17 +220,17 @@ impl<'m> March<'m> {
         accelerated: bool,
     ) -> Result<Self, Error> {
         let size = machine.size();
-        let mut system = System::new(machine);
-        system.released = released;
+        let mut equations = Equations::new(machine);
+        equations.released = released;
         match accelerated {
-            true => accelerate(&mut system, time, &mut state)?,
-            false => system.evaluate(time, &state),
+            true => accelerate(&mut equations, time, &mut state)?,
+            false => equations.evaluate(time, &state),
         }
         if options.integrator.is_direct() {
             state.lag.fill(0.0);
         }
         let length = (options.time_step, options.automatic);
-        let meters = Meters::new(&mut system, options.integrator, length, &state)?;
+        let meters = Meters::new(&mut equations, options.integrator, length, &state)?;
         let signals = [machine.springs.forces(), 2 * machine.monitors.len()];
         let rule = options.steady_rule;
         let test = |cycle| SteadyTest::new(rule, signals, cycle, options.time_step);
@@ -245,9 +246,9 @@ impl<'m> March<'m> {
         let asked: usize = machine.outputs.iter().map(|own| own.columns().len()).sum();
         Ok(March {
             machine,
-            newton: Newton::new(options.newton, &system, shelves),
+            newton: Newton::new(options.newton, &equations, shelves),
             meters,
-            system,
+            equations,
             // Steps are halved, and split where loads end or rows are hidden.
             starts: vec![
                 State::new(size);
@@ -271,10 +272,10 @@ impl<'m> March<'m> {
     pub(super) fn go_on(&mut self, clock: Clock, time: f64, newton: Option<NewtonState>) {
         self.clock = clock;
         if let Some(newton) = newton {
-            let released = self.system.released.clone();
-            self.newton.resume_from(&mut self.system, self.options.integrator, newton);
-            self.system.released = released;
-            self.system.evaluate(time, &self.state);
+            let released = self.equations.released.clone();
+            self.newton.resume_from(&mut self.equations, self.options.integrator, newton);
+            self.equations.released = released;
+            self.equations.evaluate(time, &self.state);
         }
     }
 
@@ -290,13 +291,13 @@ impl<'m> March<'m> {
     ) -> Result<Self, Error> {
         let Checkpoint { state, time, clock, released, newton, meters, worst, tally } = from;
         let mut march = March::new(machine, options).map_err(|failure| failure.error)?;
-        let system = &mut march.system;
-        march.newton.resume_from(system, options.integrator, newton);
-        system.released = released;
-        system.evaluate(time, &state);
-        system.springs.resume(&worst);
-        march.meters.resume_from(system, meters)?;
-        system.evaluate(time, &state);
+        let equations = &mut march.equations;
+        march.newton.resume_from(equations, options.integrator, newton);
+        equations.released = released;
+        equations.evaluate(time, &state);
+        equations.springs.resume(&worst);
+        march.meters.resume_from(equations, meters)?;
+        equations.evaluate(time, &state);
         (march.state, march.clock, march.tally) = (state, clock, tally);
         Ok(march)
     }
@@ -305,9 +306,9 @@ impl<'m> March<'m> {
     pub fn checkpoint(&self) -> Checkpoint {
         Checkpoint {
             state: self.state.clone(),
-            time: self.system.time,
+            time: self.equations.time,
             clock: self.clock,
-            released: self.system.released.clone(),
+            released: self.equations.released.clone(),
             newton: self.newton.kept(),
             meters: self.meters.sums(),
             worst: self.worst().to_vec(),
@@ -336,28 +337,28 @@ impl<'m> March<'m> {
         self.tally.iterations += self.last_iterations;
         let time = self.time();
         let (usual, asked) = self.row.split_at_mut(self.usual);
-        write_row(&self.system, &self.state, time, self.last_iterations, usual);
-        write_outputs(&mut self.system, &self.state, time, asked);
+        write_row(&self.equations, &self.state, time, self.last_iterations, usual);
+        write_outputs(&mut self.equations, &self.state, time, asked);
         let settled = time >= self.settled && self.is_released();
         if let Some(test) = self.tally.steady.as_mut().filter(|_| settled) {
             let displacements = &self.row[displacements(self.machine.monitors.len())];
-            test.add(time, self.system.springs.forces.iter().chain(displacements));
+            test.add(time, self.equations.springs.forces.iter().chain(displacements));
         }
         Ok(())
     }
 
     /// Whether no drive is on its way to its target speed.
     fn is_released(&self) -> bool {
-        let mut loads = self.machine.loads.iter().zip(&self.system.released);
+        let mut loads = self.machine.loads.iter().zip(&self.equations.released);
         loads.all(|(load, released)| *released || load.target().is_none())
     }
 
     pub(super) fn diverged(&self, time: f64, dt: f64, report: &StepReport) -> Error {
-        if let Some((law, bearing)) = self.system.springs.without_value(&self.machine.springs) {
+        if let Some((law, bearing)) = self.equations.springs.without_value(&self.machine.springs) {
             let step = self.tally.step + 1;
             return Error::NoForce { step, time, law, bearing: bearing + 1 };
         }
-        let worst = self.newton.worst(&self.system.residual);
+        let worst = self.newton.worst(&self.equations.residual);
         Error::NewtonDiverged {
             step: self.tally.step + 1,
             time,
@@ -397,7 +398,7 @@ impl<'m> March<'m> {
 
     /// For every load of the machine whether it has stopped driving.
     pub fn released(&self) -> &[bool] {
-        &self.system.released
+        &self.equations.released
     }
 
     /// What another run can start from: the state after the last step.
@@ -407,13 +408,13 @@ impl<'m> March<'m> {
 
     /// The energy balance from t = 0 to the end of the last step.
     pub fn energy(&mut self) -> EnergyBalance {
-        self.meters.balance(&mut self.system, &self.state)
+        self.meters.balance(&mut self.equations, &self.state)
     }
 
     /// The worst value so far of every measure by which the laws may be believed, in the order of
     /// [`Springs::measures`](crate::bearing::Springs::measures).
     pub fn worst(&self) -> &[Option<Worst>] {
-        self.system.springs.worst()
+        self.equations.springs.worst()
     }
 
     /// Where the march is.
@@ -433,7 +434,7 @@ impl<'m> March<'m> {
         let unknown = self.newton.unknown_force();
         Outcome {
             energy: self.energy(),
-            quality: Quality { halved, ..self.meters.quality(&mut self.system, unknown) },
+            quality: Quality { halved, ..self.meters.quality(&mut self.equations, unknown) },
             worst: self.worst().to_vec(),
             history: History::for_machine(self.machine),
             steady: self.tally.steady.as_ref().and_then(|test| test.reached),
@@ -452,14 +453,18 @@ impl<'m> March<'m> {
 }
 
 /// Sets the accelerations of the unknowns at time `t` (s) from M q̈ = r at q̈ = 0, all loads included.
-pub(super) fn accelerate(system: &mut System, t: f64, state: &mut State) -> Result<(), Error> {
-    let first = system.machine.first_unknown();
+pub(super) fn accelerate(
+    equations: &mut Equations,
+    t: f64,
+    state: &mut State,
+) -> Result<(), Error> {
+    let first = equations.machine.first_unknown();
     state.a[first..].fill(0.0);
     state.lag.fill(0.0);
-    system.evaluate(t, state);
-    state.a[first..].copy_from_slice(&system.residual[first..]);
-    for body in 0..system.turning.len() {
-        let own = &mut system.turning[body];
+    equations.evaluate(t, state);
+    state.a[first..].copy_from_slice(&equations.residual[first..]);
+    for body in 0..equations.turning.len() {
+        let own = &mut equations.turning[body];
         let (theta, flexible) = (own.theta(), own.place.flexible.clone());
         let given = theta < first;
         let block = own.unknown_mass(state, given);
@@ -472,6 +477,6 @@ pub(super) fn accelerate(system: &mut System, t: f64, state: &mut State) -> Resu
             state.a[theta] = own[0];
         }
     }
-    system.evaluate(t, state);
+    equations.evaluate(t, state);
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! The merit of an iterate, φ = ½ Σ r_i²/s_i, where s is the diagonal of the constant part a2 M + a1 C + K.
 
 use super::newmark::Coefficients;
-use super::system::System;
+use crate::equations::Equations;
 use crate::linalg::{sum_of, widely};
 
 /// The weights of φ, for the coordinates that are unknown: all from `first` on.
@@ -18,11 +18,11 @@ impl Merit {
     }
 
     /// Makes the weights for a step length.
-    pub(super) fn weigh(&mut self, system: &System, step: &Coefficients) {
+    pub(super) fn weigh(&mut self, equations: &Equations, step: &Coefficients) {
         if self.dt == step.dt {
             return;
         }
-        let diagonal = system.diagonal(step);
+        let diagonal = equations.diagonal(step.weights());
         let own = self.weights.iter_mut().zip(&diagonal[self.first..]);
         own.for_each(|(weight, s)| *weight = 1.0 / s);
         self.dt = step.dt;
@@ -34,8 +34,8 @@ impl Merit {
     }
 
     /// √(2φ) = √(Σ r_i²/s_i) of the state that was last evaluated.
-    pub(super) fn norm(&self, system: &System) -> f64 {
-        let residual = &system.residual[self.first..];
+    pub(super) fn norm(&self, equations: &Equations) -> f64 {
+        let residual = &equations.residual[self.first..];
         let (weights, mut sum) = (&self.weights[..residual.len()], 0.0);
         widely(|| sum = sum_of(residual.len(), |i| residual[i] * residual[i] * weights[i]));
         sum.sqrt()
@@ -79,19 +79,19 @@ mod tests {
     fn norms_weigh_rows_by_the_diagonal() {
         for (rotation, first) in [(Rotation::Free, 0), (Rotation::Held, 1)] {
             let machine = machine(rotation.clone());
-            let mut system = System::new(&machine);
+            let mut equations = Equations::new(&machine);
             let mut merit = Merit::new(first, 5 - first);
             let r = [3.0, -70.0, 20.0, 50.0, -11.0];
-            system.residual.copy_from_slice(&r);
+            equations.residual.copy_from_slice(&r);
             // Anew for every step length.
             for dt in [0.3, 0.1] {
                 let step = Coefficients::new(Newmark::default(), dt);
-                merit.weigh(&system, &step);
+                merit.weigh(&equations, &step);
                 let s = &diagonal(&step)[first..];
                 let pairs = || r[first..].iter().zip(s);
                 let norm = pairs().map(|(r, s)| r * r / s).sum::<f64>().sqrt();
                 let length = pairs().map(|(x, s)| x * x * s).sum::<f64>().sqrt();
-                assert!((merit.norm(&system) / norm - 1.0).abs() < 1e-14, "{rotation:?} {dt}");
+                assert!((merit.norm(&equations) / norm - 1.0).abs() < 1e-14, "{rotation:?} {dt}");
                 assert!(
                     (merit.length(&r[first..]) / length - 1.0).abs() < 1e-14,
                     "{rotation:?} {dt}"
@@ -103,13 +103,12 @@ mod tests {
     #[test]
     fn the_worst_coordinate_has_the_largest_part_of_the_merit() {
         let machine = machine(Rotation::Held);
-        let system = System::new(&machine);
+        let equations = Equations::new(&machine);
         let mut merit = Merit::new(1, 4);
         // Without inertia 1/s is 1/900, 1/1700, 1/125 and 1/200.
-        merit.weigh(
-            &system,
-            &Coefficients { dt: 1.0, a1: 0.0, a2: 1e-9, ..Coefficients::at_rest() },
-        );
+        let mut step = Coefficients::new(Newmark::default(), 1.0);
+        (step.a1, step.a2) = (0.0, 1e-9);
+        merit.weigh(&equations, &step);
         assert_eq!(merit.worst(&[1e9, 1.0, 1.0, 1.0, 1.0]), 3);
         // The largest row is not the worst, nor is that with the least s.
         assert_eq!(merit.worst(&[0.0, -30.0, 40.0, 3.0, 1.0]), 1);

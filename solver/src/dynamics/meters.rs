@@ -5,11 +5,12 @@ use serde::{Deserialize, Serialize};
 use super::contacts::Contacts;
 use super::control::{AutomaticStep, ControlMemory, Measured, PartsTaken, StepControl};
 use super::energy::{EnergyBalance, EnergyMeter, EnergySums, rounding};
-use super::newmark::{Integrator, State};
+use super::newmark::Integrator;
 use super::periods::{FewestSteps, PeriodMeter};
 use super::quality::{Quality, QualityMeter, QualitySums, StepLength};
 use super::ringing::{RingingMeter, RingingSums};
-use super::system::System;
+use crate::equations::Equations;
+use crate::equations::State;
 use crate::error::Error;
 
 /// All meters of a march.
@@ -51,7 +52,7 @@ impl Meters {
     /// # Errors
     /// A mass matrix that is not positive definite.
     pub(crate) fn new(
-        system: &mut System,
+        equations: &mut Equations,
         method: Integrator,
         (dt, automatic): (f64, Option<AutomaticStep>),
         state: &State,
@@ -60,20 +61,20 @@ impl Meters {
             Some(_) => StepLength::Most(dt),
             None => StepLength::Fixed(dt),
         };
-        let mut quality = QualityMeter::new(system, method, length, state)?;
-        let bearings = system.machine.springs.bearings;
+        let mut quality = QualityMeter::new(equations, method, length, state)?;
+        let bearings = equations.machine.springs.bearings;
         let (parts, turns) = quality.parts();
         let mut displacements = vec![0.0; parts.len() + turns];
-        quality.displacements((system.time, state), &mut displacements);
+        quality.displacements((equations.time, state), &mut displacements);
         Ok(Meters {
-            energy: EnergyMeter::new(system, state),
-            ringing: RingingMeter::new(system, &quality.parts, method.damps()),
+            energy: EnergyMeter::new(equations, state),
+            ringing: RingingMeter::new(equations, &quality.parts, method.damps()),
             errors: vec![0.0; displacements.len()],
             kinetic: vec![0.0; bearings],
             control: automatic
                 .map(|own| StepControl::new(own, dt, (&displacements, parts), bearings)),
-            contacts: Contacts::new(system.machine),
-            periods: PeriodMeter::new(system.machine),
+            contacts: Contacts::new(equations.machine),
+            periods: PeriodMeter::new(equations.machine),
             quality,
             displacements,
         })
@@ -84,7 +85,7 @@ impl Meters {
     /// load that follows an angle has too few steps in its period. It leaves no trace in what was measured so far.
     pub(crate) fn judge(
         &mut self,
-        system: &System,
+        equations: &Equations,
         (t, dt): (f64, f64),
         [start, end]: [&State; 2],
     ) -> f64 {
@@ -92,32 +93,32 @@ impl Meters {
             return 0.0;
         }
         self.quality.errors(dt, start, end, &mut self.errors);
-        let judged = self.measured(system, [start, end], StepControl::judge).unwrap_or(0.0);
+        let judged = self.measured(equations, [start, end], StepControl::judge).unwrap_or(0.0);
         let hides = judged <= 1.0
             && (self.periods.excess([start, end]) > 1.0
-                || self.contacts.are_within(system, (t, dt), [start, end]));
+                || self.contacts.are_within(equations, (t, dt), [start, end]));
         if hides { f64::NAN } else { judged }
     }
 
     /// Has the control take what is measured between two states, of which the second was just evaluated, where there is one.
     fn measured<T>(
         &mut self,
-        system: &System,
+        equations: &Equations,
         [start, end]: [&State; 2],
         take: impl FnOnce(&mut StepControl, &Measured) -> T,
     ) -> Option<T> {
         let control = self.control.as_mut()?;
-        self.quality.displacements((system.time, end), &mut self.displacements);
+        self.quality.displacements((equations.time, end), &mut self.displacements);
         self.kinetic.fill(0.0);
         for state in [start, end] {
-            self.quality.raise_kinetic(system.machine, state, &mut self.kinetic);
+            self.quality.raise_kinetic(equations.machine, state, &mut self.kinetic);
         }
         let measured = Measured {
             errors: &self.errors,
             displacements: &self.displacements,
-            flows: self.energy.measure(system),
+            flows: self.energy.measure(equations),
             kinetic: &self.kinetic,
-            rounding: rounding(system, end),
+            rounding: rounding(equations, end),
         };
         Some(take(control, &measured))
     }
@@ -128,15 +129,15 @@ impl Meters {
     }
 
     /// Takes a row that is foreseen, and ends in a state that was just evaluated; whether the next one may be, too.
-    pub(crate) fn foresee(&mut self, system: &System, ends: [&State; 2]) -> bool {
-        let goes_on = self.measured(system, ends, StepControl::foresee) == Some(true);
-        self.energy.turn_to(system);
+    pub(crate) fn foresee(&mut self, equations: &Equations, ends: [&State; 2]) -> bool {
+        let goes_on = self.measured(equations, ends, StepControl::foresee) == Some(true);
+        self.energy.turn_to(equations);
         goes_on
     }
 
     /// Goes back to a state that was just evaluated, where nothing has been added yet.
-    pub(crate) fn turn_back(&mut self, system: &System) {
-        self.energy.turn_to(system);
+    pub(crate) fn turn_back(&mut self, equations: &Equations) {
+        self.energy.turn_to(equations);
     }
 
     /// Leaves out the part of a step that was judged last, or was not solved.
@@ -179,21 +180,21 @@ impl Meters {
     #[inline(never)]
     pub(crate) fn add(
         &mut self,
-        system: &mut System,
+        equations: &mut Equations,
         span: (f64, f64),
         start: &State,
         end: &State,
         row_error: f64,
     ) {
-        self.energy.add(system, start, end);
-        self.quality.add(system, span, [start, end], (self.energy.flows(), row_error));
+        self.energy.add(equations, start, end);
+        self.quality.add(equations, span, [start, end], (self.energy.flows(), row_error));
         self.periods.add(span.1, [start, end]);
-        self.ringing.add(system, end, &self.quality.parts);
+        self.ringing.add(equations, end, &self.quality.parts);
     }
 
     /// Goes on at the state of the step that was added last, just evaluated, after loads have changed at once.
-    pub(crate) fn jump(&mut self, system: &System) {
-        self.energy.jump(system);
+    pub(crate) fn jump(&mut self, equations: &Equations) {
+        self.energy.jump(equations);
     }
 
     /// What was measured so far.
@@ -213,14 +214,14 @@ impl Meters {
     /// A mass matrix that is not positive definite.
     pub(crate) fn resume_from(
         &mut self,
-        system: &mut System,
+        equations: &mut Equations,
         sums: MeterSums,
     ) -> Result<(), Error> {
-        self.energy.resume_from(system, sums.energy);
+        self.energy.resume_from(equations, sums.energy);
         self.periods.fewest = sums.fewest_steps;
         self.ringing.sums = sums.ringing;
         self.resume_control(sums.control);
-        self.quality.resume_from(system, sums.quality)
+        self.quality.resume_from(equations, sums.quality)
     }
 
     /// Chooses parts of steps as an earlier march did.
@@ -239,13 +240,13 @@ impl Meters {
     }
 
     /// The energy balance at a state.
-    pub(crate) fn balance(&self, system: &mut System, state: &State) -> EnergyBalance {
-        self.energy.balance(system, state)
+    pub(crate) fn balance(&self, equations: &mut Equations, state: &State) -> EnergyBalance {
+        self.energy.balance(equations, state)
     }
 
     /// What the steps were worth, where forces of springs are known to `unknown` (N); the system is evaluated elsewhere for it.
-    pub(crate) fn quality(&mut self, system: &mut System, unknown: f64) -> Quality {
-        let quality = self.quality.quality(system, &self.energy.sums.flows, unknown);
+    pub(crate) fn quality(&mut self, equations: &mut Equations, unknown: f64) -> Quality {
+        let quality = self.quality.quality(equations, &self.energy.sums.flows, unknown);
         let ringing = self.ringing.ringing(&self.quality.parts);
         Quality { fewest_steps: self.periods.fewest, ringing, ..quality }
     }

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use super::newmark::{Coefficients, State};
-use super::system::System;
+use crate::equations::Equations;
+use crate::equations::{State, Weights};
 use crate::error::Error;
 use crate::linalg::{
     Matrix, add_columns, add_product, generalised_symmetric_eigen, multiply, symmetric_eigen,
@@ -24,11 +24,11 @@ pub(super) struct MachineModes {
 
 impl MachineModes {
     /// At a state that was just evaluated.
-    pub(super) fn new(system: &mut System, state: &State) -> Result<Self, Error> {
-        let stiffness = unknown_tangent(system, state, &Coefficients::at_rest()).symmetric_part();
-        let first = system.machine.first_unknown();
-        let unknowns: Vec<usize> = (first..system.machine.size()).collect();
-        let mass = system.mass(state).select(&unknowns, &unknowns);
+    pub(super) fn new(equations: &mut Equations, state: &State) -> Result<Self, Error> {
+        let stiffness = unknown_tangent(equations, state, Weights::POSITION).symmetric_part();
+        let first = equations.machine.first_unknown();
+        let unknowns: Vec<usize> = (first..equations.machine.size()).collect();
+        let mass = equations.mass(state).select(&unknowns, &unknowns);
         let eigen = generalised_symmetric_eigen(&stiffness, &mass)?;
         let rows = multiply(mass.view(), eigen.vectors.view());
         Ok(MachineModes { squares: eigen.values, rows, vectors: eigen.vectors, stiffness })
@@ -37,17 +37,17 @@ impl MachineModes {
     /// The same, with motions on which nothing acts before all others: neither stiffness, symmetric or not, nor damping, nor
     /// turning, by as much as would change ω² by `slow` in steps of `length` s. Those alone are integrated exactly.
     pub(super) fn told_apart(
-        system: &mut System,
+        equations: &mut Equations,
         state: &State,
         (slow, length): (f64, f64),
     ) -> Result<Self, Error> {
-        let mut modes = MachineModes::new(system, state)?;
+        let mut modes = MachineModes::new(equations, state)?;
         let still = modes.within(-slow..slow);
         if still.is_empty() {
             return Ok(modes);
         }
-        let step = Coefficients { dt: length, a1: 1.0 / length, ..Coefficients::at_rest() };
-        let tangent = unknown_tangent(system, state, &step);
+        let weights = Weights { rate: 1.0 / length, ..Weights::POSITION };
+        let tangent = unknown_tangent(equations, state, weights);
         let forces = multiply(tangent.view(), modes.vectors.columns(still.clone()));
         let acting = transpose_multiply(modes.vectors.view(), forces.view());
         let own = symmetric_eigen(&transpose_multiply(acting.view(), acting.view()))?;
@@ -143,10 +143,10 @@ impl MachineModes {
 }
 
 /// The tangent of the unknowns at a state that was just evaluated.
-fn unknown_tangent(system: &mut System, state: &State, step: &Coefficients) -> Matrix {
-    let (size, first) = (system.machine.size(), system.machine.first_unknown());
+fn unknown_tangent(equations: &mut Equations, state: &State, weights: Weights) -> Matrix {
+    let (size, first) = (equations.machine.size(), equations.machine.first_unknown());
     let mut data = vec![0.0; size * size];
-    system.tangent(system.time, state, step, &mut data);
+    equations.tangent(equations.time, state, weights, &mut data);
     let unknowns: Vec<usize> = (first..size).collect();
     Matrix { rows: size, cols: size, data }.select(&unknowns, &unknowns)
 }

@@ -6,8 +6,7 @@
 //! acts at the end is what balances there. Of a, (a − q̈)/Δt is kept: it is (α_m − α_f) times the rate of q̈ whatever Δt, so that
 //! steps may change.
 
-use serde::{Deserialize, Serialize};
-
+use crate::equations::{State, Weights};
 use crate::linalg::widely;
 
 /// Parameters of the method. (½, ¼), the average acceleration, neither damps nor lets energy grow in
@@ -97,10 +96,9 @@ impl Coefficients {
         Coefficients { dt, a1: gamma / (beta * dt), a2: shares / (beta * dt * dt), integrator }
     }
 
-    /// Of a machine at rest that takes all the time there is: a1 = a2 = 0.
-    pub(crate) fn at_rest() -> Self {
-        let integrator = Integrator::default();
-        Coefficients { dt: f64::INFINITY, a1: 0.0, a2: 0.0, integrator }
+    /// What C and M weigh in the tangent of a step.
+    pub fn weights(&self) -> Weights {
+        Weights { rate: self.a1, acceleration: self.a2 }
     }
 
     /// The end of the step if the accelerations that are integrated stay as they are: q_n + Δt q̇_n + ½ Δt² a_n, q̇_n + Δt a_n,
@@ -165,46 +163,6 @@ impl Coefficients {
             let rate = (end.a[i] - start.a[i]) / self.dt;
             end.lag[i] = ((alpha_m - alpha_f) * rate - alpha_m * start.lag[i]) / (1.0 - alpha_m);
         }
-    }
-}
-
-/// Positions, velocities and accelerations of all coordinates q = {θ, η, x_b}.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct State {
-    /// q: θ (rad), η, x_b.
-    pub q: Vec<f64>,
-    /// q̇.
-    pub v: Vec<f64>,
-    /// q̈.
-    pub a: Vec<f64>,
-    /// (a − q̈)/Δt, by which what is integrated differs from q̈; zero in Newmark's method.
-    pub lag: Vec<f64>,
-}
-
-impl State {
-    /// All zeros.
-    pub fn new(size: usize) -> Self {
-        let values = || vec![0.0; size];
-        State { q: values(), v: values(), a: values(), lag: values() }
-    }
-
-    /// Takes over the first coordinates only, which no correction moves.
-    pub(crate) fn copy_first(&mut self, first: usize, other: &State) {
-        self.q[..first].copy_from_slice(&other.q[..first]);
-        self.v[..first].copy_from_slice(&other.v[..first]);
-        self.a[..first].copy_from_slice(&other.a[..first]);
-    }
-
-    /// The accelerations from the coordinate `first` on that steps of `dt` s integrate: those of Newmark's method are q̈.
-    pub(super) fn integrated(&self, dt: f64, first: usize) -> impl Iterator<Item = f64> {
-        self.a[first..].iter().zip(&self.lag[first..]).map(move |(a, lag)| a + dt * lag)
-    }
-
-    pub(crate) fn copy_from(&mut self, other: &State) {
-        self.q.copy_from_slice(&other.q);
-        self.v.copy_from_slice(&other.v);
-        self.a.copy_from_slice(&other.a);
-        self.lag.copy_from_slice(&other.lag);
     }
 }
 

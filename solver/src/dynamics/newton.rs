@@ -5,7 +5,7 @@
 //! or foresee by the laws what they do not know (`condensed`). A step is taken only if it lessens the merit φ of
 //! `Merit`: along the direction of a fresh [AK] φ falls for a short enough step wherever r is differentiable, so that
 //! the iteration cannot cycle.
-//! φ only steers. A step counts as solved when every row of r is (`System::row_error`) and the forces of the
+//! φ only steers. A step counts as solved when every row of r is (`Equations::row_error`) and the forces of the
 //! springs have come to rest.
 
 use serde::{Deserialize, Serialize};
@@ -14,8 +14,9 @@ use super::extrapolation::Extrapolation;
 use super::factors::{FactorsState, KeptFactors};
 use super::halvings::HalvedAt;
 use super::merit::Merit;
-use super::newmark::{Coefficients, Integrator, State};
-use super::system::System;
+use super::newmark::{Coefficients, Integrator};
+use crate::equations::Equations;
+use crate::equations::State;
 use crate::linalg::{largest_and_sum, widely};
 
 /// How the equations of a step are solved.
@@ -28,7 +29,7 @@ pub struct NewtonOptions {
     /// of small forces is solved as well as a large one.
     pub relative_force_tolerance: f64,
     /// Largest residual left in a row of the equations, as a fraction of the largest term of that row; see
-    /// `System::row_error`.
+    /// `Equations::row_error`.
     pub residual_tolerance: f64,
     /// Iterations after which a step counts as failed.
     pub max_iterations: usize,
@@ -93,7 +94,7 @@ pub(crate) struct StepReport {
     pub(crate) residual: f64,
     /// Largest change of a spring force in the last iteration (N).
     pub(crate) force_change: f64,
-    /// `System::row_error` of the state that was accepted.
+    /// `Equations::row_error` of the state that was accepted.
     pub(crate) row_error: f64,
 }
 
@@ -134,14 +135,14 @@ pub(crate) struct Newton {
 
 impl Newton {
     /// With factors kept for so many step lengths beside the one in use.
-    pub(crate) fn new(options: NewtonOptions, system: &System, shelves: usize) -> Self {
-        let machine = system.machine;
+    pub(crate) fn new(options: NewtonOptions, equations: &Equations, shelves: usize) -> Self {
+        let machine = equations.machine;
         let (size, first) = (machine.size(), machine.first_unknown());
         let unknowns = size - first;
         Newton {
             options,
             first,
-            factors: KeptFactors::new(system, shelves),
+            factors: KeptFactors::new(equations, shelves),
             merit: Merit::new(first, unknowns),
             extrapolation: Extrapolation::new(unknowns),
             largest_force: 0.0,
@@ -163,11 +164,11 @@ impl Newton {
     /// Goes on with what was kept; the system is evaluated elsewhere for it, with loads released as they were.
     pub(crate) fn resume_from(
         &mut self,
-        system: &mut System,
+        equations: &mut Equations,
         method: Integrator,
         kept: NewtonState,
     ) {
-        self.factors.resume_from((system, method), kept.factors, &mut self.merit);
+        self.factors.resume_from((equations, method), kept.factors, &mut self.merit);
         (self.extrapolation, self.largest_force) = (kept.extrapolation, kept.largest_force);
     }
 
@@ -199,19 +200,19 @@ impl Newton {
     /// Solves for the state at `t`, the end of `step`, from the prediction in `end`.
     pub(crate) fn solve(
         &mut self,
-        system: &mut System,
+        equations: &mut Equations,
         t: f64,
         step: &Coefficients,
         end: &mut State,
     ) -> StepReport {
         self.factors.begin(step.dt);
-        self.merit.weigh(system, step);
+        self.merit.weigh(equations, step);
         self.predicted.copy_from(end);
         self.extrapolation.begin(step.dt, &mut self.correction);
         step.correct(&self.predicted, self.correction.iter().copied(), self.first, end);
         self.trial.copy_first(self.first, end);
-        system.evaluate(t, end);
-        let mut norm = self.merit.norm(system);
+        equations.evaluate(t, end);
+        let mut norm = self.merit.norm(equations);
         self.residuals.clear();
         self.residuals.push(norm);
         let mut last_length = f64::INFINITY;
@@ -221,21 +222,21 @@ impl Newton {
                 return self.failed(iteration, norm, force_change);
             }
             let mut fresh = !self.factors.are_of(step.dt) || !self.options.keep_factors;
-            if fresh && !self.factors.factor(system, t, end, step) {
+            if fresh && !self.factors.factor(equations, t, end, step) {
                 return self.failed(iteration, norm, force_change);
             }
-            self.direct(system, t, step, end);
+            self.direct(equations, t, step, end);
             let (length, tried) = loop {
-                match self.search(system, t, step, norm, fresh) {
+                match self.search(equations, t, step, norm, fresh) {
                     Some(found) => break found,
                     None if !fresh => {
                         // Kept factors promise nothing: compute them at this state and try again.
-                        system.evaluate(t, end);
-                        if !self.factors.factor(system, t, end, step) {
+                        equations.evaluate(t, end);
+                        if !self.factors.factor(equations, t, end, step) {
                             return self.failed(iteration, norm, force_change);
                         }
                         fresh = true;
-                        self.direct(system, t, step, end);
+                        self.direct(equations, t, step, end);
                     }
                     None => return self.failed(iteration, norm, force_change),
                 }
@@ -245,7 +246,7 @@ impl Newton {
             parts.for_each(|(sum, part)| *sum += length * part);
             let last_norm = std::mem::replace(&mut norm, tried);
             self.residuals.push(norm);
-            let (change, largest) = self.force_change(system);
+            let (change, largest) = self.force_change(equations);
             force_change = change;
             let most = f64::max(self.largest_force, largest);
             let force_tolerance = self.force_tolerance(most);
@@ -253,7 +254,7 @@ impl Newton {
             if length == 1.0 && at_rest {
                 let options = NewtonOptions { force_tolerance, ..self.options };
                 let stalls = norm > STALLED * last_norm;
-                let row_error = system.row_error([end, &self.predicted], &options, stalls);
+                let row_error = equations.row_error([end, &self.predicted], &options, stalls);
                 if row_error <= 1.0 {
                     self.largest_force = most;
                     let (weights, memory) = (self.merit.weights(), &mut self.direction);
@@ -282,7 +283,7 @@ impl Newton {
     /// Tries steps along the direction, the whole one first; the length taken and the norm it leads to.
     fn search(
         &mut self,
-        system: &mut System,
+        equations: &mut Equations,
         t: f64,
         step: &Coefficients,
         norm: f64,
@@ -293,10 +294,10 @@ impl Newton {
             let parts = self.correction.iter().zip(&self.direction);
             let moved = parts.map(|(sum, part)| sum + length * part);
             step.correct(&self.predicted, moved, self.first, &mut self.trial);
-            system.evaluate(t, &self.trial);
-            let tried = self.merit.norm(system);
+            equations.evaluate(t, &self.trial);
+            let tried = self.merit.norm(equations);
             let enough = tried <= f64::max(norm * (1.0 - SUFFICIENT * length), UNSQUARED);
-            if enough || !self.options.line_search || self.rounding_is_left(system) {
+            if enough || !self.options.line_search || self.rounding_is_left(equations) {
                 return Some((length, tried));
             }
             if !fresh {
@@ -309,15 +310,15 @@ impl Newton {
 
     /// Whether the rows of the trial are solved, however wide the tolerances are: what is left of φ is rounding,
     /// and need not fall.
-    fn rounding_is_left(&self, system: &mut System) -> bool {
+    fn rounding_is_left(&self, equations: &mut Equations) -> bool {
         let residual_tolerance = self.options.residual_tolerance.min(SOLVED);
         let narrow = NewtonOptions { force_tolerance: 0.0, residual_tolerance, ..self.options };
-        system.row_error([&self.trial, &self.predicted], &narrow, true) <= 1.0
+        equations.row_error([&self.trial, &self.predicted], &narrow, true) <= 1.0
     }
 
     /// Largest change of a spring force since the start of the iteration, and the largest force (N).
-    fn force_change(&self, system: &System) -> (f64, f64) {
-        let (before, after) = (&self.forces, &system.springs.forces);
+    fn force_change(&self, equations: &Equations) -> (f64, f64) {
+        let (before, after) = (&self.forces, &equations.springs.forces);
         let after = &after[..before.len()];
         let (mut change, mut sum, mut largest) = (0.0, 0.0, 0.0);
         widely(|| {
@@ -330,13 +331,13 @@ impl Newton {
 
     /// Finds the direction at the state that was last evaluated, and the forces that are foreseen at its end: those of now, or
     /// what the laws give where the joints move.
-    fn direct(&mut self, system: &mut System, t: f64, step: &Coefficients, at: &State) {
-        self.direction.copy_from_slice(&system.residual[self.first..]);
+    fn direct(&mut self, equations: &mut Equations, t: f64, step: &Coefficients, at: &State) {
+        self.direction.copy_from_slice(&equations.residual[self.first..]);
         let rounding = FORCE_ROUNDING * self.largest_force;
         let missing = FORESEEN * self.force_tolerance(self.largest_force) + rounding;
         let judged = (&self.merit, missing);
-        self.factors.solve(system, (t, at, step), &mut self.direction, judged);
-        self.forces.copy_from_slice(&system.springs.forces);
+        self.factors.solve(equations, (t, at, step), &mut self.direction, judged);
+        self.forces.copy_from_slice(&equations.springs.forces);
     }
 
     /// How much a force may change (N) where the largest of all is `most`.
@@ -352,13 +353,13 @@ impl Newton {
     }
 
     /// Where an iteration failed that just did: at the bearing whose force changed most, if the forces did not come to rest.
-    pub(crate) fn failed_at(&self, system: &System, report: &StepReport) -> HalvedAt {
+    pub(crate) fn failed_at(&self, equations: &Equations, report: &StepReport) -> HalvedAt {
         let settled = self.unknown_force();
         let moving = report.force_change > settled && report.force_change.is_finite();
-        let changes = self.forces.iter().zip(&system.springs.forces).map(|(a, b)| (a - b).abs());
+        let changes = self.forces.iter().zip(&equations.springs.forces).map(|(a, b)| (a - b).abs());
         let most = changes.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).filter(|_| moving);
-        let bearing = most.and_then(|(force, _)| system.machine.springs.bearing_of(force));
-        let row = || HalvedAt::Coordinate(self.worst(&system.residual));
+        let bearing = most.and_then(|(force, _)| equations.machine.springs.bearing_of(force));
+        let row = || HalvedAt::Coordinate(self.worst(&equations.residual));
         bearing.map_or_else(row, HalvedAt::Bearing)
     }
 
@@ -379,17 +380,17 @@ mod tests {
     #[test]
     fn a_step_ends_when_its_forces_are_at_rest() {
         let machine = machine(Rotation::Held);
-        let mut system = System::new(&machine);
+        let mut equations = Equations::new(&machine);
         let options = NewtonOptions {
             force_tolerance: 1e-6,
             residual_tolerance: 1e3,
             ..NewtonOptions::default()
         };
-        let mut newton = Newton::new(options, &system, 0);
+        let mut newton = Newton::new(options, &equations, 0);
         let step = Coefficients::new(Newmark::default(), 0.01);
-        let report = newton.solve(&mut system, 0.01, &step, &mut state(5));
+        let report = newton.solve(&mut equations, 0.01, &step, &mut state(5));
         assert_eq!(report.ending, Ending::Converged);
-        let largest = system.springs.forces.iter().fold(0.0, |m: f64, f| m.max(f.abs()));
+        let largest = equations.springs.forces.iter().fold(0.0, |m: f64, f| m.max(f.abs()));
         assert!(report.iterations > 2 && largest < 100.0, "{report:?}");
         assert!(report.force_change <= 1e-6 + 1e-9 * largest, "{report:?}");
     }

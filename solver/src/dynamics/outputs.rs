@@ -1,15 +1,15 @@
 //! The values of outputs by request, at the end of a step.
 
-use super::newmark::State;
-use super::system::System;
 use crate::body::BodyNode;
+use crate::equations::Equations;
+use crate::equations::State;
 use crate::loads::{Frame, Position};
 use crate::machine::Machine;
 use crate::output::{JointQuantity, Motion, Wanted};
 
 /// Writes the values of all outputs of a machine at a state just evaluated at `time` (s), one a column.
-pub(super) fn write_outputs(system: &mut System, state: &State, time: f64, out: &mut [f64]) {
-    let machine = system.machine;
+pub(super) fn write_outputs(equations: &mut Equations, state: &State, time: f64, out: &mut [f64]) {
+    let machine = equations.machine;
     let mut place = 0;
     let mut write = |value: f64| {
         out[place] = value;
@@ -27,14 +27,16 @@ pub(super) fn write_outputs(system: &mut System, state: &State, time: f64, out: 
                 components.iter().for_each(|&axis| write(scale * values[order][axis]));
             }
             Wanted::Joint { joint, quantity, frame } => {
-                let (values, count) = of_joint(system, *joint, *quantity, (state, time), *frame);
+                let (values, count) = of_joint(equations, *joint, *quantity, (state, time), *frame);
                 values[..count].iter().for_each(|&value| write(value));
             }
             Wanted::Energy { body } => {
-                system.energies(*body, state).into_iter().for_each(&mut write)
+                equations.energies(*body, state).into_iter().for_each(&mut write)
             }
-            Wanted::Power { body } => power(system, *body, state).into_iter().for_each(&mut write),
-            Wanted::JointPower { joint } => write(joint_power(system, *joint, state)),
+            Wanted::Power { body } => {
+                power(equations, *body, state).into_iter().for_each(&mut write)
+            }
+            Wanted::JointPower { joint } => write(joint_power(equations, *joint, state)),
         }
     }
 }
@@ -88,13 +90,13 @@ fn of_point(
 
 /// Values of a joint, and how many of them there are.
 fn of_joint(
-    system: &System,
+    equations: &Equations,
     joint: usize,
     quantity: JointQuantity,
     (state, time): (&State, f64),
     frame: Frame,
 ) -> ([f64; 2], usize) {
-    let (machine, springs) = (system.machine, &system.springs);
+    let (machine, springs) = (equations.machine, &equations.springs);
     let monitor = &machine.monitors[joint];
     let [journal, bore] = monitor.bodies;
     let turn = |body: usize| {
@@ -112,10 +114,10 @@ fn of_joint(
             about_axis(torques.sum())
         }
         JointQuantity::Twist => {
-            about_axis(turn(journal)[0] - turn(bore)[0] + of_sections(system, joint, &state.q))
+            about_axis(turn(journal)[0] - turn(bore)[0] + of_sections(equations, joint, &state.q))
         }
         JointQuantity::TwistRate => {
-            about_axis(turn(journal)[1] - turn(bore)[1] + of_sections(system, joint, &state.v))
+            about_axis(turn(journal)[1] - turn(bore)[1] + of_sections(equations, joint, &state.v))
         }
         JointQuantity::Force => {
             let force = planes().fold([0.0; 2], |sum, [_, x, y]| [sum[0] + x, sum[1] + y]);
@@ -143,10 +145,10 @@ fn of_joint(
 
 /// What the sections on which a joint acts turn against each other by `values` of the coordinates, beside the frames of
 /// their bodies.
-fn of_sections(system: &System, joint: usize, values: &[f64]) -> f64 {
-    let machine = system.machine;
+fn of_sections(equations: &Equations, joint: usize, values: &[f64]) -> f64 {
+    let machine = equations.machine;
     let Some(&plane) = machine.monitors[joint].planes.first() else { return 0.0 };
-    let [angle, ..] = system.springs.rows(plane);
+    let [angle, ..] = equations.springs.rows(plane);
     let sections = angle.iter().filter(|(place, _)| *place >= machine.rotations());
     sections.map(|&(place, coefficient)| coefficient * values[place]).sum()
 }
@@ -182,33 +184,34 @@ fn deformation(
 }
 
 /// Power of loads and of the couple of a prescribed rotation on a body, and power that its damping takes (W).
-fn power(system: &System, body: usize, state: &State) -> [f64; 2] {
-    let (machine, place) = (system.machine, &system.machine.places()[body]);
+fn power(equations: &Equations, body: usize, state: &State) -> [f64; 2] {
+    let (machine, place) = (equations.machine, &equations.machine.places()[body]);
     let theta = place.rotation.into_iter();
     let [mut brought, mut taken] = [0.0; 2];
     for i in theta.clone().chain(place.flexible.clone()) {
-        brought += system.load[i] * state.v[i];
-        taken += system.damper[i] * state.v[i];
+        brought += equations.load[i] * state.v[i];
+        taken += equations.damper[i] * state.v[i];
     }
     // The residual of a rotation that is given is its drive's couple with the sign changed.
     let given = theta.filter(|&theta| theta < machine.first_unknown());
-    brought -= given.map(|theta| system.residual[theta] * state.v[theta]).sum::<f64>();
+    brought -= given.map(|theta| equations.residual[theta] * state.v[theta]).sum::<f64>();
     [brought, taken]
 }
 
 /// Power of a joint's forces on the body of the journal (W).
-fn joint_power(system: &System, joint: usize, state: &State) -> f64 {
-    let monitor = &system.machine.monitors[joint];
-    let place = &system.machine.places()[monitor.bodies[0]];
+fn joint_power(equations: &Equations, joint: usize, state: &State) -> f64 {
+    let monitor = &equations.machine.monitors[joint];
+    let place = &equations.machine.places()[monitor.bodies[0]];
     let is_own = |i: usize| place.rotation == Some(i) || place.flexible.contains(&i);
     let mut power = 0.0;
     for plane in monitor.all_planes() {
-        for (row, force) in system.springs.rows(plane).iter().zip(system.springs.plane_force(plane))
+        for (row, force) in
+            equations.springs.rows(plane).iter().zip(equations.springs.plane_force(plane))
         {
             let own = row.iter().filter(|(i, _)| is_own(*i));
             power += force * own.map(|&(i, coefficient)| coefficient * state.v[i]).sum::<f64>();
         }
-        power += system.springs.power_on_section(&system.machine.springs, plane, &state.v);
+        power += equations.springs.power_on_section(&equations.machine.springs, plane, &state.v);
     }
     power
 }
@@ -270,11 +273,11 @@ mod tests {
         let names = history.names().to_vec();
         let usual = names.iter().position(|name| name == "iterations").expect("a column") + 1;
         let mut row = vec![f64::NAN; names.len()];
-        let mut system = System::new(machine);
-        system.evaluate(0.0, state);
+        let mut equations = Equations::new(machine);
+        equations.evaluate(0.0, state);
         let (first, asked) = row.split_at_mut(usual);
-        write_row(&system, state, 0.0, 3, first);
-        write_outputs(&mut system, state, 0.0, asked);
+        write_row(&equations, state, 0.0, 3, first);
+        write_outputs(&mut equations, state, 0.0, asked);
         assert!(row.iter().all(|value| value.is_finite()), "{row:?}");
         move |name| {
             row[names.iter().position(|own| own == name).unwrap_or_else(|| panic!("{name}"))]
@@ -347,24 +350,24 @@ mod tests {
     fn energies_and_powers_sum_to_those_of_the_machine() {
         let (machine, state) = (with_all(), at(0.0));
         let found = values(&machine, &state);
-        let mut system = System::new(&machine);
-        system.evaluate(0.0, &state);
+        let mut equations = Equations::new(&machine);
+        equations.evaluate(0.0, &state);
         let near = |found: f64, expected: f64| {
             assert!((found - expected).abs() <= 1e-12 * expected.abs(), "{found} {expected}");
         };
         let sum = |kind: &str, unit: &str| {
             ["shaft", "support"].map(|own| found(&format!("{kind}_{own}_{unit}"))).iter().sum()
         };
-        near(sum("kinetic", "J"), system.kinetic_energy(&state));
-        near(sum("strain", "J"), system.strain_energy(&state));
+        near(sum("kinetic", "J"), equations.kinetic_energy(&state));
+        near(sum("strain", "J"), equations.strain_energy(&state));
         let dot = |force: &[f64], first, last| -> f64 {
             (first..last).map(|i: usize| force[i] * state.v[i]).sum()
         };
-        near(sum("power", "W"), dot(&system.load, 0, 5));
-        near(sum("damping", "W"), dot(&system.damper, 0, 5));
+        near(sum("power", "W"), dot(&equations.load, 0, 5));
+        near(sum("damping", "W"), dot(&equations.damper, 0, 5));
         let joints: f64 = (0..3).map(|k| found(&format!("power_j{k}_W"))).sum();
         // Coordinates 0 to 2 are those of the shaft, on which all journals are.
-        near(joints, dot(&system.spring, 0, 3));
+        near(joints, dot(&equations.spring, 0, 3));
     }
 
     #[test]
@@ -373,10 +376,10 @@ mod tests {
         let power = vec![output("shaft", Wanted::Power { body: 0 })];
         let machine = machine(turning).with_outputs(power).expect("outputs");
         let (found, state) = (values(&machine, &at(0.0)), at(0.0));
-        let mut system = System::new(&machine);
-        system.evaluate(0.0, &state);
-        let load: f64 = (0..3).map(|i| system.load[i] * state.v[i]).sum();
-        let expected = load - system.residual()[0] * state.v[0];
+        let mut equations = Equations::new(&machine);
+        equations.evaluate(0.0, &state);
+        let load: f64 = (0..3).map(|i| equations.load[i] * state.v[i]).sum();
+        let expected = load - equations.residual()[0] * state.v[0];
         assert!((found("power_shaft_W") - expected).abs() < 1e-12 * expected.abs());
     }
 

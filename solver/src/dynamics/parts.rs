@@ -3,10 +3,10 @@
 
 use std::ops::Range;
 
-use super::newmark::State;
 use super::quality::MovingPart;
-use super::system::System;
 use super::turns::FreeTurn;
+use crate::equations::Equations;
+use crate::equations::State;
 use crate::linalg::{Matrix, dot};
 use crate::machine::{Body, Machine};
 use crate::shaft::Shaft;
@@ -109,10 +109,10 @@ enum From {
 
 impl Parts {
     /// Of a machine whose tangent was just evaluated at rest.
-    pub(super) fn new(system: &System) -> Self {
-        let machine = system.machine;
+    pub(super) fn new(equations: &Equations) -> Self {
+        let machine = equations.machine;
         let first = machine.first_unknown();
-        let groups = groups(system);
+        let groups = groups(equations);
         let mut all = Vec::new();
         for (number, (body, place)) in machine.bodies.iter().zip(machine.places()).enumerate() {
             let within = place.flexible.start - first..place.flexible.end - first;
@@ -193,13 +193,13 @@ impl Group {
 }
 
 /// The rotations that are unknown, in groups.
-fn groups(system: &System) -> Vec<Group> {
-    let machine = system.machine;
+fn groups(equations: &Equations) -> Vec<Group> {
+    let machine = equations.machine;
     let (first, rotations) = (machine.first_unknown(), machine.rotations());
     // The sides of the planes whose law twists them, as places in q: two, or one against what stands.
     let planes = machine.springs.planes.iter().enumerate();
     let twisting = planes
-        .filter(|(place, _)| machine.springs.may_twist(*place) && system.torsion(*place) != 0.0);
+        .filter(|(place, _)| machine.springs.may_twist(*place) && equations.torsion(*place) != 0.0);
     let sides = twisting.map(|(_, plane)| {
         let places = plane.rows[0].iter().map(|(place, _)| *place);
         places.filter(|&place| place < rotations).collect()

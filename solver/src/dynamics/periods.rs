@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::newmark::State;
+use crate::equations::State;
 use crate::machine::Machine;
 
 /// Steps in a period of what acts at least. Between N samples of a sine lies (2π/N)²/8 of its amplitude: that much a

@@ -7,17 +7,18 @@ use super::halvings::HalvedSteps;
 use super::in_space::InSpace;
 use super::linearised::{Linearised, PartMotion, Place};
 use super::modes::MachineModes;
-use super::newmark::{Coefficients, Integrator, State};
+use super::newmark::Integrator;
 use super::parts::{Part, Parts, largest_sensible};
 use super::periods::FewestSteps;
 use super::ringing::Ringing;
 use super::sampled::PartSums;
 use super::sampling::is_sampled;
 use super::stiffest::largest_eigenvalue;
-use super::system::System;
 use super::turns::{TurnRange, TurnSums};
 use super::windows::Windows;
 use crate::bearing::work::{Flow, MOTIONS};
+use crate::equations::Equations;
+use crate::equations::{State, Weights};
 use crate::error::Error;
 
 /// What the steps of a march were worth.
@@ -61,7 +62,7 @@ pub struct Quality {
     pub sensible_displacement: f64,
     /// What changes its sign from step to step.
     pub ringing: Ringing,
-    /// Largest residual of a row over what it may have; see `System::row_error`.
+    /// Largest residual of a row over what it may have; see `Equations::row_error`.
     pub row_error: f64,
     /// Steps that had to be halved, as they could not be solved.
     pub halved: HalvedSteps,
@@ -185,13 +186,13 @@ impl QualityMeter {
     /// # Errors
     /// A mass matrix that is not positive definite.
     pub(crate) fn new(
-        system: &mut System,
+        equations: &mut Equations,
         method: Integrator,
         steps: StepLength,
         state: &State,
     ) -> Result<Self, Error> {
         let automatic = matches!(steps, StepLength::Most(_));
-        let (undeformed, parts) = undeformed(system, state, automatic)?;
+        let (undeformed, parts) = undeformed(equations, state, automatic)?;
         let sums = QualitySums {
             steps: 0,
             rows: 0,
@@ -200,7 +201,7 @@ impl QualityMeter {
             row_error: 0.0,
             worst: vec![
                 WorstStep { made: 0.0, ends: [(0.0, state.clone()), (0.0, state.clone())] };
-                system.machine.springs.bearings
+                equations.machine.springs.bearings
             ],
             early: Vec::new(),
             in_space: InSpace::new(state.q.len(), parts.all.len()),
@@ -208,7 +209,7 @@ impl QualityMeter {
             linearised_at: 0,
             fastest: 0.0,
         };
-        let values = || vec![0.0; system.machine.active()];
+        let values = || vec![0.0; equations.machine.active()];
         let mut meter = QualityMeter {
             sums,
             method,
@@ -220,7 +221,7 @@ impl QualityMeter {
                 .turns
                 .iter()
                 .filter(|_| automatic)
-                .map(|own| TurnRange::new(own, (system.time, state)))
+                .map(|own| TurnRange::new(own, (equations.time, state)))
                 .collect(),
             parts,
             motion: values(),
@@ -232,7 +233,7 @@ impl QualityMeter {
             corrected: State::new(state.q.len()),
             inertia: vec![0.0; state.q.len()],
         };
-        meter.hold(system);
+        meter.hold(equations);
         meter.add_whole_displacement(state);
         Ok(meter)
     }
@@ -243,13 +244,13 @@ impl QualityMeter {
     /// A mass matrix that is not positive definite.
     pub(crate) fn resume_from(
         &mut self,
-        system: &mut System,
+        equations: &mut Equations,
         sums: QualitySums,
     ) -> Result<(), Error> {
-        self.hold(system);
+        self.hold(equations);
         self.linearised = match &sums.linearised {
             Some(place) => {
-                Some(Linearised::again(system, &self.parts.all, self.steps.most(), place)?)
+                Some(Linearised::again(equations, &self.parts.all, self.steps.most(), place)?)
             }
             None => None,
         };
@@ -258,9 +259,9 @@ impl QualityMeter {
     }
 
     /// Takes what deformations and springs hold against at the state that was just evaluated.
-    fn hold(&mut self, system: &System) {
-        let first = system.machine.first_unknown();
-        let forces = system.elastic[first..].iter().zip(&system.spring[first..]);
+    fn hold(&mut self, equations: &Equations) {
+        let first = equations.machine.first_unknown();
+        let forces = equations.elastic[first..].iter().zip(&equations.spring[first..]);
         self.held.iter_mut().zip(forces).for_each(|(held, (elastic, spring))| {
             *held = elastic - spring;
         });
@@ -269,7 +270,7 @@ impl QualityMeter {
     /// Adds a step of `dt` s from `start` at time `t` (s) to `end`, which was just evaluated.
     pub(crate) fn add(
         &mut self,
-        system: &mut System,
+        equations: &mut Equations,
         (t, dt): (f64, f64),
         [start, end]: [&State; 2],
         (flows, row_error): (&[Flow], f64),
@@ -278,12 +279,12 @@ impl QualityMeter {
         if sampled {
             self.change.copy_from_slice(&self.held);
         }
-        self.hold(system);
+        self.hold(equations);
         if sampled {
             self.change.iter_mut().zip(&self.held).for_each(|(own, held)| *own = held - *own);
-            self.judge(system, (t + dt, self.steps.of(dt)), [start, end]);
+            self.judge(equations, (t + dt, self.steps.of(dt)), [start, end]);
         }
-        self.add_in_space(system, dt, [start, end]);
+        self.add_in_space(equations, dt, [start, end]);
         self.add_to_turns((t, dt), [start, end]);
         let sums = &mut self.sums;
         sums.steps += 1;
@@ -303,15 +304,15 @@ impl QualityMeter {
     /// What the steps so far were worth; forces of springs are known to `unknown` (N).
     pub(crate) fn quality(
         &mut self,
-        system: &mut System,
+        equations: &mut Equations,
         flows: &Windows,
         unknown: f64,
     ) -> Quality {
-        self.judge_rest(system);
+        self.judge_rest(equations);
         let sums = &self.sums;
-        let places = 0..MOTIONS * system.machine.springs.bearings;
+        let places = 0..MOTIONS * equations.machine.springs.bearings;
         let fractions = places.map(|place| {
-            let least = NEGLIGIBLE * self.in_play(system, place / MOTIONS);
+            let least = NEGLIGIBLE * self.in_play(equations, place / MOTIONS);
             (place, flows.fraction(place, least, unknown).abs())
         });
         // No number is larger than any.
@@ -321,7 +322,7 @@ impl QualityMeter {
         let ends =
             worst.map(|(place, _)| &sums.worst[place / MOTIONS]).filter(|own| own.made > 0.0);
         let eigenvalues = ends.into_iter().flat_map(|own| &own.ends).filter_map(|(t, state)| {
-            let value = largest_eigenvalue(system, *t, state);
+            let value = largest_eigenvalue(equations, *t, state);
             (value > 0.0).then_some(value)
         });
         let largest = eigenvalues.reduce(f64::max);
@@ -384,7 +385,7 @@ impl QualityMeter {
             inertia_error_of,
             largest_displacement: displacement,
             farthest: farthest.map(|(_, part): (_, &Part)| part.body),
-            sensible_displacement: largest_sensible(system.machine),
+            sensible_displacement: largest_sensible(equations.machine),
             ringing: Ringing::default(),
             row_error: sums.row_error,
             halved: HalvedSteps::default(),
@@ -396,8 +397,8 @@ impl QualityMeter {
 
     /// The energy in play in the bodies that a bearing joins: the most kinetic energy that each had, of the one that had less (J).
     /// What flows in others says nothing of this bearing.
-    fn in_play(&self, system: &System, bearing: usize) -> f64 {
-        let joined = &system.machine.monitors[bearing].bodies;
+    fn in_play(&self, equations: &Equations, bearing: usize) -> f64 {
+        let joined = &equations.machine.monitors[bearing].bodies;
         let parts = self.sums.parts.iter().zip(&self.parts.all);
         let own = parts.filter(|(_, part)| !part.turns() && joined.contains(&part.body));
         own.map(|(sums, _)| sums.kinetic).reduce(f64::min).unwrap_or(0.0)
@@ -407,27 +408,27 @@ impl QualityMeter {
 /// What is found of a machine that was just evaluated at a state where nothing is deformed, so that it is the same wherever a
 /// march goes on: its modes, where a march chooses its steps by them, and its parts.
 fn undeformed(
-    system: &mut System,
+    equations: &mut Equations,
     state: &State,
     automatic: bool,
 ) -> Result<(Option<MachineModes>, Parts), Error> {
-    let (time, released) = (system.time, system.released.clone());
+    let (time, released) = (equations.time, equations.released.clone());
     let mut still = State::new(state.q.len());
     let State { q, v, a, .. } = &mut still;
-    system.machine.set_given(0.0, false, [q, v, a]);
-    system.released.fill(false);
-    system.evaluate(0.0, &still);
+    equations.machine.set_given(0.0, false, [q, v, a]);
+    equations.released.fill(false);
+    equations.evaluate(0.0, &still);
     let modes = match automatic {
-        true => MachineModes::new(system, &still).map(Some),
+        true => MachineModes::new(equations, &still).map(Some),
         false => {
             let mut tangent = vec![0.0; state.q.len().pow(2)];
-            system.tangent(0.0, &still, &Coefficients::at_rest(), &mut tangent);
+            equations.tangent(0.0, &still, Weights::POSITION, &mut tangent);
             Ok(None)
         }
     };
-    let parts = Parts::new(system);
-    system.released = released;
-    system.evaluate(time, state);
+    let parts = Parts::new(equations);
+    equations.released = released;
+    equations.evaluate(time, state);
     Ok((modes?, parts))
 }
 
@@ -452,11 +453,11 @@ mod tests {
             panic!("a shaft on a support")
         };
         (shaft.stiffness, support.stiffness) = (Matrix::zeros(2, 2), vec![0.0; 2]);
-        let mut system = System::new(&machine);
+        let mut equations = Equations::new(&machine);
         let states: Vec<State> =
             [1.0, 2.0, 4.0, 8.0].map(|q| State { q: vec![q; 5], ..State::new(5) }).into();
         let mut meter = QualityMeter::new(
-            &mut system,
+            &mut equations,
             Integrator::default(),
             StepLength::Fixed(0.5),
             &states[0],
@@ -465,11 +466,11 @@ mod tests {
         for (place, made) in [(0, 3.0), (1, 7.0), (2, 5.0)] {
             let t = 10.0 + place as f64;
             let ends = [&states[place], &states[place + 1]];
-            system.evaluate(t + 0.5, ends[1]);
+            equations.evaluate(t + 0.5, ends[1]);
             // At the second of three bearings; at the third always as much, at the first nothing.
             let flow = |made: f64| Flow { made, flowed: 1.0, moved: 0.0 };
             let flows = [0.0, made, 1.0].map(|made| [flow(0.25 * made), flow(made)]);
-            meter.add(&mut system, (t, 0.5), ends, (flows.as_flattened(), 0.0));
+            meter.add(&mut equations, (t, 0.5), ends, (flows.as_flattened(), 0.0));
         }
         let ends = |bearing: usize| meter.sums.worst[bearing].ends.clone();
         assert_eq!(ends(1), [(11.0, states[1].clone()), (11.5, states[2].clone())]);
@@ -477,23 +478,23 @@ mod tests {
         assert_eq!(meter.sums.worst[0].made, 0.0);
         // Nothing holds the machine, so that no step resolves it.
         let flows = Windows::new(3 * MOTIONS);
-        assert_eq!(meter.quality(&mut system, &flows, 1.0).resolving_step, None);
+        assert_eq!(meter.quality(&mut equations, &flows, 1.0).resolving_step, None);
     }
 
     /// Parts of a step that was cut are judged as what the whole one resolves, parts that a march chose by themselves.
     #[test]
     fn cut_parts_are_judged_by_the_whole_step() {
         let machine = machine(Rotation::Held);
-        let mut system = System::new(&machine);
+        let mut equations = Equations::new(&machine);
         let state = |q: f64, a: f64| State { q: vec![q; 5], a: vec![a; 5], ..State::new(5) };
         let (start, end) = (state(1e-6, 1.0), state(2e-6, 1.5));
         let mut measured = |steps: StepLength, dt: f64| {
             let mut meter =
-                QualityMeter::new(&mut system, Integrator::default(), steps, &start).unwrap();
-            system.evaluate(dt, &end);
+                QualityMeter::new(&mut equations, Integrator::default(), steps, &start).unwrap();
+            equations.evaluate(dt, &end);
             let flows = [Flow { made: 0.0, flowed: 1.0, moved: 0.0 }; 3];
-            meter.add(&mut system, (0.0, dt), [&start, &end], (&flows, 0.0));
-            meter.judge_rest(&mut system);
+            meter.add(&mut equations, (0.0, dt), [&start, &end], (&flows, 0.0));
+            meter.judge_rest(&mut equations);
             let errors: Vec<f64> = meter.sums.parts.iter().map(|own| own.largest_error).collect();
             assert!(errors.iter().any(|error| *error > 0.0), "{errors:?}");
             errors

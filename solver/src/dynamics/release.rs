@@ -5,8 +5,9 @@
 //! bracket, on speeds that are solved. The accelerations jump there, and start anew from the forces that are left.
 
 use super::march::{March, accelerate};
-use super::newmark::{Coefficients, State};
+use super::newmark::Coefficients;
 use super::newton::{Ending, StepReport};
+use crate::equations::State;
 use crate::error::Error;
 use crate::loads::{Load, Release};
 
@@ -20,7 +21,7 @@ const TRIALS: usize = 40;
 impl March<'_> {
     /// Ends the loads for which a step starts at their target or beyond it.
     pub(super) fn release_at_step(&mut self) {
-        for (load, released) in self.machine.loads.iter().zip(&mut self.system.released) {
+        for (load, released) in self.machine.loads.iter().zip(&mut self.equations.released) {
             if load.target().is_some_and(|target| target.release == Release::AtStep) {
                 let theta = self.machine.places()[load.body].rotation;
                 *released |= theta.is_some_and(|theta| load.reaches(self.state.v[theta]));
@@ -33,8 +34,8 @@ impl March<'_> {
         let step = Coefficients::new(self.integrator, dt);
         step.predict(start, &mut self.state);
         let State { q, v, a, .. } = &mut self.state;
-        self.machine.set_given(t + dt, self.system.before, [q, v, a]);
-        let report = self.newton.solve(&mut self.system, t + dt, &step, &mut self.state);
+        self.machine.set_given(t + dt, self.equations.before, [q, v, a]);
+        let report = self.newton.solve(&mut self.equations, t + dt, &step, &mut self.state);
         step.end(start, self.machine.first_unknown(), &mut self.state);
         self.last_iterations += report.iterations;
         report
@@ -43,7 +44,7 @@ impl March<'_> {
     /// How far the speeds in a state are beyond the targets of the loads that end there, as the largest of them, less
     /// rounding (rad/s); none without such loads.
     fn beyond(&self, state: &State) -> Option<f64> {
-        let loads = self.machine.loads.iter().zip(&self.system.released);
+        let loads = self.machine.loads.iter().zip(&self.equations.released);
         let driving = loads.filter(|(_, released)| !**released);
         driving.filter_map(|(load, _)| self.beyond_target(load, state)).reduce(f64::max)
     }
@@ -117,10 +118,10 @@ impl March<'_> {
     pub(super) fn release(&mut self, t: f64) -> Result<(), Error> {
         for place in 0..self.machine.loads.len() {
             let beyond = self.beyond_target(&self.machine.loads[place], &self.state);
-            self.system.released[place] |= beyond.is_some_and(|beyond| beyond >= 0.0);
+            self.equations.released[place] |= beyond.is_some_and(|beyond| beyond >= 0.0);
         }
-        accelerate(&mut self.system, t, &mut self.state)?;
-        self.meters.jump(&self.system);
+        accelerate(&mut self.equations, t, &mut self.state)?;
+        self.meters.jump(&self.equations);
         Ok(())
     }
 }

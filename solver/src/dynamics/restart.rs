@@ -9,11 +9,11 @@ use serde::{Deserialize, Serialize};
 use super::checkpoint::{Checkpoint, Clock};
 use super::control::ControlMemory;
 use super::march::{March, MarchOptions};
-use super::newmark::State;
 use super::newton::NewtonState;
-use super::system::System;
 use crate::cache::Key;
 use crate::centre_of_mass::CentreOfMass;
+use crate::equations::Equations;
+use crate::equations::State;
 use crate::error::Error;
 use crate::loads::Load;
 use crate::machine::{Body, Machine};
@@ -252,11 +252,17 @@ fn loads(machine: &Machine) -> Vec<Key> {
 
 /// Everything that acts on a machine at an instant, to the bit, in the order of its coordinates.
 fn acting(machine: &Machine, time: f64, state: &State, released: &[bool]) -> Key {
-    let mut system = System::new(machine);
-    system.released.copy_from_slice(released);
-    system.evaluate(time, state);
+    let mut equations = Equations::new(machine);
+    equations.released.copy_from_slice(released);
+    equations.evaluate(time, state);
     let coordinates: Vec<String> =
         (0..machine.size()).map(|place| machine.coordinate(place)).collect();
-    let terms = [&system.inertia, &system.damper, &system.elastic, &system.load, &system.spring];
-    Key::of(&(coordinates, machine.first_unknown(), terms, &system.springs.forces))
+    let terms = [
+        &equations.inertia,
+        &equations.damper,
+        &equations.elastic,
+        &equations.load,
+        &equations.spring,
+    ];
+    Key::of(&(coordinates, machine.first_unknown(), terms, &equations.springs.forces))
 }

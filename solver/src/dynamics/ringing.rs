@@ -12,11 +12,11 @@ use std::ops::Range;
 use serde::{Deserialize, Serialize};
 
 use super::histogram::Histogram;
-use super::newmark::State;
 use super::parts::Parts;
 use super::quality::{SMALLEST, larger};
-use super::system::System;
 use super::verdict::RINGING;
+use crate::equations::Equations;
+use crate::equations::State;
 use crate::linalg::widely;
 
 /// What of a machine rings, and how much.
@@ -209,8 +209,8 @@ pub(super) struct RingingMeter {
 
 impl RingingMeter {
     /// Of a machine with parts that are judged by themselves; `damped`: by the integrator.
-    pub(super) fn new(system: &System, parts: &Parts, damped: bool) -> Self {
-        let machine = system.machine;
+    pub(super) fn new(equations: &Equations, parts: &Parts, damped: bool) -> Self {
+        let machine = equations.machine;
         let mut groups: Vec<Group> = Vec::new();
         let mut place = |what: RingingPart, signals: usize| {
             let start = groups.last().map_or(0, |last| last.signals.end);
@@ -253,8 +253,8 @@ impl RingingMeter {
     }
 
     /// Adds the end of a step or of a part of one, just evaluated.
-    pub(super) fn add(&mut self, system: &System, end: &State, parts: &Parts) {
-        self.take(system, end);
+    pub(super) fn add(&mut self, equations: &Equations, end: &State, parts: &Parts) {
+        self.take(equations, end);
         let RingingMeter { sums, groups, now, first, deform, .. } = self;
         if sums.signals.add(now) {
             for (group, largest) in groups.iter().zip(&mut sums.largest) {
@@ -277,8 +277,8 @@ impl RingingMeter {
     }
 
     /// Takes the signals of a state just evaluated, in the order of the groups.
-    fn take(&mut self, system: &System, end: &State) {
-        let (machine, springs) = (system.machine, &system.springs);
+    fn take(&mut self, equations: &Equations, end: &State) {
+        let (machine, springs) = (equations.machine, &equations.springs);
         let mut signals = self.now.iter_mut();
         let mut put = |value: f64| {
             if let Some(signal) = signals.next() {
@@ -307,7 +307,7 @@ impl RingingMeter {
             let theta = machine.places()[body].rotation.expect("it turns");
             // What a drive has to bring, where the rotation is given.
             let couple =
-                if theta < self.first { system.residual[theta] } else { system.load[theta] };
+                if theta < self.first { equations.residual[theta] } else { equations.load[theta] };
             put(couple);
             put(end.v[theta]);
         }

@@ -1,7 +1,7 @@
 //! The row of the history that a step gives.
 
-use super::newmark::State;
-use super::system::System;
+use crate::equations::Equations;
+use crate::equations::State;
 use crate::loads::Position;
 
 /// Places of the journals' displacements in a row of a machine with so many bearings.
@@ -14,13 +14,13 @@ pub(super) fn displacements(bearings: usize) -> std::ops::Range<usize> {
 // A phase of its own in tables of where the time goes.
 #[inline(never)]
 pub(super) fn write_row(
-    system: &System,
+    equations: &Equations,
     state: &State,
     time: f64,
     iterations: usize,
     row: &mut [f64],
 ) {
-    let (machine, springs) = (system.machine, &system.springs);
+    let (machine, springs) = (equations.machine, &equations.springs);
     let bearings = machine.monitors.len();
     let mut other = 3 + 6 * bearings;
     let turn = |body: usize| {
@@ -75,7 +75,7 @@ pub(super) fn write_row(
     for body in machine.driven() {
         let theta = machine.places()[body].rotation.expect("it turns");
         // What is left in its row is what the couple has to bring, with the sign changed.
-        row[other] = -system.residual[theta];
+        row[other] = -equations.residual[theta];
         other += 1;
     }
     *row.last_mut().expect("columns") = iterations as f64;

@@ -1,9 +1,9 @@
 //! How far the rows of the equations are from solved, each compared with its own terms.
 
-use super::newmark::State;
 use super::newton::{CONTRACTION, NewtonOptions, UNSQUARED};
-use super::system::{System, instant};
-use super::turning::TurningBody;
+use crate::equations::State;
+use crate::equations::TurningBody;
+use crate::equations::{Equations, instant};
 use crate::linalg::{largest_and_sum, sum_of, widely};
 
 /// Share of the largest force projected on a row that counts as nothing, beside that of the row's terms: where
@@ -28,12 +28,12 @@ struct RowBounds {
 }
 
 impl RowBounds {
-    fn of(system: &System, state: &State, predicted: &State) -> Self {
+    fn of(equations: &Equations, state: &State, predicted: &State) -> Self {
         let norm = |x: &[f64]| match sum_of(x.len(), |i| x[i] * x[i]).sqrt() {
             tiny if tiny < UNSQUARED => largest_and_sum(x.len(), |i| x[i]).1,
             norm => norm,
         };
-        let forces = &system.springs.forces;
+        let forces = &equations.springs.forces;
         RowBounds {
             force: largest_and_sum(forces.len(), |j| forces[j]).0,
             state: [norm(&state.a) + norm(&predicted.a), norm(&state.v), norm(&state.q)],
@@ -41,26 +41,26 @@ impl RowBounds {
     }
 
     /// Twice what they can add to the bound of row `i`; of the row of θ nothing is known.
-    fn allowed(&self, system: &System, state: &State, tolerance: f64, i: usize) -> f64 {
-        let products = match (system.turning_at(i), system.machine.owner(i).coordinate) {
+    fn allowed(&self, equations: &Equations, state: &State, tolerance: f64, i: usize) -> f64 {
+        let products = match (equations.turning_at(i), equations.machine.owner(i).coordinate) {
             (_, None) => return f64::INFINITY,
             (Some(body), Some(row)) => {
-                let norms = &system.turning[body].row_norms[row];
+                let norms = &equations.turning[body].row_norms[row];
                 norms.iter().zip(&self.state).map(|(a, b)| a * b).sum()
             }
             (None, Some(_)) => self.state[0],
         };
-        let reach = system.machine.springs.reach[i];
-        let load: f64 = system.projected_loads(state, i).sum();
-        let followed: f64 = system.followed_loads(state, i).sum();
+        let reach = equations.machine.springs.reach[i];
+        let load: f64 = equations.projected_loads(state, i).sum();
+        let followed: f64 = equations.followed_loads(state, i).sum();
         // Σ |coefficient · force| of n springs is √n · reach · force at most.
-        let springs = (system.springs.forces.len() as f64).sqrt() * self.force * reach;
+        let springs = (equations.springs.forces.len() as f64).sqrt() * self.force * reach;
         2.0 * (tolerance * PROJECTED * (self.force * reach + load)
             + ROUNDING * f64::EPSILON * (products + springs + load + followed))
     }
 }
 
-impl System<'_> {
+impl Equations<'_> {
     /// The largest |r_i| of the unknowns' rows at the state that was last evaluated, over what a row may have:
     /// `residual_tolerance` · (largest term + 1e-3 · largest force projected on it) + a quarter of
     /// `force_tolerance` missing at each spring + 16 ε Σ |terms|. At most 1: solved; otherwise that of the first
@@ -243,11 +243,11 @@ mod tests {
 
     /// |force| projected on every coordinate, force by force, from the geometry of the small machine. Its node
     /// moves by 5 and 13 for a unit of η, each in a direction of its own.
-    fn projected(system: &System, state: &State) -> [Vec<f64>; 5] {
+    fn projected(equations: &Equations, state: &State) -> [Vec<f64>; 5] {
         let (eta, arms) = (&state.q[1..3], [5.0, 13.0]);
         let moved = [3.0 * eta[0] + 5.0 * eta[1], 4.0 * eta[0] - 12.0 * eta[1]];
         let offset = moved[0].hypot(moved[1]);
-        let forces = &system.springs.forces;
+        let forces = &equations.springs.forces;
         let (alone, normal) = (&forces[..3], &forces[3..6]);
         let (friction, ring) = (&forces[6..9], &forces[9..12]);
         let load = FORCE.iter().map(|f| f * f).sum::<f64>().sqrt();
@@ -286,9 +286,9 @@ mod tests {
     }
 
     /// Every product that stands in a row but those of forces.
-    fn products(system: &mut System, state: &State, predicted: &State) -> [f64; 5] {
-        let mass = system.turning[0].unknown_mass(state, false).data;
-        let shaft = system.machine.bodies[0].shaft().expect("a shaft");
+    fn products(equations: &mut Equations, state: &State, predicted: &State) -> [f64; 5] {
+        let mass = equations.turning[0].unknown_mass(state, false).data;
+        let shaft = equations.machine.bodies[0].shaft().expect("a shaft");
         let on_shaft = [0, 1, 2].map(|i| {
             let inertia =
                 (0..3).map(|j| mass[3 * j + i].abs() * (state.a[j].abs() + predicted.a[j].abs()));
@@ -308,13 +308,13 @@ mod tests {
         let machine = machine(Rotation::Free);
         let (state, mut predicted) = (state(5), state(5));
         predicted.a.iter_mut().for_each(|a| *a *= -1.3);
-        let mut system = System::new(&machine);
-        system.evaluate(0.0, &state);
-        let (projected, reach) = (projected(&system, &state), reach());
-        let products = products(&mut system, &state, &predicted);
+        let mut equations = Equations::new(&machine);
+        equations.evaluate(0.0, &state);
+        let (projected, reach) = (projected(&equations, &state), reach());
+        let products = products(&mut equations, &state, &predicted);
         // What the measures of springs round to is a test of the command.
-        system.spring_rounding.take(&machine.springs, &system.springs, [&state.q, &state.v]);
-        let measured = system.spring_rounding.forces.clone();
+        equations.spring_rounding.take(&machine.springs, &equations.springs, [&state.q, &state.v]);
+        let measured = equations.spring_rounding.forces.clone();
         for (residual_tolerance, force_tolerance) in
             [(1e-2, 0.0), (0.0, 3.0), (0.0, 0.0), (1e-2, 3.0)]
         {
@@ -322,11 +322,11 @@ mod tests {
                 NewtonOptions { residual_tolerance, force_tolerance, ..NewtonOptions::default() };
             for i in 0..5 {
                 let terms = [
-                    &system.inertia,
-                    &system.damper,
-                    &system.elastic,
-                    &system.load,
-                    &system.spring,
+                    &equations.inertia,
+                    &equations.damper,
+                    &equations.elastic,
+                    &equations.load,
+                    &equations.spring,
                 ];
                 let terms = terms.map(|term| term[i].abs());
                 let (largest, sum) =
@@ -341,11 +341,11 @@ mod tests {
                 let own = without + 16.0 * f64::EPSILON * measured[i];
                 // Within what the terms alone explain, within what all explains, and beyond it.
                 for r in [0.75 * seen, 0.999 * own, 1.001 * own, 7.0 * own] {
-                    system.residual.fill(0.0);
-                    system.residual[i] = -r;
+                    equations.residual.fill(0.0);
+                    equations.residual[i] = -r;
                     // Memory in which anything may stand.
-                    system.turning[0].spoil();
-                    let found = system.row_error([&state, &predicted], &options, true);
+                    equations.turning[0].spoil();
+                    let found = equations.row_error([&state, &predicted], &options, true);
                     let name = (i, residual_tolerance, force_tolerance);
                     let limits = [seen, without, own];
                     let exact = r / limits.into_iter().find(|limit| r <= *limit).unwrap_or(own);
@@ -353,12 +353,12 @@ mod tests {
                     let most = exact * (1.0 + 1e-12);
                     assert!((least..=most).contains(&found), "{name:?}: {found} for {exact}");
                     // While the iteration goes on, the rounding of measures explains nothing.
-                    let early = system.row_error([&state, &predicted], &options, false);
+                    let early = equations.row_error([&state, &predicted], &options, false);
                     assert_eq!(early <= 1.0, r <= without, "{name:?}: {early}");
                 }
             }
         }
-        system.residual.fill(0.0);
-        assert_eq!(system.row_error([&state, &predicted], &NewtonOptions::default(), true), 0.0);
+        equations.residual.fill(0.0);
+        assert_eq!(equations.row_error([&state, &predicted], &NewtonOptions::default(), true), 0.0);
     }
 }

@@ -5,11 +5,11 @@ use serde::{Deserialize, Serialize};
 
 use super::histogram::Histogram;
 use super::linearised::{Kind, Linearised, Place};
-use super::newmark::State;
 use super::parts::Part;
 use super::quality::{QualityMeter, larger};
 use super::sampling::{scattered, stands_for};
-use super::system::System;
+use crate::equations::Equations;
+use crate::equations::State;
 
 /// What is carried of a part of the machine (m).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -54,7 +54,13 @@ fn apart(unknowns: usize) -> u64 {
 
 impl QualityMeter {
     /// Measures a step of `dt` s that ends at a state just evaluated.
-    pub(super) fn sample(&mut self, system: &mut System, dt: f64, start: &State, end: &State) {
+    pub(super) fn sample(
+        &mut self,
+        equations: &mut Equations,
+        dt: f64,
+        start: &State,
+        end: &State,
+    ) {
         let Some(mut linearised) = self.linearised.take() else { return };
         self.parts.displacement(end, &mut self.motion);
         self.parts.displacement(start, &mut self.before);
@@ -70,7 +76,7 @@ impl QualityMeter {
             }
         }
         let changed = self.sums.parts.iter().any(|own| own.changed) && self.may_linearise();
-        if let Some(new) = changed.then(|| self.linearise(system, end)).flatten() {
+        if let Some(new) = changed.then(|| self.linearise(equations, end)).flatten() {
             linearised = new;
             self.sums.parts.iter_mut().for_each(|own| (own.changed, own.unknown) = (false, false));
             self.move_parts(&linearised, dt);
@@ -94,9 +100,13 @@ impl QualityMeter {
     }
 
     /// The machine at a state that was just evaluated; none if its mass matrix is not positive definite.
-    pub(super) fn linearise(&mut self, system: &mut System, state: &State) -> Option<Linearised> {
-        let new = Linearised::new(system, &self.parts.all, self.steps.most(), state).ok()?;
-        self.sums.linearised = Some(Place::of(system, state));
+    pub(super) fn linearise(
+        &mut self,
+        equations: &mut Equations,
+        state: &State,
+    ) -> Option<Linearised> {
+        let new = Linearised::new(equations, &self.parts.all, self.steps.most(), state).ok()?;
+        self.sums.linearised = Some(Place::of(equations, state));
         self.sums.linearised_at = self.sums.steps;
         self.sums.fastest = larger(self.sums.fastest, new.fastest());
         Some(new)

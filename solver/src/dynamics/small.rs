@@ -2,10 +2,10 @@
 
 use whirl_specs::{CLEARANCES, MOTIONS};
 
-use super::newmark::State;
 use crate::bearing::{Bearing, Sides, SpringLaw};
 use crate::body::BodyNode;
 use crate::centre_of_mass::CentreOfMass;
+use crate::equations::State;
 use crate::linalg::Matrix;
 use crate::loads::{Frame, Load, TimeFunction};
 use crate::machine::{Body, Machine, MachineParts, Rotation};

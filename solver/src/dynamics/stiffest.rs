@@ -1,21 +1,21 @@
 //! The fastest motion of a machine as it is at one instant.
 
-use super::newmark::{Coefficients, State};
-use super::system::System;
+use crate::equations::Equations;
+use crate::equations::{State, Weights};
 use crate::linalg::Cholesky;
 
 /// The largest eigenvalue of M⁻¹K of the unknowns at a state, K = −∂r/∂q with all its springs, by the power
 /// method; NaN where M cannot be inverted.
-pub(super) fn largest_eigenvalue(system: &mut System, t: f64, state: &State) -> f64 {
+pub(super) fn largest_eigenvalue(equations: &mut Equations, t: f64, state: &State) -> f64 {
     /// The method's error falls at least as 1/iterations.
     const ITERATIONS: usize = 100;
-    let machine = system.machine;
+    let machine = equations.machine;
     let (size, first) = (machine.size(), machine.first_unknown());
-    system.evaluate(t, state);
+    equations.evaluate(t, state);
     let mut stiffness = vec![0.0; size * size];
-    system.tangent(t, state, &Coefficients::at_rest(), &mut stiffness);
+    equations.tangent(t, state, Weights::POSITION, &mut stiffness);
     let unknowns: Vec<usize> = (first..size).collect();
-    let mass = system.mass(state).select(&unknowns, &unknowns);
+    let mass = equations.mass(state).select(&unknowns, &unknowns);
     let mut cholesky = Cholesky::new(mass.rows);
     if cholesky.factor(&mass.data).is_err() {
         return f64::NAN;
@@ -85,7 +85,7 @@ mod tests {
                 (shaft.g0, shaft.y0) = (vec![0.0; 2], vec![0.0; 2]);
                 support.stiffness = vec![value(2), value(3)];
                 let state = State::new(machine.size());
-                let found = largest_eigenvalue(&mut System::new(&machine), 0.0, &state);
+                let found = largest_eigenvalue(&mut Equations::new(&machine), 0.0, &state);
                 assert!((found / 3e4 - 1.0).abs() < 1e-9, "{rotation:?} {stiff}: {found}");
             }
         }

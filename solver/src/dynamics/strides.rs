@@ -3,8 +3,8 @@
 
 use super::control::{FORESEEN, MOST_HALVINGS};
 use super::march::{March, MarchOptions};
-use super::newmark::State;
 use super::newton::Ending;
+use crate::equations::State;
 use crate::error::Error;
 
 /// Lengths of parts for which factors are kept beside those in use.
@@ -48,15 +48,15 @@ impl March<'_> {
         for row in 0..FORESEEN {
             let report = self.attempt(t + f64::from(row) * dt, dt, &start);
             let solved = report.ending == Ending::Converged;
-            if !solved || !self.meters.foresee(&self.system, [&start, &self.state]) {
+            if !solved || !self.meters.foresee(&self.equations, [&start, &self.state]) {
                 break;
             }
             start.copy_from(&self.state);
         }
         self.newton.forget(most_force);
         self.state.copy_from(&begun);
-        self.system.evaluate(t, &self.state);
-        self.meters.turn_back(&self.system);
+        self.equations.evaluate(t, &self.state);
+        self.meters.turn_back(&self.equations);
     }
 
     /// Takes a step of `dt` from time `t`: in two parts if a load ends within it, in halves if it does not converge, is beyond
@@ -81,7 +81,7 @@ impl March<'_> {
         let ending = match report.ending {
             Ending::Converged if hides => None,
             Ending::Converged => {
-                let judged = self.meters.judge(&self.system, (t, taken), [&start, &self.state]);
+                let judged = self.meters.judge(&self.equations, (t, taken), [&start, &self.state]);
                 // What is no number is beyond every tolerance.
                 if judged <= 1.0 || !may_halve { Some(judged) } else { None }
             }
@@ -90,9 +90,9 @@ impl March<'_> {
         let solved = match ending {
             Some(judged) => {
                 let row_error = report.row_error;
-                self.meters.add(&mut self.system, (t, taken), &start, &self.state, row_error);
+                self.meters.add(&mut self.equations, (t, taken), &start, &self.state, row_error);
                 self.meters.accept(judged, halvings);
-                self.system.springs.observe(&self.machine.springs, t + taken);
+                self.equations.springs.observe(&self.machine.springs, t + taken);
                 match self.overshoots() {
                     true => self.release(t + taken).and_then(|()| match taken < dt {
                         true => self.part((t + taken, dt - taken), depth + 1, halvings),
@@ -104,7 +104,7 @@ impl March<'_> {
             None if may_halve => {
                 let failed = report.ending == Ending::Failed;
                 if failed {
-                    let at = self.newton.failed_at(&self.system, &report);
+                    let at = self.newton.failed_at(&self.equations, &report);
                     self.tally.halvings.count(depth == 0, at);
                 }
                 self.meters.reject();

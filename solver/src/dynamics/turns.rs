@@ -15,11 +15,11 @@
 use serde::{Deserialize, Serialize};
 
 use super::histogram::Histogram;
-use super::newmark::State;
 use super::parts;
 use super::quality::{QualityMeter, StepLength, larger};
 use super::ringing::LASTS;
 use super::sampling::{is_sampled, stands_for};
+use crate::equations::State;
 use crate::machine::Machine;
 
 /// A way that counts as none (rad): it turns no force by more than a millionth of it.

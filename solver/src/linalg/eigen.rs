@@ -2,6 +2,7 @@ use faer::Par;
 use faer::diag::DiagMut;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::evd;
+use num_complex::Complex64;
 
 use super::{Cholesky, LinearAlgebraError, Matrix, view, view_mut};
 
@@ -97,6 +98,25 @@ pub(crate) fn eigenvalues(a: &Matrix) -> Result<Vec<[f64; 2]>, LinearAlgebraErro
     let whole = faer::MatRef::from_column_major_slice(&a.data, a.rows, a.cols);
     let values = whole.eigenvalues().map_err(|_| failure)?;
     Ok(values.into_iter().map(|value| [value.re, value.im]).collect())
+}
+
+/// Eigenvalues, ascending, and orthonormal vectors of a Hermitian matrix, both column after column; its lower triangle is read.
+///
+/// # Errors
+/// [`LinearAlgebraError::NoConvergence`], also for values that are not finite.
+pub(crate) fn hermitian_eigen(
+    size: usize,
+    entries: &[Complex64],
+) -> Result<(Vec<f64>, Vec<Complex64>), LinearAlgebraError> {
+    let failure = LinearAlgebraError::NoConvergence { size };
+    if entries.iter().any(|value| !value.is_finite()) {
+        return Err(failure);
+    }
+    let whole = faer::MatRef::from_column_major_slice(entries, size, size);
+    let found = whole.self_adjoint_eigen(faer::Side::Lower).map_err(|_| failure)?;
+    let (values, vectors) = (found.S().column_vector(), found.U());
+    let columns = (0..size).flat_map(|j| (0..size).map(move |i| vectors[(i, j)]));
+    Ok(((0..size).map(|k| values[k].re).collect(), columns.collect()))
 }
 
 #[cfg(test)]

@@ -13,14 +13,15 @@ mod matrix;
 mod memory;
 mod packed;
 mod product;
+mod quadratic;
 mod rough_inverse;
 mod sparse;
 mod sums;
 
 pub use cholesky::Cholesky;
 pub(crate) use combination::{add_columns, add_product, add_transposed, widely};
-pub(crate) use eigen::eigenvalues;
 pub use eigen::{GeneralisedEigen, SymmetricEigen, generalised_symmetric_eigen, symmetric_eigen};
+pub(crate) use eigen::{eigenvalues, hermitian_eigen};
 pub use lower::LowerTriangle;
 pub use lu::Lu;
 pub use matrix::{Columns, Matrix};
@@ -33,6 +34,7 @@ pub use product::{
     congruence, congruence_diagonal, multiply, multiply_add, multiply_transpose_add,
     transpose_multiply,
 };
+pub(crate) use quadratic::{QuadraticPair, quadratic_eigen};
 pub(crate) use rough_inverse::RoughInverse;
 pub use sparse::{Inertia, SparseCholesky, SparseLdlt};
 pub(crate) use sums::{largest_and_sum, sum_of};

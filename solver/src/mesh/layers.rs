@@ -180,6 +180,21 @@ impl Layers {
         self.planes.extend((0..count).map(step));
     }
 
+    /// Lets a layer end at z, unless one does nearby, or z is within a support, whose layers are counted.
+    pub(super) fn split(&mut self, z: f64, in_support: usize, near: f64) {
+        let plane = self.planes.partition_point(|own| *own < z);
+        let inside = 0 < plane && plane < self.planes.len();
+        let of_support = self.support_starts.iter().any(|first| {
+            let layers = first + 1..=first + in_support;
+            layers.contains(&plane)
+        });
+        if !inside || of_support || (self.planes[self.nearest(z)] - z).abs() <= near {
+            return;
+        }
+        self.planes.insert(plane, z);
+        self.support_starts.iter_mut().filter(|own| **own >= plane).for_each(|own| *own += 1);
+    }
+
     /// The plane nearest to z.
     pub(super) fn nearest(&self, z: f64) -> usize {
         let distance = |plane: &usize| (self.planes[*plane] - z).abs();

@@ -6,7 +6,7 @@ use std::f64::consts::{PI, TAU};
 use whirl_specs::Element;
 
 use super::fineness::{Beam, linear_error};
-use super::layers::{LayerPlan, element, length, positive, wrong};
+use super::layers::{LayerPlan, Layers, element, length, positive, wrong};
 use super::quadratic::{self, Middles, Round};
 use super::{Block, Cell, Fineness, Material, Mesh, MeshParts};
 use crate::error::Error;
@@ -14,6 +14,8 @@ use crate::error::Error;
 const ORIGIN: &str = "the shaft made from its dimensions";
 /// Part by which frequencies of bending may be off where a case leaves the layers open.
 pub const FINE: f64 = 1e-3;
+/// Planes nearer than this part of the diameter are one.
+const SPLIT: f64 = 0.01;
 /// κ of a round section (Cowper, J. Appl. Mech. 33 (1966) 335–340, at ν = 0.3).
 const ROUND: f64 = 0.886;
 
@@ -39,6 +41,8 @@ pub struct SolidShaft {
     pub layers_between: usize,
     /// z of the loaded nodes on the centre line, m; each where a layer ends.
     pub loads: Vec<f64>,
+    /// z of sections that carry something, m: layers of quadratic cells end there, outside of supports.
+    pub sections: Vec<f64>,
     /// Cells of a section.
     pub section: SectionCells,
     /// Its material.
@@ -70,7 +74,7 @@ impl SolidShaft {
     pub fn mesh(&self, elements: &[&'static Element]) -> Result<Mesh, Error> {
         self.check()?;
         let SectionCells { sectors, rings, order } = self.section;
-        let layers = self.plan().layers()?;
+        let layers = self.layers()?;
         let in_section = 1 + rings * sectors;
         let node = |plane: usize, ring: usize, sector: usize| {
             plane * in_section
@@ -154,7 +158,7 @@ impl SolidShaft {
 
     /// How fine its layers are; none where its dimensions cannot be.
     pub fn fineness(&self) -> Option<Fineness> {
-        let planes = self.plan().layers().ok()?.planes;
+        let planes = self.layers().ok()?.planes;
         let longest = planes.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
         let SectionCells { rings, order, .. } = self.section;
         let error = match order {
@@ -199,6 +203,16 @@ impl SolidShaft {
             return Err(wrong("cells.rings", rings, "leaves no hexahedra", help));
         }
         Ok(())
+    }
+
+    fn layers(&self) -> Result<Layers, Error> {
+        let mut layers = self.plan().layers()?;
+        if self.section.order > 1 {
+            for &z in &self.sections {
+                layers.split(z, self.layers_in_support, SPLIT * self.diameter);
+            }
+        }
+        Ok(layers)
     }
 
     fn plan(&self) -> LayerPlan<'_> {

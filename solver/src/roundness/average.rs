@@ -1,6 +1,6 @@
 //! Matrices of a body as they would be if it were round: their means over turns.
 
-use super::turn::Turn;
+use super::turn::{ASYMMETRY, Turn};
 use crate::linalg::{LinearAlgebraError, Matrix, congruence, generalised_symmetric_eigen};
 use crate::reduction::hertz;
 
@@ -20,6 +20,14 @@ pub(super) enum Scale {
     Itself,
 }
 
+/// X̄ = (1/2π) ∫ R(α)ᵀ X R(α) dα of a form, R(α) = 1 + sin α S + (1 − cos α) S²: what turns and what does not, apart.
+pub(super) fn mean_over_turns(own: &Matrix, generator: &Matrix, square: &Matrix) -> Matrix {
+    let n = own.rows;
+    let still = Matrix::from_fn(n, n, |i, j| square[(i, j)] + f64::from(u8::from(i == j)));
+    let [still, once, twice] = [&still, generator, square].map(|turned| congruence(own, turned));
+    Matrix::from_fn(n, n, |i, j| still[(i, j)] + 0.5 * (once[(i, j)] + twice[(i, j)]))
+}
+
 /// How far the matrices of a body are from those of a round one.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Asymmetry {
@@ -30,6 +38,8 @@ pub(super) struct Asymmetry {
     pub(super) splitting: f64,
     /// The frequency of the pair (Hz).
     pub(super) split: f64,
+    /// The lowest frequency of a pair that is split by [`ASYMMETRY`] or more (Hz).
+    pub(super) first_split: Option<f64>,
     /// The lowest frequency of the mean body at which it bends or twists (Hz).
     pub(super) lowest: Option<f64>,
 }
@@ -93,7 +103,8 @@ impl Turn {
         }
         let elastic = eigen.values.iter().copied().find(|value| !is_rigid(*value));
         let lowest = elastic.map(hertz);
-        let mut found = Asymmetry { shares: Vec::new(), splitting: 0.0, split: 0.0, lowest };
+        let mut found =
+            Asymmetry { shares: Vec::new(), splitting: 0.0, split: 0.0, first_split: None, lowest };
         for ((own, mean), (_, scale)) in own.iter().zip(&mean).zip(all) {
             let apart = Matrix::from_fn(own.rows, own.cols, |i, j| own[(i, j)] - mean[(i, j)]);
             let [own, apart] = [own, &apart].map(|matrix| congruence(matrix, &vectors));
@@ -131,8 +142,12 @@ impl Turn {
                 let left = norm(&apart, cluster, &one);
                 // Of a difference of ±δ on the diagonal it is √2 δ.
                 let splitting = if left > 0.0 { 2.0_f64.sqrt() * left / size } else { 0.0 };
+                let at = hertz(square.max(0.0));
                 if splitting > found.splitting {
-                    (found.splitting, found.split) = (splitting, hertz(square.max(0.0)));
+                    (found.splitting, found.split) = (splitting, at);
+                }
+                if splitting >= ASYMMETRY {
+                    found.first_split = Some(found.first_split.map_or(at, |own: f64| own.min(at)));
                 }
             }
         }

@@ -11,18 +11,19 @@ mod pairs;
 pub(crate) mod tests;
 mod turn;
 
-use average::{Asymmetry, Scale};
+use average::{Asymmetry, Scale, mean_over_turns};
 use pairs::{Chosen, Known, scaled};
+pub use turn::ASYMMETRY;
 use turn::Turn;
+
+use whirl_text::rounded;
 
 use crate::body::BodyNode;
 use crate::centre_of_mass::CentreOfMass;
 use crate::linalg::{Cholesky, LinearAlgebraError, Matrix, dot};
 use crate::measure::MeanMotion;
 use crate::shaft::Shaft;
-
-/// Share by which frequencies, inertias and dampings of a pair may differ in a body that counts as round.
-pub const ASYMMETRY: f64 = 1e-3;
+use crate::support::Support;
 
 /// How a body turns, and how far it is from round.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,6 +45,8 @@ pub struct Roundness {
     pub still: Vec<f64>,
     /// The lowest frequency (Hz) of a mode that moves sideways without a partner.
     pub alone: Option<f64>,
+    /// Half the lowest frequency (Hz) of a pair that is split too much, where the body bends below it.
+    pub below: Option<f64>,
     /// The lowest frequency (Hz) at which the mean body bends or twists.
     lowest: Option<f64>,
     /// Whether anything moves sideways that rows show.
@@ -66,18 +69,70 @@ impl Roundness {
             && coupled < ASYMMETRY.sqrt()
     }
 
+    /// Whether the body is round at all frequencies of its modes.
+    fn is_whole(&self) -> bool {
+        self.is_round_at(0.0) && self.alone.is_none() && self.below.is_none()
+    }
+
     /// Whether any rows show how it moves along x and y alike.
     pub fn has_pairs(&self) -> bool {
         self.seen
     }
 
+    /// Why a body does not count as round, in words.
+    pub fn lack(&self) -> String {
+        let percent = |share: f64| format!("{} %", rounded(100.0 * share, 3));
+        if !self.seen {
+            return "nothing on its axis shows its motion along x and y alike".to_owned();
+        }
+        if self.splitting >= ASYMMETRY {
+            let modes = if self.split > 0.0 {
+                format!("a pair of modes at {} Hz", rounded(self.split, 5))
+            } else {
+                "its rigid motions".to_owned()
+            };
+            return format!("{modes} along x and y differ by {}", percent(self.splitting));
+        }
+        if let Some(alone) = self.alone {
+            let hertz = rounded(alone, 5);
+            return format!("its mode at {hertz} Hz, retained motions held, has no partner across");
+        }
+        let worst = self
+            .shares
+            .iter()
+            .fold(("rows", self.rows), |worst, own| if own.1 > worst.1 { *own } else { worst });
+        format!("its {} is off that of a round body by {}", worst.0, percent(worst.1))
+    }
+
     /// The band in which the body may count as round (Hz).
     pub fn band(&self) -> f64 {
-        self.alone.map_or(f64::INFINITY, |alone| 0.5 * alone)
+        let alone = self.alone.map_or(f64::INFINITY, |alone| 0.5 * alone);
+        self.below.map_or(alone, |below| below.min(alone))
     }
 }
 
 impl Shaft {
+    /// The shaft with the means of its tensors over turns by S, of which `square` is the square: exactly round, without what
+    /// turns of y0 and g0, its unbalance.
+    pub(crate) fn mean_over_turns(&self, generator: &Matrix, square: &Matrix) -> Shaft {
+        let mean = |own: &Matrix| mean_over_turns(own, generator, square);
+        let symmetric = |own: &Matrix| mean(own).symmetric_part();
+        let standing = |own: &[f64]| -> Vec<f64> {
+            own.iter().zip(square.apply_transpose(own)).map(|(own, turns)| own + turns).collect()
+        };
+        Shaft {
+            y0: standing(&self.y0),
+            g0: standing(&self.g0),
+            mass: symmetric(&self.mass),
+            stiffness: symmetric(&self.stiffness),
+            damping: symmetric(&self.damping),
+            spin_inertia: symmetric(&self.spin_inertia),
+            spin_coupling: mean(&self.spin_coupling).skew_part(),
+            spin_net: symmetric(&self.spin_net),
+            ..self.clone()
+        }
+    }
+
     /// How round the shaft is with all that it carries, by its nodes and means.
     ///
     /// # Errors
@@ -85,15 +140,13 @@ impl Shaft {
     pub fn roundness(&self) -> Result<Roundness, LinearAlgebraError> {
         let whole = self.as_it_is()?;
         // Modes may end between the two of a pair: the rest is round without the one that has lost its partner.
-        let (Some(last), true) =
-            (self.hertz.len().checked_sub(1), !whole.is_round_at(0.0) || whole.alone.is_some())
-        else {
+        let (Some(last), true) = (self.hertz.len().checked_sub(1), !whole.is_whole()) else {
             return Ok(whole);
         };
         let mut less = self.without(last).as_it_is()?;
         less.alone = Some(less.alone.map_or(self.hertz[last], |alone| alone.min(self.hertz[last])));
         let worse = whole.is_round_at(0.0) && !less.is_round_at(0.0);
-        if worse || less.splitting >= whole.splitting {
+        if worse || whole.below.is_none() && less.splitting >= whole.splitting {
             return Ok(whole);
         }
         let old = |place: usize| {
@@ -160,6 +213,32 @@ impl Shaft {
     }
 }
 
+impl Support {
+    /// How round the support is, by its nodes and means.
+    ///
+    /// # Errors
+    /// Values that are not finite.
+    pub fn roundness(&self) -> Result<Roundness, LinearAlgebraError> {
+        let known = Known {
+            nodes: &self.nodes,
+            measures: &self.measures,
+            centre_of_mass: &self.centre_of_mass,
+            polar: None,
+        };
+        let diagonal = |own: &[f64]| {
+            Matrix::from_fn(own.len(), own.len(), |i, j| if i == j { own[i] } else { 0.0 })
+        };
+        let mass = Matrix::identity(self.size());
+        let [stiffness, damping] = [&self.stiffness, &self.damping].map(|own| diagonal(own));
+        let all = [
+            ("M", &mass, Scale::Mass),
+            ("K", &stiffness, Scale::Stiffness),
+            ("C", &damping, Scale::Itself),
+        ];
+        roundness(&known, &all)
+    }
+}
+
 /// `all`: M, K and the others by their names.
 fn roundness(
     known: &Known,
@@ -177,6 +256,7 @@ fn roundness(
             paired: Vec::new(),
             still: Vec::new(),
             alone: None,
+            below: None,
             lowest: None,
             seen: true,
         });
@@ -189,7 +269,14 @@ fn roundness(
     let band = turn.alone.map_or(f64::INFINITY, |alone| 0.5 * alone);
     let matrices: Vec<(&Matrix, Scale)> =
         all.iter().map(|(_, own, scale)| (*own, *scale)).collect();
-    let Asymmetry { shares, splitting, split, lowest } = turn.asymmetry(&matrices, band)?;
+    let mut found = turn.asymmetry(&matrices, band)?;
+    // Below half the frequency of the first pair that is split it may be round, if it bends there.
+    let below = found.first_split.map(|first| 0.5 * first);
+    let band = below.filter(|below| found.lowest.is_some_and(|lowest| lowest <= *below));
+    if let Some(band) = band {
+        found = turn.asymmetry(&matrices, band)?;
+    }
+    let Asymmetry { shares, splitting, split, lowest, .. } = found;
     // What a pair lacks of turning as one.
     let rows = chosen.alike.iter().filter_map(|&place| {
         let pair = &pairs[place];
@@ -207,6 +294,7 @@ fn roundness(
         shares: all.iter().map(|(name, ..)| *name).zip(shares).collect(),
         splitting,
         split,
+        below: band,
         lowest,
         seen: chosen.count() > 0,
         generator: turn.generator,

@@ -5,13 +5,14 @@
 //! modes turn, and in which sense, is told by the inertia L = M_ip that they share with the pairs: S_i L = L J_r, so that
 //! S_i is the polar factor of L J_r Lᵀ. H, which might tell it, too, misleads where I_d is ½ I_p or a ring turns oval.
 
-use super::ASYMMETRY;
 use super::pairs::Chosen;
 use crate::linalg::{
     Cholesky, LinearAlgebraError, Lu, Matrix, multiply, symmetric_eigen, transpose_multiply,
 };
 use crate::reduction::hertz;
 
+/// Share by which frequencies, inertias and dampings of a pair may differ in a body that counts as round.
+pub const ASYMMETRY: f64 = 1e-3;
 /// Multiples of n · eps of the stiffest eigenvalue of K below which one is none: rounding of a motion that bends nothing.
 const RIGID: f64 = 64.0;
 /// Share by which neighbouring eigenvalues of a chain may differ: pairs of coarse meshes do by 1e-2.

@@ -184,6 +184,7 @@ fn a_generated_rotor_is_what_its_case_says() {
         layers_in_support: 4,
         layers_between: 6,
         loads: vec![0.085, 0.178],
+        sections: Vec::new(),
         section: SectionCells { sectors: 6, rings: 2, order: 2 },
         material: titanium(),
     };

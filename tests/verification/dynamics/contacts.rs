@@ -3,7 +3,8 @@
 use num_dual::{Dual64, DualNum};
 use whirl_solver::Error;
 use whirl_solver::bearing::{Bearing, SpringLaw};
-use whirl_solver::dynamics::{March, State, march};
+use whirl_solver::dynamics::{March, march};
+use whirl_solver::equations::State;
 use whirl_solver::machine::{Machine, Rotation};
 use whirl_solver::support::Support;
 

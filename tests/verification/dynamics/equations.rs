@@ -1,6 +1,7 @@
 //! The residual and its tangent: differences, and states of motion that solve the equations exactly.
 
-use whirl_solver::dynamics::{Coefficients, Newmark, State, System};
+use whirl_solver::dynamics::{Coefficients, Newmark};
+use whirl_solver::equations::{Equations, State};
 use whirl_solver::linalg::generalised_symmetric_eigen;
 use whirl_solver::loads::{Frame, Release, Target, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
@@ -54,10 +55,10 @@ pub(crate) fn worst_column(machine: &Machine, state: &State, share: f64) -> Vec<
     let (method, dt) = (Newmark { gamma: 0.55, beta: 0.3 }, 1e-3);
     let (a1, a2) = (method.gamma / (method.beta * dt), 1.0 / (method.beta * dt * dt));
     let step = Coefficients::new(method, dt);
-    let mut system = System::new(machine);
+    let mut equations = Equations::new(machine);
     let mut tangent = vec![0.0; size * size];
-    system.evaluate(t, state);
-    system.tangent(t, state, &step, &mut tangent);
+    equations.evaluate(t, state);
+    equations.tangent(t, state, step.weights(), &mut tangent);
     let column = |j: usize| {
         let h = share * if j == 0 { 1.0 } else { 1e-3 };
         let mut side = |h: f64| {
@@ -65,8 +66,8 @@ pub(crate) fn worst_column(machine: &Machine, state: &State, share: f64) -> Vec<
             moved.q[j] += h;
             moved.v[j] += a1 * h;
             moved.a[j] += a2 * h;
-            system.evaluate(t, &moved);
-            system.residual().to_vec()
+            equations.evaluate(t, &moved);
+            equations.residual().to_vec()
         };
         let (above, below) = (side(h), side(-h));
         let exact = &tangent[j * size..(j + 1) * size];
@@ -136,10 +137,10 @@ fn a_shaft_held_still_off_centre_feels_nothing_unless_the_centrifugal_force_coun
         let mut parts = parts(discs(1e5), Support::rigid(&[]), Rotation::Free);
         parts.motion = motion(name);
         let machine = Machine::new(parts).expect("a machine");
-        let mut system = System::new(&machine);
+        let mut equations = Equations::new(&machine);
         let angle: f64 = 0.7;
-        system.evaluate(0.0, &seen_from_space(angle, omega, &[d; DISCS], &still, &still));
-        let residual = system.residual();
+        equations.evaluate(0.0, &seen_from_space(angle, omega, &[d; DISCS], &still, &still));
+        let residual = equations.residual();
         let (sin, cos) = angle.sin_cos();
         let body = [cos * d[0] + sin * d[1], -sin * d[0] + cos * d[1]];
         let force = DISC * omega * omega;
@@ -166,7 +167,7 @@ fn free_whirl_has_the_frequencies_of_rest_forward_and_backward_at_any_speed() {
     // Isotropic supports are springs fixed in space; springs that turn with the shaft are the same, when
     // their stiffness is the same in all directions.
     let machine = Machine::new(parts(shaft, Support::rigid(&[]), Rotation::Held)).expect("machine");
-    let mut system = System::new(&machine);
+    let mut equations = Equations::new(&machine);
     let (angle, omega) = (0.0, 300.0);
     for (mode, &square) in rest.values.iter().enumerate() {
         let shape = rest.vectors.col(mode);
@@ -186,9 +187,9 @@ fn free_whirl_has_the_frequencies_of_rest_forward_and_backward_at_any_speed() {
                 let size = (square + omega * omega) * 1.0;
                 assert!((state.a[i] - turning).abs() < 1e-12 * size, "{mode} {sense}");
             }
-            system.evaluate(0.0, &state);
+            equations.evaluate(0.0, &state);
             let size = DISC * (omega + square.sqrt()).powi(2) + stiffness.norm_max();
-            let worst = system.residual()[1..].iter().fold(0.0, |m: f64, r| m.max(r.abs()));
+            let worst = equations.residual()[1..].iter().fold(0.0, |m: f64, r| m.max(r.abs()));
             assert!(worst < 1e-12 * size, "mode {mode}, sense {sense}: {worst}");
         }
     }
@@ -200,7 +201,7 @@ fn free_whirl_has_the_frequencies_of_rest_forward_and_backward_at_any_speed() {
 fn energies_are_those_of_the_parts() {
     for name in ["consistent", "hu2003"] {
         let machine = busy(motion(name));
-        let mut system = System::new(&machine);
+        let mut equations = Equations::new(&machine);
         let (n, size) = (2 * DISCS, machine.size());
         for (on_shaft, on_support) in [(1.0, 0.0), (0.0, 1.0), (1.0, 1.0)] {
             let mut state = random_state(size, 7);
@@ -222,7 +223,7 @@ fn energies_are_those_of_the_parts() {
                 q[1 + n..].iter().zip(&machine.bodies[1].support().expect("it stands").stiffness);
             let strain = 0.5 * 1e5 * (3..=n - 2).map(bends).sum::<f64>()
                 + 0.5 * springs.map(|(x, k)| k * x * x).sum::<f64>();
-            let found = [system.kinetic_energy(&state), system.strain_energy(&state)];
+            let found = [equations.kinetic_energy(&state), equations.strain_energy(&state)];
             for (found, exact) in found.into_iter().zip([kinetic, strain]) {
                 assert!((found / exact - 1.0).abs() < 1e-12, "{name}: {found} J for {exact} J");
             }

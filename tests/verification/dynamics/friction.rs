@@ -2,7 +2,8 @@
 
 use num_dual::{Dual64, DualNum};
 use whirl_solver::bearing::Bearing;
-use whirl_solver::dynamics::{March, State, System, march};
+use whirl_solver::dynamics::{March, march};
+use whirl_solver::equations::{Equations, State};
 use whirl_solver::history::History;
 use whirl_solver::loads::{Frame, TimeFunction};
 use whirl_solver::machine::{Machine, MachineParts, Rotation};
@@ -195,9 +196,9 @@ fn dry_friction_brakes_the_shaft_and_drives_it_backward() {
             state.v[2 + 2 * disc] = -50.0 * 1.2e-3;
             state.a[1 + 2 * disc] = -2500.0 * 1.2e-3;
         }
-        let mut system = System::new(&machine);
-        system.evaluate(0.0, &state);
-        let r = system.residual();
+        let mut equations = Equations::new(&machine);
+        equations.evaluate(0.0, &state);
+        let r = equations.residual();
         let (push, drag) = (200.0, 40.0);
         let close = |a: f64, b: f64| (a - b).abs() < 1e-9 * push;
         // The middle disc carries the contact; the residual is the force on it.

@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use whirl_solver::curve::Curve;
 use whirl_solver::dynamics::{
-    AutomaticStep, BodyStart, Finding, Integrator, March, MarchOptions, Outcome, State, findings,
+    AutomaticStep, BodyStart, Finding, Integrator, March, MarchOptions, Outcome, findings,
 };
+use whirl_solver::equations::State;
 use whirl_solver::linalg::Matrix;
 use whirl_solver::loads::{Frame, Load, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};

@@ -39,6 +39,7 @@ fn shaft(diameter: f64, order: usize, between: usize) -> SolidShaft {
         layers_in_support: 2,
         layers_between: between,
         loads: vec![0.42],
+        sections: Vec::new(),
         section: SectionCells { order, ..SectionCells::default() },
         material: steel(),
     }

@@ -25,6 +25,7 @@ fn disc() -> Mesh {
         layers_in_support: 2,
         layers_between: 1,
         loads: Vec::new(),
+        sections: Vec::new(),
         section: SectionCells { sectors: 16, rings: 5, order: 1 },
         material: steel(DENSITY),
     };
@@ -131,6 +132,7 @@ fn overhung() -> Mesh {
         layers_in_support: 2,
         layers_between: 14,
         loads: Vec::new(),
+        sections: Vec::new(),
         section: SectionCells { sectors: 8, rings: 6, order: 1 },
         material: steel(DENSITY),
     };

@@ -30,6 +30,7 @@ fn mesh() -> Mesh {
         layers_in_support: 2,
         layers_between: 24,
         loads: Vec::new(),
+        sections: Vec::new(),
         section: SectionCells::default(),
         material: steel(DENSITY),
     };

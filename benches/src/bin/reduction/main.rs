@@ -304,6 +304,7 @@ fn shaft() -> Body {
         layers_in_support: 2,
         layers_between: 22,
         loads: vec![0.250, 0.702, 1.154],
+        sections: Vec::new(),
         section: SectionCells::default(),
         material: steel(),
     };

@@ -8,12 +8,13 @@ use whirl_specs::Motion;
 
 use super::schema;
 use super::{
-    Dimensions, Form, MeshedBody, NamedBody, RigidBody, Turning, attached, fit, matrices, names,
+    Attached, Carried, Dimensions, Form, MeshedBody, NamedBody, RigidBody, Turning, attached, fit,
+    matrices, names,
 };
 use crate::case::columns;
 use crate::case::library::FileStore;
 use crate::case::machine::{self, Materials};
-use crate::case::rotor::Body;
+use crate::case::rotor::{Body, Mesh};
 use crate::case::selections;
 
 /// What a table says of a body.
@@ -112,11 +113,24 @@ pub(super) fn read(
     let attached = attached::read(table, turned, meshed.is_some(), tilts);
     let right = table.errors() == before;
     let name = name.clone();
-    let body = form.filter(|_| right).map(|form| {
+    let body = form.filter(|_| right).map(|mut form| {
+        carry(&mut form, &attached);
         let turning = turning.filter(|_| turned);
         NamedBody { name: name.clone(), turning, axis, axis_given, form, attached }
     });
     BodyDraft { body: (name, body), motion }
+}
+
+/// Lets the layers of a mesh that is made from dimensions end where masses are.
+fn carry(form: &mut Form, attached: &[Attached]) {
+    if let Form::Meshed(own) = form
+        && let Mesh::Generated(made) = &mut own.body.mesh
+        && let Dimensions::Shaft(shaft) = &mut made.dimensions
+    {
+        let masses = attached.iter().filter(|own| !matches!(own.what, Carried::Unbalance(_)));
+        shaft.sections = masses.map(|own| own.z).collect();
+        shaft.sections.sort_by(f64::total_cmp);
+    }
 }
 
 /// Notes keys of bodies that turn in another way, or not at all.

@@ -312,6 +312,7 @@ pub(in crate::case) fn solid_shaft(table: &Table, material: Material, cells: Cel
         layers_in_support: 0,
         layers_between: 0,
         loads: table.quantities("loads"),
+        sections: Vec::new(),
         section: SectionCells { order, ..section },
         material,
     };

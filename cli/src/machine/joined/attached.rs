@@ -11,7 +11,9 @@ use crate::case::{Attached, Carried};
 use crate::machine::plan::BodyPlan;
 use crate::machine::wording::mm;
 
-/// A section is at most this part of the body's length away from where it is looked for.
+/// A plane of nodes is at most this part of the body's length away from where a section is looked for; in a body without cells
+/// at most so far.
+const CLOSE: f64 = 1e-4;
 const NEAR: f64 = 0.01;
 /// Share of the body's mass from which masses on a section have its tilts and its turn as coordinates, too.
 const HEAVY: f64 = 0.05;
@@ -124,7 +126,9 @@ fn section_near(plan: &mut BodyPlan, z: f64, near: Option<f64>) -> Option<usize>
     const WHOLE: f64 = 0.98;
     let section = |z: f64| NodeSetMean::of_section(&plan.mesh, z).ok().flatten();
     let area = |own: &NodeSetMean| own.area().unwrap_or(0.0);
-    if let Some(near) = near {
+    let close = CLOSE * (ends(&plan.mesh)[1] - ends(&plan.mesh)[0]);
+    let is_plane = |near: &f64| (near - z).abs() <= close || section(z).is_none();
+    if let Some(near) = near.filter(is_plane) {
         let found = nodes_at(&plan.mesh, near);
         let [first, last] = ends(&plan.mesh);
         let cut = section(near).or_else(|| section(near + NEAR * NEAR * (last - first)));

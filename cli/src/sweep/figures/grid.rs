@@ -3,8 +3,8 @@
 use crate::figures::Cells;
 use crate::sweep::column::{Column, Shown, numbers};
 use crate::sweep::definition::Sweep;
-use crate::sweep::level::digits;
 use crate::sweep::vary::Varied;
+use crate::values::level::digits;
 
 /// Values of a curve at most, and of each axis of a map.
 pub(super) const MOST_OF_CURVE: usize = 1000;

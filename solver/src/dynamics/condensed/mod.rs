@@ -14,9 +14,10 @@ use whirl_specs::ContactTangent;
 
 use self::bodies::BodyInverse;
 use self::compliance::Compliance;
-use super::newmark::{Coefficients, State};
-use super::system::System;
+use super::newmark::Coefficients;
 use crate::bearing::Springs;
+use crate::equations::Equations;
+use crate::equations::State;
 use crate::linalg::largest_and_sum;
 
 /// Corrections at most.
@@ -64,14 +65,14 @@ pub(super) struct Condensed {
 
 impl Condensed {
     /// For a machine whose measures are constant, where it saves time.
-    pub(super) fn new(system: &System) -> Option<Self> {
-        let springs = &system.machine.springs;
-        let saves = Compliance::is_worth_it(springs, system.machine.active());
-        (saves && springs.measures_are_constant()).then(|| Condensed::of(system))
+    pub(super) fn new(equations: &Equations) -> Option<Self> {
+        let springs = &equations.machine.springs;
+        let saves = Compliance::is_worth_it(springs, equations.machine.active());
+        (saves && springs.measures_are_constant()).then(|| Condensed::of(equations))
     }
 
-    fn of(system: &System) -> Self {
-        let (machine, springs) = (system.machine, &system.machine.springs);
+    fn of(equations: &Equations) -> Self {
+        let (machine, springs) = (equations.machine, &equations.machine.springs);
         let (first, unknowns) = (machine.first_unknown(), machine.active());
         let measured = springs.measured();
         let values = || vec![0.0; measured];
@@ -101,12 +102,12 @@ impl Condensed {
     /// Makes L⁻¹ at a state just evaluated; whether there is one.
     pub(super) fn take_bodies(
         &mut self,
-        system: &mut System,
+        equations: &mut Equations,
         t: f64,
         state: &State,
         step: &Coefficients,
     ) -> bool {
-        system.tangent_of_bodies(t, state, step, &mut self.whole);
+        equations.tangent_of_bodies(t, state, step.weights(), &mut self.whole);
         let (whole, size, first) = (&self.whole, state.q.len(), self.first);
         self.bodies.iter_mut().all(|body| body.take(whole, size, first))
     }
@@ -115,18 +116,18 @@ impl Condensed {
     /// every spring. The springs are left where they are foreseen. Where a law has no value there, nothing is replaced.
     pub(super) fn solve(
         &mut self,
-        system: &mut System,
+        equations: &mut Equations,
         tangents: &[ContactTangent],
         (state, step): (&State, &Coefficients),
         residual: &mut [f64],
         (tolerance, again): (f64, bool),
     ) -> Option<Followed> {
-        let springs = &system.machine.springs;
+        let springs = &equations.machine.springs;
         self.forces.copy_from_slice(residual);
         self.bodies.iter_mut().for_each(|body| body.solve(residual));
         self.compliance.measure(springs, residual, &mut self.last);
-        system.springs.mark();
-        system.springs.measured_forces(&mut self.start);
+        equations.springs.mark();
+        equations.springs.measured_forces(&mut self.start);
         // What L⁻¹r moves springs by calls forces by itself.
         self.missing.fill(0.0);
         springs.add_linear(tangents, &self.last, 1.0, &mut self.missing);
@@ -134,7 +135,7 @@ impl Condensed {
         self.correct(tolerance);
         self.last.copy_from_slice(&self.moved);
         self.before.copy_from_slice(&self.start);
-        let Some(followed) = self.follow(system, tangents, step.a1, tolerance) else {
+        let Some(followed) = self.follow(equations, tangents, step.a1, tolerance) else {
             residual.copy_from_slice(&self.forces);
             return None;
         };
@@ -144,7 +145,7 @@ impl Condensed {
         residual.copy_from_slice(&self.forces);
         self.bodies.iter_mut().for_each(|body| body.solve(residual));
         if again {
-            self.solve_again(system, state, step, residual);
+            self.solve_again(equations, state, step, residual);
         }
         Some(followed)
     }
@@ -153,7 +154,7 @@ impl Condensed {
     /// `correction`, the forces there left as they are foreseen.
     fn solve_again(
         &mut self,
-        system: &mut System,
+        equations: &mut Equations,
         state: &State,
         step: &Coefficients,
         correction: &mut [f64],
@@ -161,7 +162,7 @@ impl Condensed {
         let first = self.first;
         self.end.copy_first(first, state);
         step.correct(state, correction.iter().copied(), first, &mut self.end);
-        system.change_of_turning(&self.end, &mut self.lack);
+        equations.change_of_turning(&self.end, &mut self.lack);
         let turning = self.bodies.iter_mut().filter(|body| body.turns());
         for body in turning {
             for place in body.places() {
@@ -177,16 +178,16 @@ impl Condensed {
     /// Corrects the measures until no force is missing; leaves the forces that are foreseen in `after`.
     fn follow(
         &mut self,
-        system: &mut System,
+        equations: &mut Equations,
         tangents: &[ContactTangent],
         a1: f64,
         tolerance: f64,
     ) -> Option<Followed> {
-        let springs: &Springs = &system.machine.springs;
+        let springs: &Springs = &equations.machine.springs;
         let (mut first, mut least) = (None, f64::INFINITY);
         for corrections in 1..=MOST {
-            system.springs.displace(springs, &self.moved, a1);
-            system.springs.measured_forces(&mut self.after);
+            equations.springs.displace(springs, &self.moved, a1);
+            equations.springs.measured_forces(&mut self.after);
             let forces = self.after.iter().zip(&self.before);
             self.missing.iter_mut().zip(forces).for_each(|(out, (after, before))| {
                 *out = after - before;
@@ -244,9 +245,9 @@ mod tests {
         (0..n).map(|i| (first + 2.3 * i as f64).sin()).collect()
     }
 
-    fn measure(own: &mut Condensed, system: &System, d: &[f64]) -> Vec<f64> {
+    fn measure(own: &mut Condensed, equations: &Equations, d: &[f64]) -> Vec<f64> {
         let mut u = vec![0.0; own.last.len()];
-        own.compliance.measure(&system.machine.springs, d, &mut u);
+        own.compliance.measure(&equations.machine.springs, d, &mut u);
         u
     }
 
@@ -259,21 +260,21 @@ mod tests {
     fn springs_move_with_their_measures() {
         for (rotation, first) in [(Rotation::Free, 0), (Rotation::Held, 1)] {
             let machine = machine(rotation);
-            let (mut system, step) =
-                (System::new(&machine), Coefficients::new(Newmark::default(), 0.01));
-            let mut own = Condensed::of(&system);
+            let (mut equations, step) =
+                (Equations::new(&machine), Coefficients::new(Newmark::default(), 0.01));
+            let mut own = Condensed::of(&equations);
             let (from, d) = (state(5), values(5 - first, 0.7));
             let d: Vec<f64> = d.iter().map(|own| 1e-3 * own).collect();
             let mut to = from.clone();
             step.correct(&from, d.iter().copied(), first, &mut to);
             let (mut moved, mut exact) = (vec![0.0; own.last.len()], vec![0.0; own.last.len()]);
-            system.evaluate(0.0, &to);
-            system.springs.measured_forces(&mut exact);
-            system.evaluate(0.0, &from);
-            let u = measure(&mut own, &system, &d);
-            system.springs.mark();
-            system.springs.displace(&machine.springs, &u, step.a1);
-            system.springs.measured_forces(&mut moved);
+            equations.evaluate(0.0, &to);
+            equations.springs.measured_forces(&mut exact);
+            equations.evaluate(0.0, &from);
+            let u = measure(&mut own, &equations, &d);
+            equations.springs.mark();
+            equations.springs.displace(&machine.springs, &u, step.a1);
+            equations.springs.measured_forces(&mut moved);
             let most = exact.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
             for (moved, exact) in moved.iter().zip(&exact) {
                 assert!((moved - exact).abs() < ROUGH * most, "{moved} for {exact}");
@@ -285,21 +286,21 @@ mod tests {
     #[test]
     fn forces_on_measures_work_on_the_coordinates() {
         let machine = machine(Rotation::Free);
-        let system = System::new(&machine);
-        let mut own = Condensed::of(&system);
+        let equations = Equations::new(&machine);
+        let mut own = Condensed::of(&equations);
         let (d, forces) = (values(5, 0.7), values(own.last.len(), 1.9));
         let mut on_coordinates = vec![0.0; 5];
         own.compliance.add_forces(&machine.springs, &forces, &mut on_coordinates);
         let (there, here) =
-            (sum(&forces, &measure(&mut own, &system, &d)), sum(&on_coordinates, &d));
+            (sum(&forces, &measure(&mut own, &equations, &d)), sum(&on_coordinates, &d));
         assert!((there - here).abs() < ROUGH * here.abs(), "{there} for {here}");
     }
 
     #[test]
     fn the_compliance_moves_measures_by_forces_on_them() {
         let machine = machine(Rotation::Free);
-        let system = System::new(&machine);
-        let mut own = Condensed::of(&system);
+        let equations = Equations::new(&machine);
+        let mut own = Condensed::of(&equations);
         let inverse = values(25, 0.2);
         assert!(own.take_compliance(&machine.springs, &inverse));
         let n = own.last.len();
@@ -308,7 +309,7 @@ mod tests {
         own.compliance.add_forces(&machine.springs, &forces, &mut on_coordinates);
         let moved: Vec<f64> =
             (0..5).map(|i| (0..5).map(|j| inverse[5 * j + i] * on_coordinates[j]).sum()).collect();
-        let exact = measure(&mut own, &system, &moved);
+        let exact = measure(&mut own, &equations, &moved);
         let most = exact.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
         let mut found = vec![0.0; n];
         let rough = forces.iter().map(|own| *own as f32);
@@ -325,39 +326,39 @@ mod tests {
         for rotation in [Rotation::Free, Rotation::Held] {
             let machine = machine(rotation);
             let first = machine.first_unknown();
-            let (mut system, step) =
-                (System::new(&machine), Coefficients::new(Newmark::default(), 1e-3));
-            let mut own = Condensed::of(&system);
+            let (mut equations, step) =
+                (Equations::new(&machine), Coefficients::new(Newmark::default(), 1e-3));
+            let mut own = Condensed::of(&equations);
             let mut at = state(5);
-            system.evaluate(0.0, &at);
+            equations.evaluate(0.0, &at);
             let mut lu = Lu::new(5 - first);
             let mut whole = vec![0.0; 25];
-            system.tangent(0.0, &at, &step, &mut whole);
+            equations.tangent(0.0, &at, step.weights(), &mut whole);
             crate::linalg::copy_block_from(first, &whole, 5, lu.values_mut());
             lu.factor_in_place().unwrap();
             let mut inverse = Matrix::identity(5 - first).data;
             lu.solve_in_place(&mut inverse);
             assert!(own.take_compliance(&machine.springs, &inverse));
-            assert!(own.take_bodies(&mut system, 0.0, &at, &step));
-            let tangents = system.spring_tangents().to_vec();
-            let size = |system: &System| {
-                system.residual[first..].iter().map(|r| r.abs()).fold(0.0, f64::max)
+            assert!(own.take_bodies(&mut equations, 0.0, &at, &step));
+            let tangents = equations.spring_tangents().to_vec();
+            let size = |equations: &Equations| {
+                equations.residual[first..].iter().map(|r| r.abs()).fold(0.0, f64::max)
             };
-            let start = size(&system);
+            let start = size(&equations);
             for again in [false, true] {
-                let mut correction = system.residual[first..].to_vec();
+                let mut correction = equations.residual[first..].to_vec();
                 let followed = own
-                    .solve(&mut system, &tangents, (&at, &step), &mut correction, (1e-9, again))
+                    .solve(&mut equations, &tangents, (&at, &step), &mut correction, (1e-9, again))
                     .expect("laws have values");
                 assert!(followed.contracts, "{followed:?}");
-                let foreseen = system.springs.forces.clone();
+                let foreseen = equations.springs.forces.clone();
                 let from = at.clone();
                 step.correct(&from, correction.into_iter(), first, &mut at);
-                system.evaluate(0.0, &at);
-                let forces = system.springs.forces.iter().zip(&foreseen);
+                equations.evaluate(0.0, &at);
+                let forces = equations.springs.forces.iter().zip(&foreseen);
                 forces.for_each(|(own, foreseen)| assert!((own - foreseen).abs() < 1e-3));
             }
-            let end = size(&system);
+            let end = size(&equations);
             assert!(end < 1e-9 * start, "{end} of {start}");
         }
     }

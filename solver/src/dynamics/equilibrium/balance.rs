@@ -9,13 +9,14 @@ mod tangent;
 
 use super::rotations::{Rotations, Turn};
 use super::turning::TurningStart;
-use crate::dynamics::newmark::State;
-use crate::dynamics::spring_tangent::SpringTangent;
-use crate::dynamics::system::{System, instant, placed};
+use crate::equations::SpringTangent;
+use crate::equations::State;
+use crate::equations::{Equations, instant, placed};
 use crate::error::Error;
 use crate::linalg::{add_product, dot, multiply};
 use crate::loads::{Frame, Load, Position};
 use crate::machine::{Body, BodyPlace, Machine};
+use crate::shaft::Shaft;
 
 /// Shares at which a row is solved: of its largest term, and of the largest force projected on it (PHYSICS.md, 10).
 const OF_TERM: f64 = 1e-6;
@@ -28,7 +29,7 @@ const ROUNDING: f64 = 32.0;
 /// The machine at t = 0 with the unknowns of its equilibrium.
 pub(super) struct Balance<'m> {
     pub(super) machine: &'m Machine,
-    pub(super) system: System<'m>,
+    pub(super) equations: Equations<'m>,
     pub(super) state: State,
     /// A body each; none for one that stands.
     turning: Vec<Option<TurningStart<'m>>>,
@@ -62,18 +63,49 @@ pub(super) struct Balance<'m> {
 }
 
 impl<'m> Balance<'m> {
-    /// At rest in the middle. `speeds`: by body, where it turns freely and its speed is given (rad/s).
+    /// At rest in the middle, as a march starts. `speeds`: by body, where it turns freely and its speed is given (rad/s).
     pub(super) fn new(
         machine: &'m Machine,
         speeds: &[Option<f64>],
         step: Option<f64>,
     ) -> Result<Self, Error> {
-        let (size, first) = (machine.size(), machine.rotations());
-        let mut state = State::new(size);
+        let mut state = State::new(machine.size());
         machine.set_given(0.0, false, [&mut state.q, &mut state.v, &mut state.a]);
-        let mut system = System::new(machine);
+        Balance::of(machine, speeds, (step, true), state, &|_, shaft, speed| {
+            TurningStart::new(shaft, speed)
+        })
+    }
+
+    /// The same at speeds that stay: `speeds` are also those of bodies whose rotation is given, and couples that would speed up a
+    /// body at a given speed are carried by what drives it. `turning`: a body at a speed.
+    pub(super) fn steady(
+        machine: &'m Machine,
+        speeds: &[Option<f64>],
+        turning: &dyn Fn(usize) -> TurningStart<'m>,
+    ) -> Result<Self, Error> {
+        let mut state = State::new(machine.size());
+        machine.set_given(0.0, false, [&mut state.q, &mut state.v, &mut state.a]);
+        for (place, speed) in machine.places().iter().zip(speeds) {
+            if let (Some(theta), Some(speed)) = (place.rotation, speed) {
+                (state.v[theta], state.a[theta]) = (*speed, 0.0);
+            }
+        }
+        let turning = |body: usize, _: &'m Shaft, _: f64| Ok(turning(body));
+        Balance::of(machine, speeds, (None, false), state, &turning)
+    }
+
+    /// At a state with the rotations that are given. `accelerates`: whether couples speed up bodies at given speeds.
+    fn of(
+        machine: &'m Machine,
+        speeds: &[Option<f64>],
+        (step, accelerates): (Option<f64>, bool),
+        mut state: State,
+        turning: &dyn Fn(usize, &'m Shaft, f64) -> Result<TurningStart<'m>, Error>,
+    ) -> Result<Self, Error> {
+        let (size, first) = (machine.size(), machine.rotations());
+        let mut equations = Equations::new(machine);
         let mut tangent = SpringTangent::new(&machine.springs);
-        let twisting = twisting(machine, &mut system, &mut tangent, &state);
+        let twisting = twisting(machine, &mut equations, &mut tangent, &state);
         let Rotations { rows, unknowns } = Rotations::new(machine, speeds, &twisting, &mut state);
         let mut places: Vec<usize> = (first..size).collect();
         let flexible = places.len();
@@ -81,20 +113,21 @@ impl<'m> Balance<'m> {
         let accelerated = (0..machine.bodies.len()).filter_map(|body| {
             let theta = machine.places()[body].rotation?;
             let is_free = machine.bodies[body].rotation()?.given(0.0, false).is_none();
-            (is_free && !places.contains(&theta)).then_some((body, theta))
+            (accelerates && is_free && !places.contains(&theta)).then_some((body, theta))
         });
         let accelerated = accelerated.collect();
-        let turning = machine.bodies.iter().zip(machine.places()).map(|(body, place)| {
+        let bodies = machine.bodies.iter().zip(machine.places()).enumerate();
+        let turning = bodies.map(|(number, (body, place))| {
             let Body::Turning { shaft, .. } = body else { return Ok(None) };
             let theta = place.rotation.expect("a body that turns");
-            TurningStart::new(shaft, state.v[theta]).map(Some)
+            turning(number, shaft, state.v[theta]).map(Some)
         });
         let turning: Vec<Option<TurningStart>> = turning.collect::<Result<_, Error>>()?;
         let twisted = turning.iter().map(|own| own.as_ref().map_or(Vec::new(), twisted));
         let (rows, twisting) = (places.len(), twisted.collect());
         let mut balance = Balance {
             machine,
-            system,
+            equations,
             centrifugal: vec![[const { Vec::new() }; 2]; turning.len()],
             speeds: vec![f64::NAN; turning.len()],
             standing: State::new(size),
@@ -196,7 +229,7 @@ impl<'m> Balance<'m> {
     /// Q_v − M q̈ of η_s: what it adds to that of a body which only turns.
     fn stand(&mut self) {
         let numbers = (0..self.turning.len()).filter(|&body| self.turning[body].is_some());
-        for (own, body) in self.system.turning.iter_mut().zip(numbers) {
+        for (own, body) in self.equations.turning.iter_mut().zip(numbers) {
             let place = self.machine.places()[body].flexible.clone();
             if self.turning[body].as_ref().is_none_or(|own| own.half_turn.is_none()) {
                 self.inertia[place].fill(0.0);
@@ -211,19 +244,19 @@ impl<'m> Balance<'m> {
     /// f at the state, and what each row may be.
     fn evaluate(&mut self) {
         let machine = self.machine;
-        self.system.evaluate(0.0, &self.state);
+        self.equations.evaluate(0.0, &self.state);
         self.loads();
         for &(_, theta) in &self.accelerated {
-            let couple = self.system.load[theta] + self.system.spring[theta];
+            let couple = self.equations.load[theta] + self.equations.spring[theta];
             self.state.a[theta] = couple / self.own_inertia(theta);
         }
         self.stand();
-        let system = &mut self.system;
+        let equations = &mut self.equations;
         let bodies = self.turning.iter().zip(&self.centrifugal).enumerate();
         for (place, (body, (own, centrifugal))) in machine.places().iter().zip(bodies) {
             if let Some(own) = own {
                 let opposite: Vec<f64> = centrifugal[0].iter().map(|x| -x).collect();
-                let elastic = &mut system.elastic[place.flexible.clone()];
+                let elastic = &mut equations.elastic[place.flexible.clone()];
                 add_product(elastic, &own.shaft.stiffness, &opposite);
                 let theta = place.rotation.expect("a body that turns");
                 let inertia = self.inertia[place.flexible.clone()].iter_mut();
@@ -231,18 +264,19 @@ impl<'m> Balance<'m> {
                 inertia.zip(&self.twisting[body]).for_each(|(sum, g0)| *sum -= g0 * rate);
             }
         }
-        let springs = system.springs.forces.iter().fold(LEAST_FORCE, |most, f| most.max(f.abs()));
+        let springs =
+            equations.springs.forces.iter().fold(LEAST_FORCE, |most, f| most.max(f.abs()));
         let products = self.products();
-        let system = &mut self.system;
+        let equations = &mut self.equations;
         let rates = [&self.state.q[..], &self.state.v[..]];
-        system.spring_rounding.take(&machine.springs, &system.springs, rates);
-        let system = &self.system;
+        equations.spring_rounding.take(&machine.springs, &equations.springs, rates);
+        let equations = &self.equations;
         for (row, place) in self.places.clone().into_iter().enumerate() {
             let terms = [
-                system.load[place],
-                system.spring[place],
-                -system.elastic[place],
-                -system.damper[place],
+                equations.load[place],
+                equations.spring[place],
+                -equations.elastic[place],
+                -equations.damper[place],
                 self.inertia[place],
             ];
             let terms = match row >= self.flexible {
@@ -259,7 +293,8 @@ impl<'m> Balance<'m> {
             let size = |f: fn(f64, f64) -> f64| terms.iter().map(|x| x.abs()).fold(0.0, f);
             let projected = springs * machine.springs.reach[place];
             // Of a law without slopes nothing is known.
-            let measured = Some(system.spring_rounding.forces[place]).filter(|own| own.is_finite());
+            let measured =
+                Some(equations.spring_rounding.forces[place]).filter(|own| own.is_finite());
             self.bound[row] = OF_TERM * size(f64::max)
                 + OF_FORCE * projected
                 + ROUNDING
@@ -282,7 +317,7 @@ impl<'m> Balance<'m> {
     }
 
     /// Whether a load has ended at the speed at which the machine starts.
-    fn released(&self, load: &Load) -> bool {
+    pub(super) fn released(&self, load: &Load) -> bool {
         let theta = self.machine.places()[load.body].rotation;
         theta.is_some_and(|theta| load.reaches(self.state.v[theta]))
     }
@@ -290,7 +325,7 @@ impl<'m> Balance<'m> {
     /// Loads at t = 0: those fixed in space as far as they act, and of those that turn with a body the couple on it.
     fn loads(&mut self) {
         let machine = self.machine;
-        self.system.load.fill(0.0);
+        self.equations.load.fill(0.0);
         let mut turning = vec![0.0; machine.size()];
         for load in &machine.loads {
             let (place, position) = placed(machine, load, &self.state.q);
@@ -299,7 +334,13 @@ impl<'m> Balance<'m> {
             match load.frame {
                 Frame::Space => {
                     let factor = self.share * factor;
-                    load.add_force(factor, &position, &self.state.q, place, &mut self.system.load);
+                    load.add_force(
+                        factor,
+                        &position,
+                        &self.state.q,
+                        place,
+                        &mut self.equations.load,
+                    );
                 }
                 Frame::Body => {
                     load.add_force(factor, &position, &self.state.q, place, &mut turning);
@@ -307,7 +348,7 @@ impl<'m> Balance<'m> {
             }
         }
         let rotations = ..machine.rotations();
-        add(&mut self.system.load[rotations], &turning[rotations]);
+        add(&mut self.equations.load[rotations], &turning[rotations]);
     }
 
     /// Σ |products| of K η_s, C η̇ and the inertia of the rows.
@@ -403,13 +444,13 @@ impl<'m> Balance<'m> {
 /// Pairs of bodies between which an angle makes a couple.
 fn twisting(
     machine: &Machine,
-    system: &mut System,
+    equations: &mut Equations,
     tangent: &mut SpringTangent,
     state: &State,
 ) -> Vec<[usize; 2]> {
     let size = machine.size();
-    system.evaluate(0.0, state);
-    tangent.subtract(&machine.springs, &system.springs, 0.0, size, &mut vec![0.0; size * size]);
+    equations.evaluate(0.0, state);
+    tangent.subtract(&machine.springs, &equations.springs, 0.0, size, &mut vec![0.0; size * size]);
     let planes = machine.springs.planes.iter().enumerate();
     let planes = planes.filter(|(plane, own)| {
         own.other.is_none() && machine.springs.may_twist(*plane) && tangent.by_angle(*plane) != 0.0

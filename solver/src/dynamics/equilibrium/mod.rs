@@ -20,12 +20,69 @@ mod turning;
 
 use balance::Balance;
 use search::{Found, Nearest, floating, search};
+use turning::TurningStart;
 
 use super::march::BodyStart;
 #[cfg(doc)]
 use super::march::MarchOptions;
+use crate::equations::{State, Tangents};
 use crate::error::Error;
+use crate::linalg::Matrix;
+use crate::loads::{Action, Frame, Load};
 use crate::machine::Machine;
+
+/// A state that stands in space at speeds that stay.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Standing {
+    /// q, q̇ and q̈ at t = 0.
+    pub(crate) state: State,
+    /// The unknowns of the balance, from which another may begin.
+    pub(crate) unknowns: Vec<f64>,
+    /// Eccentricity over clearance in each bearing, with its name; none where it has no clearance.
+    pub(crate) eccentricities: Vec<(String, Option<f64>)>,
+    /// As [`Equilibrium::left`].
+    pub(crate) left: f64,
+    /// Of small motions about it, in the frames of the bodies.
+    pub(crate) tangents: Tangents,
+}
+
+/// The state of round bodies at speeds that stay, with what begins at t = 0 acting and without what turns with bodies.
+/// `speeds`: θ̇ (rad/s) of all bodies that turn at a known one, by their places; those of the others are found. `generators`: S and
+/// S² of the bodies that turn. `from`: unknowns of a state nearby.
+///
+/// # Errors
+/// As [`equilibrium`], but for what nothing holds.
+pub(crate) fn standing_at(
+    machine: &Machine,
+    speeds: &[Option<f64>],
+    generators: &[Option<[Matrix; 2]>],
+    from: Option<&[f64]>,
+) -> Result<Standing, Error> {
+    let turning = |body: usize| {
+        let shaft = machine.bodies[body].shaft().expect("a body that turns");
+        let [once, twice] = generators[body].as_ref().expect("its generator");
+        TurningStart::round(shaft, once, twice.clone())
+    };
+    let mut balance = Balance::steady(machine, speeds, &turning)?;
+    if let Err(nearest) = search(&mut balance, from)? {
+        return Err(unbalanced(&mut balance, &nearest));
+    }
+    // What turns with a body acts on no small motion but by its couple on the rotation.
+    let turns = |load: &Load| {
+        let along =
+            matches!(load.action, Action::Couple { couple: [x, y, _], .. } if x == 0.0 && y == 0.0);
+        load.frame == Frame::Body && !along
+    };
+    let released: Vec<bool> =
+        machine.loads.iter().map(|load| turns(load) || balance.released(load)).collect();
+    let left = balance.worst();
+    let (eccentricities, unknowns) = (balance.ratios(), balance.unknowns());
+    let state = balance.state.clone();
+    balance.equations.release(&released);
+    balance.equations.evaluate(0.0, &state);
+    let tangents = balance.equations.tangents(&state);
+    Ok(Standing { state, unknowns, eccentricities, left, tangents })
+}
 
 /// The rows that an error names.
 const NAMED: usize = 3;
@@ -57,7 +114,7 @@ pub fn equilibrium(
     step: Option<f64>,
 ) -> Result<Equilibrium, Error> {
     let mut balance = Balance::new(machine, speeds, step)?;
-    let Found { iterations } = match search(&mut balance)? {
+    let Found { iterations } = match search(&mut balance, None)? {
         Ok(found) => found,
         Err(nearest) => return Err(unbalanced(&mut balance, &nearest)),
     };
@@ -80,7 +137,8 @@ fn unbalanced(balance: &mut Balance, nearest: &Nearest) -> Error {
     if let Err(error) = balance.set(&nearest.z) {
         return error;
     }
-    if let Some((law, bearing)) = balance.system.springs.without_value(&balance.machine.springs) {
+    if let Some((law, bearing)) = balance.equations.springs.without_value(&balance.machine.springs)
+    {
         return Error::NoForce { step: 0, time: 0.0, law, bearing: bearing + 1 };
     }
     let mut rows: Vec<usize> = (0..balance.force.len()).collect();

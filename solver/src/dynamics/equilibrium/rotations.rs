@@ -6,7 +6,7 @@
 //! given speed, at which their couples need not be in balance, the group has one acceleration, so that the couplings
 //! carry what speeds up all of them alike. One by itself has that which its couple gives it (`balance`).
 
-use crate::dynamics::newmark::State;
+use crate::equations::State;
 use crate::machine::Machine;
 
 use super::turning::{idle_speed, largest};

@@ -36,14 +36,22 @@ pub(super) struct Nearest {
     pub(super) share: f64,
 }
 
-/// Searches from the middle of the bearings.
+/// Searches from unknowns nearby, if there are any, then from the middle of the bearings.
 ///
 /// # Errors
 /// Where the search came nearest.
-pub(super) fn search(balance: &mut Balance) -> Result<Result<Found, Nearest>, Error> {
+pub(super) fn search(
+    balance: &mut Balance,
+    from: Option<&[f64]>,
+) -> Result<Result<Found, Nearest>, Error> {
     let mut search = Search::new(balance)?;
     let middle = balance.unknowns();
     let mut nearest = Nearest { z: middle.clone(), worst: f64::INFINITY, share: 0.0 };
+    if let Some(from) = from
+        && let Some(found) = search.newton(balance, from, &mut nearest)?
+    {
+        return Ok(Ok(found));
+    }
     if let Some(found) = search.newton(balance, &middle, &mut nearest)? {
         return Ok(Ok(found));
     }

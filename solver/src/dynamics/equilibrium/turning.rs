@@ -38,7 +38,8 @@ impl<'m> TurningStart<'m> {
         let n = shaft.size();
         let roundness = shaft.roundness()?;
         if roundness.is_round_at(speed) {
-            return Ok(TurningStart::round(shaft, &roundness.generator));
+            let s = &roundness.generator;
+            return Ok(TurningStart::round(shaft, s, multiply(s.view(), s.view())));
         }
         let (rigid, centrifugal) = if n == 0 {
             (Matrix::zeros(0, 0), Vec::new())
@@ -60,10 +61,10 @@ impl<'m> TurningStart<'m> {
         Ok(TurningStart { shaft, quarter_turn, half_turn: None, rigid, centrifugal })
     }
 
-    /// Of a round body with the generator S of its turns. Of y0 it has what stands, −(Sᵀ)² y0 being what turns: unbalance, and
+    /// Of a round body with the generator S of its turns, and S². Of y0 it has what stands, −(Sᵀ)² y0 being what turns: unbalance, and
     /// a mesh off its axis.
-    fn round(shaft: &'m Shaft, s: &Matrix) -> Self {
-        let turns = s.apply_transpose(&s.apply_transpose(&shaft.y0));
+    pub(super) fn round(shaft: &'m Shaft, s: &Matrix, square: Matrix) -> Self {
+        let turns = square.apply_transpose(&shaft.y0);
         let reach = shaft.y0.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
         let stands = shaft.y0.iter().zip(turns).map(|(own, turns)| {
             let sum = own + turns;
@@ -74,7 +75,7 @@ impl<'m> TurningStart<'m> {
         TurningStart {
             shaft,
             quarter_turn: Matrix { data: s.data.iter().map(|own| -own).collect(), ..s.clone() },
-            half_turn: Some(multiply(s.view(), s.view())),
+            half_turn: Some(square),
             rigid: Matrix::zeros(shaft.size(), 0),
             centrifugal,
         }

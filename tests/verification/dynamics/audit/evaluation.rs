@@ -2,7 +2,7 @@
 //! closed form: nothing of the solver's evaluation, and none of its norms.
 
 use whirl_solver::bearing::Bearing;
-use whirl_solver::dynamics::State;
+use whirl_solver::equations::State;
 use whirl_solver::linalg::Matrix;
 use whirl_solver::loads::{Action, Frame, Load, TimeFunction};
 use whirl_solver::machine::{Body, BodyPlace, Machine, Rotation};

@@ -2,7 +2,7 @@
 
 use whirl_solver::body::{BodySpec, Rayleigh, Retained};
 use whirl_solver::constraints::Constraints;
-use whirl_solver::dynamics::{State, System};
+use whirl_solver::equations::{Equations, State};
 use whirl_solver::linalg::Lu;
 use whirl_solver::loads::{Frame, Load, TimeFunction};
 use whirl_solver::machine::{Machine, Rotation};
@@ -55,10 +55,10 @@ fn a_couple_twists_and_bends_a_shaft_and_turns_its_frame() {
     let constant = TimeFunction::Constant;
     parts.loads = vec![Load::couple(0, turns.clone(), COUPLE, constant, Frame::Body)];
     let machine = Machine::new(parts).expect("a machine");
-    let mut system = System::new(&machine);
-    system.evaluate(0.0, &State::new(machine.size()));
-    assert!((system.residual()[0] - COUPLE[2]).abs() < 1e-12, "{}", system.residual()[0]);
-    let mut eta = system.residual()[1..].to_vec();
+    let mut equations = Equations::new(&machine);
+    equations.evaluate(0.0, &State::new(machine.size()));
+    assert!((equations.residual()[0] - COUPLE[2]).abs() < 1e-12, "{}", equations.residual()[0]);
+    let mut eta = equations.residual()[1..].to_vec();
     lu.solve_in_place(&mut eta);
     let turned = |axis: usize| (0..turns.cols).map(|j| turns[(axis, j)] * eta[j]).sum::<f64>();
     let inertia = polygon * std::f64::consts::PI * diameter.powi(4) / 64.0;

@@ -9,7 +9,8 @@ mod release;
 mod weight;
 
 use whirl_benches::hand::elements::ELEMENTS;
-use whirl_solver::dynamics::{March, MarchOptions, State};
+use whirl_solver::dynamics::{March, MarchOptions};
+use whirl_solver::equations::State;
 use whirl_solver::linalg::Matrix;
 use whirl_solver::machine::Machine;
 use whirl_solver::mesh::shaft::{SectionCells, SolidShaft};
@@ -44,6 +45,7 @@ fn uniform_shaft() -> Mesh {
         layers_in_support: 2,
         layers_between: 20,
         loads: Vec::new(),
+        sections: Vec::new(),
         section: SectionCells { sectors: 16, rings: 3, order: 1 },
         material: Material::isotropic("STEEL", modulus, poisson, density).expect("steel"),
     };

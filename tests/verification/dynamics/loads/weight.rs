@@ -3,7 +3,8 @@
 use whirl_solver::attached::{PointMass, Unbalance};
 use whirl_solver::body::{BodySpec, Rayleigh, Retained};
 use whirl_solver::constraints::Constraints;
-use whirl_solver::dynamics::{BodyStart, March, State, System};
+use whirl_solver::dynamics::{BodyStart, March};
+use whirl_solver::equations::{Equations, State};
 use whirl_solver::gravity::weights;
 use whirl_solver::linalg::Lu;
 use whirl_solver::machine::{Body, Machine, Rotation};
@@ -49,12 +50,12 @@ fn machine(rotor: Shaft) -> Machine {
 #[test]
 fn the_weight_of_a_body_stays_in_space_while_it_turns() {
     let machine = machine(rotor());
-    let mut system = System::new(&machine);
+    let mut equations = Equations::new(&machine);
     for angle in [0.0_f64, 0.7, 2.0, 4.5] {
         let mut state = State::new(machine.size());
         state.q[0] = angle;
-        system.evaluate(0.0, &state);
-        let r = system.residual();
+        equations.evaluate(0.0, &state);
+        let r = equations.residual();
         let (sin, cos) = angle.sin_cos();
         let force = [cos * r[1] - sin * r[2], sin * r[1] + cos * r[2]];
         for (found, g) in force.iter().zip(GRAVITY) {
@@ -144,9 +145,9 @@ fn a_shaft_sags_as_a_beam_with_shear_does() {
     parts.bodies = bodies.into();
     parts.loads = vec![load];
     let machine = Machine::new(parts).expect("a machine");
-    let mut system = System::new(&machine);
-    system.evaluate(0.0, &State::new(machine.size()));
-    let mut eta = system.residual()[1..].to_vec();
+    let mut equations = Equations::new(&machine);
+    equations.evaluate(0.0, &State::new(machine.size()));
+    let mut eta = equations.residual()[1..].to_vec();
     lu.solve_in_place(&mut eta);
     let rows = &machine.bodies[0].measures()[0].displacement;
     let found: f64 = -(0..rows.cols).map(|j| rows[(0, j)] * eta[j]).sum::<f64>();

@@ -4,7 +4,7 @@
 use whirl_solver::bearing::{Bearing, MotionKind, OtherMotion, Sides};
 use whirl_solver::body::BodyNode;
 use whirl_solver::centre_of_mass::CentreOfMass;
-use whirl_solver::dynamics::{State, System};
+use whirl_solver::equations::{Equations, State};
 use whirl_solver::linalg::Matrix;
 use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
 use whirl_solver::measure::MeanMotion;
@@ -198,9 +198,9 @@ fn every_joint_leaves_no_force_and_no_moment_on_bodies_of_every_kind() {
                     (own.q[place], own.v[place]) = (40.0 * random(), 3000.0 * random());
                 }
                 let state = state.unwrap_or(&own);
-                let mut system = System::new(&machine);
-                system.evaluate(0.0, state);
-                let residual = system.residual().to_vec();
+                let mut equations = Equations::new(&machine);
+                equations.evaluate(0.0, state);
+                let residual = equations.residual().to_vec();
                 (machine, own, residual)
             };
             let (machine, state, with) = residual(vec![joint(law, kinds)], None);

@@ -3,7 +3,8 @@
 
 use num_dual::Dual64;
 use whirl_solver::bearing::{Bearing, MotionKind};
-use whirl_solver::dynamics::{BodyStart, Coefficients, March, Newmark, State, System};
+use whirl_solver::dynamics::{BodyStart, Coefficients, March, Newmark};
+use whirl_solver::equations::{Equations, State};
 use whirl_solver::history::History;
 use whirl_solver::machine::{Machine, MachineParts, Rotation};
 
@@ -226,9 +227,9 @@ fn bearings_act_on_both_bodies_by_virtual_work() {
     for seed in 1..5 {
         let state = wild_state(&machine, seed);
         let residual = |machine: &Machine| {
-            let mut system = System::new(machine);
-            system.evaluate(0.013, &state);
-            system.residual().to_vec()
+            let mut equations = Equations::new(machine);
+            equations.evaluate(0.013, &state);
+            equations.residual().to_vec()
         };
         let (all, without) = (residual(&machine), residual(&alone));
         let exact = by_virtual_work(&machine, &parts, &state);
@@ -247,8 +248,8 @@ fn without_bearings_every_body_moves_as_it_does_alone() {
     let parts = || MachineParts { bearings: Vec::new(), ..everything() };
     let machine = Machine::new(parts()).expect("bodies");
     let state = wild_state(&machine, 9);
-    let mut system = System::new(&machine);
-    system.evaluate(0.013, &state);
+    let mut equations = Equations::new(&machine);
+    equations.evaluate(0.013, &state);
     for (number, place) in machine.places().iter().enumerate() {
         let mut own = parts();
         own.bodies = vec![own.bodies.swap_remove(number)];
@@ -257,11 +258,11 @@ fn without_bearings_every_body_moves_as_it_does_alone() {
         let alone = Machine::new(own).expect("a body");
         let places: Vec<usize> = place.rotation.into_iter().chain(place.flexible.clone()).collect();
         let of = |all: &[f64]| places.iter().map(|&place| all[place]).collect::<Vec<f64>>();
-        let mut by_itself = System::new(&alone);
+        let mut by_itself = Equations::new(&alone);
         let [q, v, a, lag] = [&state.q, &state.v, &state.a, &state.lag].map(|all| of(all));
         let state = State { q, v, a, lag };
         by_itself.evaluate(0.013, &state);
-        assert_eq!(of(system.residual()), by_itself.residual(), "body {number}");
+        assert_eq!(of(equations.residual()), by_itself.residual(), "body {number}");
     }
 }
 
@@ -272,10 +273,10 @@ fn worst_column(machine: &Machine, state: &State, share: f64) -> Vec<f64> {
     let (method, dt) = (Newmark { gamma: 0.55, beta: 0.3 }, 1e-3);
     let (a1, a2) = (method.gamma / (method.beta * dt), 1.0 / (method.beta * dt * dt));
     let step = Coefficients::new(method, dt);
-    let mut system = System::new(machine);
+    let mut equations = Equations::new(machine);
     let mut tangent = vec![0.0; size * size];
-    system.evaluate(t, state);
-    system.tangent(t, state, &step, &mut tangent);
+    equations.evaluate(t, state);
+    equations.tangent(t, state, step.weights(), &mut tangent);
     let column = |j: usize| {
         let h = share * if is_angle(machine, j) { 1.0 } else { 1e-4 };
         let mut side = |h: f64| {
@@ -283,8 +284,8 @@ fn worst_column(machine: &Machine, state: &State, share: f64) -> Vec<f64> {
             moved.q[j] += h;
             moved.v[j] += a1 * h;
             moved.a[j] += a2 * h;
-            system.evaluate(t, &moved);
-            system.residual().to_vec()
+            equations.evaluate(t, &moved);
+            equations.residual().to_vec()
         };
         let (above, below) = (side(h), side(-h));
         let exact = &tangent[j * size..(j + 1) * size];
@@ -324,16 +325,16 @@ fn the_tangent_of_every_load_is_that_of_its_force() {
         let both = [&machine, &without];
         let tangents = both.map(|machine| {
             let mut tangent = vec![0.0; size * size];
-            let mut system = System::new(machine);
-            system.evaluate(t, &state);
-            system.tangent(t, &state, &step, &mut tangent);
+            let mut equations = Equations::new(machine);
+            equations.evaluate(t, &state);
+            equations.tangent(t, &state, step.weights(), &mut tangent);
             tangent
         });
         let force = |state: &State| -> Vec<f64> {
             let [with, without] = both.map(|machine| {
-                let mut system = System::new(machine);
-                system.evaluate(t, state);
-                system.residual().to_vec()
+                let mut equations = Equations::new(machine);
+                equations.evaluate(t, state);
+                equations.residual().to_vec()
             });
             with.iter().zip(&without).map(|(a, b)| a - b).collect()
         };
@@ -372,10 +373,10 @@ fn the_tangent_of_the_bearings_is_that_of_virtual_work() {
     let step = Coefficients::new(Newmark::default(), 1e-2);
     let a1 = 2.0 / 1e-2;
     let tangent = |machine: &Machine| {
-        let mut system = System::new(machine);
+        let mut equations = Equations::new(machine);
         let mut tangent = vec![0.0; machine.size() * machine.size()];
-        system.evaluate(0.013, &state);
-        system.tangent(0.013, &state, &step, &mut tangent);
+        equations.evaluate(0.013, &state);
+        equations.tangent(0.013, &state, step.weights(), &mut tangent);
         tangent
     };
     let (all, without) = (tangent(&machine), tangent(&alone));

@@ -2,7 +2,8 @@
 //! called the journal, where x points.
 
 use whirl_solver::bearing::{Bearing, Sides};
-use whirl_solver::dynamics::{BodyStart, March, MarchOptions, State, System};
+use whirl_solver::dynamics::{BodyStart, March, MarchOptions};
+use whirl_solver::equations::{Equations, State};
 use whirl_solver::loads::{Frame, TimeFunction};
 use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
 use whirl_solver::shaft::Shaft;
@@ -118,9 +119,9 @@ fn forces_of_a_joint_on_both_bodies_cancel() {
         };
         let residual = |bearings: Vec<Bearing>, state: &State| {
             let machine = Machine::new(machine(bodies(), bearings)).expect("a machine");
-            let mut system = System::new(&machine);
-            system.evaluate(0.0, state);
-            system.residual().to_vec()
+            let mut equations = Equations::new(&machine);
+            equations.evaluate(0.0, state);
+            equations.residual().to_vec()
         };
         let mut state = State::new(6);
         state.q = vec![0.4, -1.1, 5e-5, -2e-5, 3e-5, 7e-5];

@@ -4,7 +4,8 @@ use nalgebra::{Cholesky, DMatrix, SymmetricEigen};
 use whirl_solver::bearing::{Bearing, Sides};
 use whirl_solver::body::{BodySpec, Rayleigh, Retained};
 use whirl_solver::constraints::Constraints;
-use whirl_solver::dynamics::{Coefficients, Newmark, State, System};
+use whirl_solver::dynamics::{Coefficients, Newmark};
+use whirl_solver::equations::{Equations, State};
 use whirl_solver::machine::{Body, Machine, MachineParts, Rotation};
 use whirl_solver::mesh::shaft::{SectionCells, SolidShaft};
 use whirl_solver::mesh::{Material, MeanComponent, NodeSetMean};
@@ -37,6 +38,7 @@ fn shaft() -> Shaft {
         layers_in_support: 2,
         layers_between: 8,
         loads: vec![0.2],
+        sections: Vec::new(),
         section: SectionCells { sectors: 16, rings: 2, order: 1 },
         material: Material::isotropic("STEEL", 200e9, 0.3, DENSITY).expect("steel"),
     };
@@ -104,12 +106,17 @@ fn machine(shaft: &Shaft, sections: [Option<usize>; 2]) -> Machine {
 fn counter_rotating(machine: &Machine) -> f64 {
     let inertia = machine.bodies[0].shaft().expect("turns").j0;
     let size = machine.size();
-    let mut system = System::new(machine);
+    let mut equations = Equations::new(machine);
     let state = State::new(size);
-    system.evaluate(0.0, &state);
+    equations.evaluate(0.0, &state);
     let mut tangent = |dt: f64| {
         let mut tangent = vec![0.0; size * size];
-        system.tangent(0.0, &state, &Coefficients::new(Newmark::default(), dt), &mut tangent);
+        equations.tangent(
+            0.0,
+            &state,
+            Coefficients::new(Newmark::default(), dt).weights(),
+            &mut tangent,
+        );
         (4.0 / (dt * dt), DMatrix::from_vec(size, size, tangent))
     };
     let ((a, first), (b, second)) = (tangent(1e-4), tangent(2e-4));

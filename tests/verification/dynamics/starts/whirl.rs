@@ -2,8 +2,9 @@
 //! theory: Holmes, J. Mech. Eng. Sci. 2 (1960) 337-341; here by the closed coefficients of the short film.
 
 use whirl_solver::dynamics::{
-    Coefficients, Equilibrium, March, MarchOptions, Newmark, State, System, equilibrium,
+    Coefficients, Equilibrium, March, MarchOptions, Newmark, equilibrium,
 };
+use whirl_solver::equations::{Equations, State};
 use whirl_solver::machine::{Machine, Rotation};
 
 use super::super::options;
@@ -33,11 +34,16 @@ fn linearised(machine: &Machine, found: &Equilibrium, mass: f64) -> [[[f64; 2]; 
     for (axis, along) in [(1, -1.0), (2, -1.0)] {
         state.a[axis] = along * SPEED * SPEED * state.q[axis];
     }
-    let mut system = System::new(machine);
+    let mut equations = Equations::new(machine);
     let mut tangent = |dt: f64| {
-        system.evaluate(0.0, &state);
+        equations.evaluate(0.0, &state);
         let mut out = vec![0.0; 25];
-        system.tangent(0.0, &state, &Coefficients::new(Newmark::default(), dt), &mut out);
+        equations.tangent(
+            0.0,
+            &state,
+            Coefficients::new(Newmark::default(), dt).weights(),
+            &mut out,
+        );
         // a1 = 2/Δt and a2 = 4/Δt² of the average acceleration.
         [[1, 1], [1, 2], [2, 1], [2, 2]].map(|[i, j]| out[5 * j + i])
     };

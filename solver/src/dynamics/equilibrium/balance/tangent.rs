@@ -3,9 +3,9 @@
 use super::{Balance, add};
 use crate::bearing::Springs;
 use crate::dynamics::equilibrium::rotations::Turn;
-use crate::dynamics::newmark::State;
-use crate::dynamics::system::{instant, placed};
-use crate::dynamics::turning::TurningBody;
+use crate::equations::State;
+use crate::equations::TurningBody;
+use crate::equations::{instant, placed};
 use crate::linalg::{Columns, Matrix, multiply};
 use crate::loads::Frame;
 use crate::machine::Body;
@@ -16,10 +16,10 @@ impl Balance<'_> {
         let (machine, size) = (self.machine, self.machine.size());
         let mut by_position = vec![0.0; size * size];
         let springs: &Springs = &machine.springs;
-        self.tangent.subtract(springs, &self.system.springs, 0.0, size, &mut by_position);
+        self.tangent.subtract(springs, &self.equations.springs, 0.0, size, &mut by_position);
         // B + a1 P with a1 = 1 and without it: P.
         let mut by_rate = vec![0.0; size * size];
-        self.tangent.subtract(springs, &self.system.springs, 1.0, size, &mut by_rate);
+        self.tangent.subtract(springs, &self.equations.springs, 1.0, size, &mut by_rate);
         by_rate.iter_mut().zip(&by_position).for_each(|(both, own)| *both -= own);
         self.subtract_loads(&mut by_position, &mut by_rate);
         let n = self.places.len();
@@ -39,7 +39,7 @@ impl Balance<'_> {
             let theta = machine.places()[number].rotation.expect("a body that turns");
             let shaft = own.shaft;
             let inertia = own.half_turn.as_ref().map(|half_turn| {
-                let body = &mut self.system.turning[number_of_turning];
+                let body = &mut self.equations.turning[number_of_turning];
                 Inertia::new(body, half_turn, [&self.standing, &self.turned])
             });
             number_of_turning += 1;

@@ -14,17 +14,17 @@ const DIGITS: usize = 12;
 
 /// A range as it is written.
 #[derive(Debug, Clone)]
-pub(super) struct Range {
+pub(crate) struct Range {
     /// Both ends in the unit of the first, as they are written.
     ends: [End; 2],
     /// As it is written; none of numbers alone.
     unit: Option<String>,
     /// How many values, if it says so.
-    pub(super) count: Option<usize>,
+    pub(crate) count: Option<usize>,
     /// Whether values have equal ratios.
-    pub(super) logarithmic: bool,
+    pub(crate) logarithmic: bool,
     /// Where all of it stands.
-    pub(super) place: Place,
+    pub(crate) place: Place,
 }
 
 #[derive(Debug, Clone)]
@@ -37,7 +37,7 @@ struct End {
 const BETWEEN: &str = "..";
 
 /// Whether a text is a range: numbers begin so, names and paths do not.
-pub(super) fn is_range(text: &str) -> bool {
+pub(crate) fn is_range(text: &str) -> bool {
     let start = text.trim_start().trim_start_matches(['+', '-', '.']);
     text.contains(BETWEEN) && start.starts_with(|c: char| c.is_ascii_digit())
 }
@@ -47,7 +47,7 @@ impl Range {
     ///
     /// # Errors
     /// What is wrong with it, where.
-    pub(super) fn read(text: &str, place: &Place) -> Result<Range, Diagnostic> {
+    pub(crate) fn read(text: &str, place: &Place) -> Result<Range, Diagnostic> {
         let whole = 0..text.len();
         let between = text.find(BETWEEN).expect("a range has two ends");
         let rest = &text[between + BETWEEN.len()..];
@@ -78,25 +78,25 @@ impl Range {
     }
 
     /// Whether its values fall.
-    pub(super) fn falls(&self) -> bool {
+    pub(crate) fn falls(&self) -> bool {
         self.ends[1].value < self.ends[0].value
     }
 
     /// The same range the other way round, as it would be written.
-    pub(super) fn reversed(&self) -> String {
+    pub(crate) fn reversed(&self) -> String {
         let plain = |end: &End| end.level.literal.trim_matches('"').to_owned();
         format!("{} .. {}", plain(&self.ends[1]), plain(&self.ends[0]))
     }
 
     /// As it would be written with so many values.
-    pub(super) fn with_count(&self, count: usize) -> String {
+    pub(crate) fn with_count(&self, count: usize) -> String {
         let plain = |end: &End| end.level.literal.trim_matches('"').to_owned();
         let log = if self.logarithmic { ", log" } else { "" };
         format!("{} .. {}, {count}{log}", plain(&self.ends[0]), plain(&self.ends[1]))
     }
 
     /// The `k`-th of `n` values, both ends included and as they are written.
-    pub(super) fn even(&self, k: usize, n: usize) -> Level {
+    pub(crate) fn even(&self, k: usize, n: usize) -> Level {
         match k {
             0 => self.ends[0].level.clone(),
             k if k + 1 == n => self.ends[1].level.clone(),
@@ -105,7 +105,7 @@ impl Range {
     }
 
     /// The value a share of the way from the first end to the last.
-    pub(super) fn at(&self, share: f64) -> Level {
+    pub(crate) fn at(&self, share: f64) -> Level {
         let [a, b] = [self.ends[0].value, self.ends[1].value];
         let value = match self.logarithmic {
             true => a * libm::exp(share * libm::log(b / a)),

@@ -1,18 +1,17 @@
 //! A turning body in the equations of the machine: its coordinates {θ, η} side by side, as the kernels of its motion
 //! have them, and their places in q.
 
-use whirl_specs::Motion;
+use whirl_specs::{Motion, MotionState};
 
-use super::newmark::{Coefficients, State};
-use super::system::motion_state;
+use super::state::{State, Weights};
 use crate::linalg::{Matrix, add_product, dot};
 use crate::machine::{BodyPlace, Machine};
 use crate::shaft::Shaft;
 
 /// A turning body with memory for its kernels.
-pub(super) struct TurningBody<'m> {
-    pub(super) shaft: &'m Shaft,
-    pub(super) place: &'m BodyPlace,
+pub(crate) struct TurningBody<'m> {
+    pub(crate) shaft: &'m Shaft,
+    pub(crate) place: &'m BodyPlace,
     motion: &'static Motion,
     tensors: Vec<&'m [f64]>,
     workspace: Vec<f64>,
@@ -21,13 +20,13 @@ pub(super) struct TurningBody<'m> {
     /// A matrix over the coordinates, column after column.
     block: Vec<f64>,
     /// The factor of K that C is, if it is one.
-    pub(super) proportional: Option<f64>,
+    pub(crate) proportional: Option<f64>,
     /// Norms of the rows of M, C and K, a coordinate of η each.
-    pub(super) row_norms: Vec<[f64; 3]>,
+    pub(crate) row_norms: Vec<[f64; 3]>,
 }
 
 impl<'m> TurningBody<'m> {
-    pub(super) fn new(machine: &'m Machine, shaft: &'m Shaft, place: &'m BodyPlace) -> Self {
+    pub(crate) fn new(machine: &'m Machine, shaft: &'m Shaft, place: &'m BodyPlace) -> Self {
         let n = shaft.size();
         let matrices = [&shaft.mass, &shaft.damping, &shaft.stiffness];
         let norm =
@@ -46,12 +45,12 @@ impl<'m> TurningBody<'m> {
     }
 
     /// Place of θ in q.
-    pub(super) fn theta(&self) -> usize {
+    pub(crate) fn theta(&self) -> usize {
         self.place.rotation.expect("a body that turns")
     }
 
     /// Writes Q_v − M q̈ at the places of the body, and C q̇ and K q, where zeros stand.
-    pub(super) fn evaluate(
+    pub(crate) fn evaluate(
         &mut self,
         state: &State,
         [inertia, damper, elastic]: [&mut Vec<f64>; 3],
@@ -72,7 +71,7 @@ impl<'m> TurningBody<'m> {
     }
 
     /// Q_v − M q̈ of the body at a state, a value a coordinate, θ first.
-    pub(super) fn inertia(&mut self, state: &State) -> &[f64] {
+    pub(crate) fn inertia(&mut self, state: &State) -> &[f64] {
         let motion = motion_state(state, self.place);
         (self.motion.inertia_force)(&self.tensors, &motion, &mut self.workspace, &mut self.row);
         &self.row
@@ -80,7 +79,7 @@ impl<'m> TurningBody<'m> {
 
     /// Minus the derivatives of [`TurningBody::inertia`] by q, plus a1 and a2 times those by q̇ and q̈: a column a coordinate,
     /// θ first.
-    pub(super) fn inertia_tangent(&mut self, state: &State, [a1, a2]: [f64; 2]) -> Matrix {
+    pub(crate) fn inertia_tangent(&mut self, state: &State, [a1, a2]: [f64; 2]) -> Matrix {
         let motion = motion_state(state, self.place);
         let (workspace, block) = (&mut self.workspace, &mut self.block);
         (self.motion.tangent)(&self.tensors, &motion, a1, a2, workspace, block);
@@ -89,21 +88,28 @@ impl<'m> TurningBody<'m> {
     }
 
     /// Adds a2 M + a1 C + K + PF − a1 P − B of the motion to a matrix over q, column after column.
-    pub(super) fn add_tangent(&mut self, state: &State, step: &Coefficients, out: &mut [f64]) {
+    pub(crate) fn add_tangent(&mut self, state: &State, weights: Weights, out: &mut [f64]) {
         let motion = motion_state(state, self.place);
         let (workspace, block) = (&mut self.workspace, &mut self.block);
-        (self.motion.tangent)(&self.tensors, &motion, step.a1, step.a2, workspace, block);
+        (self.motion.tangent)(
+            &self.tensors,
+            &motion,
+            weights.rate,
+            weights.acceleration,
+            workspace,
+            block,
+        );
         let rows = 1 + self.shaft.size();
         for j in 0..self.shaft.size() {
             let column = &mut block[(1 + j) * rows + 1..(2 + j) * rows];
             let parts = self.shaft.damping.col(j).iter().zip(self.shaft.stiffness.col(j));
-            column.iter_mut().zip(parts).for_each(|(sum, (c, k))| *sum += step.a1 * c + k);
+            column.iter_mut().zip(parts).for_each(|(sum, (c, k))| *sum += weights.rate * c + k);
         }
         self.add_block(out, state.q.len());
     }
 
     /// Adds what stands in the block to a matrix of `size` rows over q.
-    pub(super) fn add_block(&self, out: &mut [f64], size: usize) {
+    pub(crate) fn add_block(&self, out: &mut [f64], size: usize) {
         let (theta, place) = (self.theta(), self.place.flexible.clone());
         let columns = std::iter::once(theta).chain(place.clone());
         for (column, own) in columns.zip(self.block.chunks_exact(1 + place.len())) {
@@ -114,46 +120,46 @@ impl<'m> TurningBody<'m> {
     }
 
     /// Writes the diagonal of a2 M + a1 C + K, undeformed, at the places of the body.
-    pub(super) fn diagonal(&self, step: &Coefficients, out: &mut [f64]) {
+    pub(crate) fn diagonal(&self, weights: Weights, out: &mut [f64]) {
         let shaft = self.shaft;
-        out[self.theta()] = step.a2 * shaft.j0;
+        out[self.theta()] = weights.acceleration * shaft.j0;
         for (j, place) in self.place.flexible.clone().enumerate() {
-            out[place] = step.a2 * shaft.mass[(j, j)]
-                + step.a1 * shaft.damping[(j, j)]
+            out[place] = weights.acceleration * shaft.mass[(j, j)]
+                + weights.rate * shaft.damping[(j, j)]
                 + shaft.stiffness[(j, j)];
         }
     }
 
     /// Leaves M(q) of the body in its block.
-    pub(super) fn evaluate_mass(&mut self, state: &State) {
+    pub(crate) fn evaluate_mass(&mut self, state: &State) {
         let motion = motion_state(state, self.place);
         (self.motion.mass)(&self.tensors, &motion, &mut self.workspace, &mut self.block);
     }
 
     /// Leaves nothing in the block that could be taken for a matrix.
     #[cfg(test)]
-    pub(super) fn spoil(&mut self) {
+    pub(crate) fn spoil(&mut self) {
         self.block.fill(f64::NAN);
     }
 
     /// The block that was evaluated last; its columns.
-    pub(super) fn columns(&self) -> impl Iterator<Item = &[f64]> {
+    pub(crate) fn columns(&self) -> impl Iterator<Item = &[f64]> {
         self.block.chunks_exact(1 + self.shaft.size())
     }
 
     /// A column of the block that was evaluated last, θ first.
-    pub(super) fn column(&self, j: usize) -> &[f64] {
+    pub(crate) fn column(&self, j: usize) -> &[f64] {
         let rows = 1 + self.shaft.size();
         &self.block[j * rows..(j + 1) * rows]
     }
 
     /// θ and η among values over q.
-    pub(super) fn of<'s>(&self, q: &'s [f64]) -> impl Iterator<Item = f64> + 's {
+    pub(crate) fn of<'s>(&self, q: &'s [f64]) -> impl Iterator<Item = f64> + 's {
         std::iter::once(q[self.theta()]).chain(q[self.place.flexible.clone()].iter().copied())
     }
 
     /// ½ q̇ᵀM q̇ of the body (J).
-    pub(super) fn kinetic_energy(&mut self, state: &State) -> f64 {
+    pub(crate) fn kinetic_energy(&mut self, state: &State) -> f64 {
         if let Some(energy) = self.motion.kinetic_energy {
             let motion = motion_state(state, self.place);
             return energy(&self.tensors, &motion, &mut self.workspace);
@@ -166,12 +172,26 @@ impl<'m> TurningBody<'m> {
     }
 
     /// The block of M of the coordinates that are unknown, η alone where θ is given.
-    pub(super) fn unknown_mass(&mut self, state: &State, theta_is_given: bool) -> Matrix {
+    pub(crate) fn unknown_mass(&mut self, state: &State, theta_is_given: bool) -> Matrix {
         self.evaluate_mass(state);
         let (first, rows) = (usize::from(theta_is_given), 1 + self.shaft.size());
         Matrix::from_fn(rows - first, rows - first, |i, j| {
             self.block[(first + j) * rows + first + i]
         })
+    }
+}
+
+/// The motion of a turning body.
+fn motion_state<'s>(state: &'s State, place: &BodyPlace) -> MotionState<'s> {
+    let theta = place.rotation.expect("a body that turns");
+    let flexible = place.flexible.clone();
+    MotionState {
+        theta: state.q[theta],
+        theta_dot: state.v[theta],
+        theta_ddot: state.a[theta],
+        eta: &state.q[flexible.clone()],
+        eta_dot: &state.v[flexible.clone()],
+        eta_ddot: &state.a[flexible],
     }
 }
 

@@ -25,7 +25,7 @@ fn subtract_ring(
 }
 
 /// Memory for the tangents of all planes.
-pub(super) struct SpringTangent {
+pub(crate) struct SpringTangent {
     planes: Vec<ContactTangent>,
     turned: TurnedRows,
     /// Rows of the bores of a body that act, and what they act with: coordinates × rows.
@@ -37,7 +37,7 @@ pub(super) struct SpringTangent {
 
 impl SpringTangent {
     /// Memory for springs.
-    pub(super) fn new(springs: &Springs) -> Self {
+    pub(crate) fn new(springs: &Springs) -> Self {
         let tangent = |plane: &Plane| {
             ContactTangent::new(plane.springs.len(), springs.laws[plane.law].motions.len())
         };
@@ -55,17 +55,17 @@ impl SpringTangent {
     }
 
     /// B + a1 P by planes, as they were subtracted last.
-    pub(super) fn planes(&self) -> &[ContactTangent] {
+    pub(crate) fn planes(&self) -> &[ContactTangent] {
         &self.planes
     }
 
     /// ∂M/∂θ of a plane, of its moment and its angle, at the state of the tangent that was last evaluated.
-    pub(super) fn by_angle(&self, plane: usize) -> f64 {
+    pub(crate) fn by_angle(&self, plane: usize) -> f64 {
         self.planes[plane].ring_ring[0][0]
     }
 
     /// Subtracts B + a1 P from a matrix of `size` rows, column after column.
-    pub(super) fn subtract(
+    pub(crate) fn subtract(
         &mut self,
         springs: &Springs,
         state: &SpringState,

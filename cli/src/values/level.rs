@@ -6,16 +6,16 @@ use whirl_codegen::units::Quantity;
 
 /// A value that a key has at some points.
 #[derive(Debug, Clone)]
-pub(super) struct Level {
+pub(crate) struct Level {
     /// As if it stood in the case, with its place in the sweep.
-    pub(super) node: Node,
+    pub(crate) node: Node,
     /// As it would be written in a case.
-    pub(super) literal: String,
+    pub(crate) literal: String,
 }
 
 impl Level {
     /// A value that stands in the sweep as it would in a case.
-    pub(super) fn written(node: Node) -> Self {
+    pub(crate) fn written(node: Node) -> Self {
         let literal = match &node.content {
             Content::Text(text) => quoted(text),
             _ => node.place.written().text().to_owned(),
@@ -24,7 +24,7 @@ impl Level {
     }
 
     /// A number with a unit, or without one; `place` says where the range stands of which it is.
-    pub(super) fn number(value: f64, unit: Option<&str>, place: Place) -> Self {
+    pub(crate) fn number(value: f64, unit: Option<&str>, place: Place) -> Self {
         let number = digits(value);
         let (content, literal) = match unit {
             Some(unit) => {
@@ -37,7 +37,7 @@ impl Level {
     }
 
     /// What it is, however it is written: a quantity in SI units and what it measures, or the text itself.
-    pub(super) fn value(&self) -> String {
+    pub(crate) fn value(&self) -> String {
         let Some(own) = self.quantity() else { return self.literal.clone() };
         match own.unit().rational() {
             Some(unit) => format!("{} {:?}", own.value() * unit, own.dimension()),
@@ -46,7 +46,7 @@ impl Level {
     }
 
     /// The number with its unit, if it is one.
-    pub(super) fn quantity(&self) -> Option<Quantity> {
+    pub(crate) fn quantity(&self) -> Option<Quantity> {
         match &self.node.content {
             Content::Text(text) => {
                 Quantity::parse(text).ok().filter(|own| own.unit().text() != "1")
@@ -58,7 +58,7 @@ impl Level {
 }
 
 /// A quantity in the unit of another one of the same dimension, rounded once.
-pub(super) fn in_unit_of(value: &Quantity, other: &Quantity) -> f64 {
+pub(crate) fn in_unit_of(value: &Quantity, other: &Quantity) -> f64 {
     if value.unit().text() == other.unit().text() {
         return nearest(value.value());
     }
@@ -71,7 +71,7 @@ pub(super) fn in_unit_of(value: &Quantity, other: &Quantity) -> f64 {
 }
 
 /// The shortest decimal number that is read as `value`, in a form that TOML has, whole if it is.
-pub(super) fn digits(value: f64) -> String {
+pub(crate) fn digits(value: f64) -> String {
     match value.abs() {
         0.0 => "0".to_owned(),
         1e-4..1e15 => format!("{value}"),
@@ -80,7 +80,7 @@ pub(super) fn digits(value: f64) -> String {
 }
 
 /// A text as TOML writes it.
-pub(super) fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     let mut all = String::from("\"");
     for c in text.chars() {
         match c {

@@ -1,13 +1,18 @@
 //! The equations of the machine at one instant: the residual
 //! r = Q_v − M q̈ + Q_e + Q_s − C q̇ − K q and its derivatives.
 
+mod spring_tangent;
+mod state;
+mod turning;
+
 use std::ops::Range;
 
-use whirl_specs::{ContactTangent, MotionState};
+use whirl_specs::ContactTangent;
 
-use super::newmark::{Coefficients, State};
-use super::spring_tangent::SpringTangent;
-use super::turning::TurningBody;
+pub(crate) use self::spring_tangent::SpringTangent;
+pub use self::state::{State, Weights};
+pub(crate) use self::turning::TurningBody;
+
 use crate::bearing::{SpringRounding, SpringState};
 use crate::linalg::{Matrix, dot, widely};
 use crate::loads::{Load, Position};
@@ -15,11 +20,26 @@ use crate::machine::{Body, BodyPlace, Machine};
 use crate::support::Support;
 use crate::time_function::Instant;
 
+/// What derivatives by q̇ weigh beside those by q where they are told apart (1/s): so much that rounding of these, which are
+/// larger by frequencies of about that, takes no digits of them.
+const RATE: f64 = 1e6;
+
+/// Matrices of small motions, unknowns × unknowns.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tangents {
+    /// −∂r/∂q̈.
+    pub mass: Matrix,
+    /// −∂r/∂q̇.
+    pub damping: Matrix,
+    /// −∂r/∂q.
+    pub stiffness: Matrix,
+}
+
 /// Memory for evaluating a machine, and what was last evaluated.
-pub struct System<'m> {
+pub struct Equations<'m> {
     pub(crate) machine: &'m Machine,
-    pub(super) turning: Vec<TurningBody<'m>>,
-    pub(super) standing: Vec<(&'m Support, Range<usize>)>,
+    pub(crate) turning: Vec<TurningBody<'m>>,
+    pub(crate) standing: Vec<(&'m Support, Range<usize>)>,
     /// Time of the last evaluation (s).
     pub(crate) time: f64,
     /// r, one value a coordinate, and its terms: Q_v − M q̈, C q̇, K q, and the generalised forces of the
@@ -34,19 +54,19 @@ pub struct System<'m> {
     /// For every load whether it has stopped driving.
     pub(crate) released: Vec<bool>,
     /// Whether what begins at the instant of an evaluation does not act yet: see `dynamics::jumps`.
-    pub(super) before: bool,
+    pub(crate) before: bool,
     /// What the loads were multiplied by.
-    pub(super) load_factors: Vec<f64>,
-    /// What every row may have by its own terms, and |q̈| + |predicted q̈|; see `System::row_error`.
-    pub(super) row_bounds: Vec<f64>,
-    pub(super) accelerations: Vec<f64>,
-    pub(super) spring_rounding: SpringRounding,
+    pub(crate) load_factors: Vec<f64>,
+    /// What every row may have by its own terms, and |q̈| + |predicted q̈|; see `Equations::row_error`.
+    pub(crate) row_bounds: Vec<f64>,
+    pub(crate) accelerations: Vec<f64>,
+    pub(crate) spring_rounding: SpringRounding,
     spring_tangent: SpringTangent,
     /// Q_v − M q̈, C q̇, K q and loads of bodies that turn at another state.
     other: [Vec<f64>; 4],
 }
 
-impl<'m> System<'m> {
+impl<'m> Equations<'m> {
     /// Memory for a machine.
     pub fn new(machine: &'m Machine) -> Self {
         let values = || vec![0.0; machine.size()];
@@ -59,7 +79,7 @@ impl<'m> System<'m> {
                 Body::Standing { support, .. } => standing.push((support, place.flexible.clone())),
             }
         }
-        System {
+        Equations {
             machine,
             turning,
             standing,
@@ -145,7 +165,7 @@ impl<'m> System<'m> {
 
     /// Writes by how much Q_v − M q̈ − C q̇ − K q and the loads of bodies that turn differ in a state from the one that was
     /// evaluated last, at the same time.
-    pub(super) fn change_of_turning(&mut self, state: &State, out: &mut [f64]) {
+    pub(crate) fn change_of_turning(&mut self, state: &State, out: &mut [f64]) {
         let [inertia, damper, elastic, load] = &mut self.other;
         for terms in [&mut *damper, &mut *elastic, &mut *load] {
             terms.fill(0.0);
@@ -171,7 +191,7 @@ impl<'m> System<'m> {
     }
 
     /// Writes by how much Q_v − M q̈ − C q̇ of the bodies that turn differs in the second of two states.
-    pub(super) fn change_of_inertia(&mut self, states: [&State; 2], out: &mut [f64]) {
+    pub(crate) fn change_of_inertia(&mut self, states: [&State; 2], out: &mut [f64]) {
         let [inertia, damper, elastic, _] = &mut self.other;
         out.fill(0.0);
         for (sign, state) in [-1.0, 1.0].into_iter().zip(states) {
@@ -188,65 +208,84 @@ impl<'m> System<'m> {
 
     /// Writes a2 M + a1 C + K + PF − a1 P − B, eq. (46), column after column, at the state that was last
     /// evaluated.
-    pub fn tangent(&mut self, t: f64, state: &State, step: &Coefficients, out: &mut [f64]) {
-        self.tangent_of_bodies(t, state, step, out);
+    pub fn tangent(&mut self, t: f64, state: &State, weights: Weights, out: &mut [f64]) {
+        self.tangent_of_bodies(t, state, weights, out);
         let (machine, size) = (self.machine, self.machine.size());
-        self.spring_tangent.subtract(&machine.springs, &self.springs, step.a1, size, out);
+        self.spring_tangent.subtract(&machine.springs, &self.springs, weights.rate, size, out);
     }
 
-    /// As [`System::tangent`], without springs.
-    pub(super) fn tangent_of_bodies(
+    /// −∂r/∂q̈, −∂r/∂q̇ and −∂r/∂q at the state that was last evaluated, over the unknown coordinates.
+    pub fn tangents(&mut self, state: &State) -> Tangents {
+        let (size, first, t) = (self.machine.size(), self.machine.first_unknown(), self.time);
+        let unknowns: Vec<usize> = (first..size).collect();
+        let mut weighted = |weights: Weights| {
+            let mut data = vec![0.0; size * size];
+            self.tangent(t, state, weights, &mut data);
+            Matrix { rows: size, cols: size, data }.select(&unknowns, &unknowns)
+        };
+        let stiffness = weighted(Weights::POSITION);
+        let mut damping = weighted(Weights { rate: RATE, acceleration: 0.0 });
+        for (both, position) in damping.data.iter_mut().zip(&stiffness.data) {
+            *both = (*both - position) / RATE;
+        }
+        let mass = self.mass(state).select(&unknowns, &unknowns);
+        Tangents { mass, damping, stiffness }
+    }
+
+    /// As [`Equations::tangent`], without springs.
+    pub(crate) fn tangent_of_bodies(
         &mut self,
         t: f64,
         state: &State,
-        step: &Coefficients,
+        weights: Weights,
         out: &mut [f64],
     ) {
         let machine = self.machine;
         let size = machine.size();
         out.fill(0.0);
         for body in &mut self.turning {
-            body.add_tangent(state, step, out);
+            body.add_tangent(state, weights, out);
         }
         for (support, place) in &self.standing {
             for (i, place) in place.clone().enumerate() {
                 out[place * (size + 1)] +=
-                    step.a2 + step.a1 * support.damping[i] + support.stiffness[i];
+                    weights.acceleration + weights.rate * support.damping[i] + support.stiffness[i];
             }
         }
         let now = Instant { before: self.before, ..instant(machine, t, state) };
         for (load, released) in machine.loads.iter().zip(&self.released) {
             let (_, position) = placed(machine, load, &state.q);
-            load.subtract_tangent(&now, *released, &position, step.a1, out);
+            load.subtract_tangent(&now, *released, &position, weights.rate, out);
         }
     }
 
-    /// The tangents of the planes of springs, as [`System::tangent`] had them last.
-    pub(super) fn spring_tangents(&self) -> &[ContactTangent] {
+    /// The tangents of the planes of springs, as [`Equations::tangent`] had them last.
+    pub(crate) fn spring_tangents(&self) -> &[ContactTangent] {
         self.spring_tangent.planes()
     }
 
-    /// ∂M/∂θ of a plane of springs, as [`System::tangent`] had it last with a1 = 0.
-    pub(super) fn torsion(&self, plane: usize) -> f64 {
+    /// ∂M/∂θ of a plane of springs, as [`Equations::tangent`] had it last with a1 = 0.
+    pub(crate) fn torsion(&self, plane: usize) -> f64 {
         self.spring_tangent.by_angle(plane)
     }
 
     /// The diagonal of a2 M + a1 C + K, undeformed.
-    pub(super) fn diagonal(&self, step: &Coefficients) -> Vec<f64> {
+    pub(crate) fn diagonal(&self, weights: Weights) -> Vec<f64> {
         let mut diagonal = vec![0.0; self.machine.size()];
         for body in &self.turning {
-            body.diagonal(step, &mut diagonal);
+            body.diagonal(weights, &mut diagonal);
         }
         for (support, place) in &self.standing {
             for (i, place) in place.clone().enumerate() {
-                diagonal[place] = step.a2 + step.a1 * support.damping[i] + support.stiffness[i];
+                diagonal[place] =
+                    weights.acceleration + weights.rate * support.damping[i] + support.stiffness[i];
             }
         }
         diagonal
     }
 
     /// M(q) of the whole machine.
-    pub(super) fn mass(&mut self, state: &State) -> Matrix {
+    pub(crate) fn mass(&mut self, state: &State) -> Matrix {
         let size = self.machine.size();
         let mut mass = Matrix::zeros(size, size);
         for body in &mut self.turning {
@@ -299,30 +338,16 @@ impl<'m> System<'m> {
 }
 
 /// An instant of a machine, as its loads see it.
-pub(super) fn instant<'s>(machine: &'s Machine, t: f64, state: &'s State) -> Instant<'s> {
+pub(crate) fn instant<'s>(machine: &'s Machine, t: f64, state: &'s State) -> Instant<'s> {
     Instant { t, before: false, q: &state.q, v: &state.v, places: machine.places() }
 }
 
 /// Where the coordinates of a load's body stand, and how its frame is turned.
-pub(super) fn placed<'m>(
+pub(crate) fn placed<'m>(
     machine: &'m Machine,
     load: &Load,
     q: &[f64],
 ) -> (&'m BodyPlace, Position) {
     let place = &machine.places()[load.body];
     (place, Position::new(place.rotation.map_or(0.0, |theta| q[theta])))
-}
-
-/// The motion of a turning body.
-pub(super) fn motion_state<'s>(state: &'s State, place: &BodyPlace) -> MotionState<'s> {
-    let theta = place.rotation.expect("a body that turns");
-    let flexible = place.flexible.clone();
-    MotionState {
-        theta: state.q[theta],
-        theta_dot: state.v[theta],
-        theta_ddot: state.a[theta],
-        eta: &state.q[flexible.clone()],
-        eta_dot: &state.v[flexible.clone()],
-        eta_ddot: &state.a[flexible],
-    }
 }

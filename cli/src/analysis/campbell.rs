@@ -1,0 +1,232 @@
+//! Modes over speeds: table, critical speeds, thresholds of stability, figure.
+
+use std::fmt::Write;
+
+use whirl_solver::linear::{Campbell, LinearMachine, Mode, Range, Whirl};
+
+use super::found::Found;
+use super::speeds::Wanted;
+use super::words;
+use crate::case::{Analysis, Case};
+use crate::errors::Failure;
+use crate::figures::{Dot, Figure, Line, Panel, Style, png, svg};
+use crate::report::table;
+use crate::signals::Interruption;
+
+/// Modes followed over the speeds.
+pub(super) fn found(
+    case: &Case,
+    linear: &LinearMachine,
+    (analysis, wanted): (&Analysis, &Wanted),
+    interruption: &Interruption,
+    figures: bool,
+) -> Result<Found, Failure> {
+    let of = wanted.of.expect("a body that turns");
+    let range = Range {
+        of,
+        speeds: wanted.speeds.clone(),
+        ratios: analysis.ratios.clone(),
+        count: analysis.count,
+        orders: analysis.orders.clone(),
+    };
+    let all = linear.campbell(&range, &mut |_| !interruption.asked())?;
+    let name = &analysis.name;
+    let mut files = vec![
+        (format!("{name}.csv"), rows(&all).into_bytes()),
+        (format!("{name}.critical.csv"), criticals(&all).into_bytes()),
+    ];
+    if figures {
+        let drawing = svg(&figure(case, linear, of, &all, &analysis.orders));
+        files.extend(png(&drawing).map(|image| (format!("{name}.png"), image)));
+        files.push((format!("{name}.svg"), drawing.into_bytes()));
+    }
+    let interrupted = all.speeds.len() < wanted.speeds.len();
+    Ok(Found { text: text(case, linear, of, &all), files, interrupted })
+}
+
+/// Every mode at every speed.
+fn rows(all: &Campbell) -> String {
+    let mut text = String::from(
+        "speed_rpm,branch,frequency_hz,damping_ratio,log_decrement,whirl,sense,real_1_s,imaginary_1_s\n",
+    );
+    for (place, &speed) in all.speeds.iter().enumerate() {
+        for (number, branch) in all.branches.iter().enumerate() {
+            let Some(mode) = &branch[place] else { continue };
+            writeln!(text, "{},{},{}", words::rpm(speed), number + 1, values(mode, speed))
+                .expect("text can be written");
+        }
+    }
+    text
+}
+
+/// Critical speeds, and where modes begin or end to grow.
+fn criticals(all: &Campbell) -> String {
+    let mut text = String::from(
+        "what,order,speed_rpm,branch,frequency_hz,damping_ratio,log_decrement,whirl,sense,real_1_s,imaginary_1_s\n",
+    );
+    let mut add = |what: &str, order: String, speed: f64, branch: usize, mode: &Mode| {
+        let rpm = words::rpm(speed);
+        writeln!(text, "{what},{order},{rpm},{},{}", branch + 1, values(mode, speed))
+            .expect("text can be written");
+    };
+    for own in &all.criticals {
+        add("critical speed", own.order.to_string(), own.speed, own.branch, &own.mode);
+    }
+    for own in &all.thresholds {
+        let what = if own.grows { "unstable above" } else { "stable above" };
+        add(what, String::new(), own.speed, own.branch, &own.mode);
+    }
+    text
+}
+
+fn values(mode: &Mode, speed: f64) -> String {
+    let numbers = [mode.hertz(), mode.damping_ratio(), mode.log_decrement()];
+    let numbers = numbers.map(|value| value.to_string()).join(",");
+    let whirl = words::whirl(mode, speed);
+    format!("{numbers},{whirl},{},{},{}", mode.sense, mode.value.re, mode.value.im)
+}
+
+fn text(case: &Case, linear: &LinearMachine, of: usize, all: &Campbell) -> String {
+    let body = linear.machine().bodies[of].name();
+    let mut text = format!("{}: {}\n", case.name, case.title);
+    let ends = [all.speeds.first(), all.speeds.last()];
+    if let [Some(first), Some(last)] = ends {
+        let _ = writeln!(
+            text,
+            "{} modes over the speed of {body}, {} to {} rpm\n",
+            all.branches.len(),
+            words::speed(*first),
+            words::speed(*last)
+        );
+    }
+    if all.criticals.is_empty() {
+        text.push_str("no critical speed in this range\n");
+    } else {
+        let head =
+            ["critical speed (rpm)", "order", "frequency (Hz)", "log decrement", "whirl", "moves"];
+        let mut rows = vec![head.map(str::to_owned).to_vec()];
+        for own in &all.criticals {
+            rows.push(vec![
+                words::speed(own.speed),
+                own.order.to_string(),
+                words::hertz(&own.mode),
+                words::decrement(&own.mode),
+                words::whirl(&own.mode, own.speed).to_owned(),
+                words::movers(linear, &own.mode),
+            ]);
+        }
+        text.push_str(&table(&rows));
+    }
+    text.push('\n');
+    for own in &all.thresholds {
+        let _ = writeln!(
+            text,
+            "{} above {} rpm: {} Hz, {} of the rotation, {}",
+            if own.grows { "UNSTABLE" } else { "stable" },
+            words::speed(own.speed),
+            words::hertz(&own.mode),
+            whirl_text::rounded(own.mode.value.im / own.speed.abs(), 4),
+            words::whirl(&own.mode, own.speed)
+        );
+    }
+    let unstable = |place: usize| {
+        let modes = all.branches.iter().filter_map(|branch| branch[place].as_ref());
+        modes.filter(|mode| mode.grows()).count() + all.growing[place].len() > 0
+    };
+    match (0..all.speeds.len()).filter(|place| unstable(*place)).count() {
+        0 => text.push_str("stable at all speeds of the range\n"),
+        some if some == all.speeds.len() => text.push_str("UNSTABLE at all speeds of the range\n"),
+        _ => {}
+    }
+    if !all.unclear.is_empty() {
+        let at: Vec<String> =
+            all.unclear.iter().map(|&step| words::speed(all.speeds[step])).collect();
+        let _ = writeln!(
+            text,
+            "between speeds modes change places so closely that it is not clear which is which: above {} rpm",
+            at.join(", ")
+        );
+    }
+    text
+}
+
+/// Frequencies over speed above logarithmic decrements over speed.
+fn figure(
+    case: &Case,
+    linear: &LinearMachine,
+    of: usize,
+    all: &Campbell,
+    orders: &[f64],
+) -> Figure {
+    let body = linear.machine().bodies[of].name();
+    let x = format!("speed of {body} (rpm)");
+    let hertz = lines(all, &|mode| mode.hertz());
+    let highest =
+        hertz.iter().flat_map(|own| &own.points).fold(0.0, |most: f64, own| most.max(own.1));
+    let mut frequencies = Panel {
+        title: "frequencies".to_owned(),
+        x: x.clone(),
+        y: "frequency (Hz)".to_owned(),
+        lines: hertz,
+        ..Panel::default()
+    };
+    let ends =
+        [all.speeds.first().copied().unwrap_or(0.0), all.speeds.last().copied().unwrap_or(0.0)];
+    for &order in orders {
+        let last = ends[1].min(highest * std::f64::consts::TAU / order);
+        if last > ends[0] {
+            let at = |speed: f64| (words::rpm(speed), order * speed.abs() / std::f64::consts::TAU);
+            frequencies.lines.push(Line {
+                points: vec![at(ends[0]), at(last)],
+                style: Style::Limit,
+                name: "orders of the rotation".to_owned(),
+            });
+        }
+    }
+    for own in &all.criticals {
+        let at = (words::rpm(own.speed), own.mode.hertz());
+        frequencies.dots.push(Dot { at, name: "critical speeds".to_owned() });
+    }
+    let decrements = Panel {
+        title: "damping".to_owned(),
+        x,
+        y: "logarithmic decrement (1)".to_owned(),
+        lines: lines(all, &|mode| mode.log_decrement()),
+        ..Panel::default()
+    };
+    Figure {
+        title: format!("{}: {}", case.name, case.title),
+        panels: vec![frequencies, decrements],
+        columns: 2,
+    }
+}
+
+/// Branches in pieces by how they whirl, and whether they grow.
+fn lines(all: &Campbell, of: &dyn Fn(&Mode) -> f64) -> Vec<Line> {
+    let kind = |mode: &Mode, speed: f64| match mode.whirl(speed) {
+        _ if mode.grows() => (Style::Doubted, "unstable"),
+        Whirl::Forward => (Style::First, "forward whirl"),
+        Whirl::Backward => (Style::Second, "backward whirl"),
+        Whirl::None => (Style::Third, "neither"),
+    };
+    let mut lines: Vec<Line> = Vec::new();
+    for branch in &all.branches {
+        let mut last: Option<(Style, (f64, f64))> = None;
+        for (mode, &speed) in branch.iter().zip(&all.speeds) {
+            let Some(mode) = mode else {
+                last = None;
+                continue;
+            };
+            let ((style, name), point) = (kind(mode, speed), (words::rpm(speed), of(mode)));
+            match (&last, lines.last_mut()) {
+                (Some((own, _)), Some(line)) if *own == style => line.points.push(point),
+                (before, _) => {
+                    let points = before.iter().map(|own| own.1).chain([point]).collect();
+                    lines.push(Line { points, style, name: name.to_owned() });
+                }
+            }
+            last = Some((style, point));
+        }
+    }
+    lines
+}

@@ -1,0 +1,61 @@
+//! Over which speeds of which body an analysis is.
+
+use whirl_solver::linear::LinearMachine;
+
+use crate::case::{Analysis, AnalysisKind, Case, System};
+use crate::errors::Failure;
+
+/// Speeds of a Campbell diagram where none are asked for.
+const COUNT: usize = 31;
+/// How far they reach, of the top speed of the case.
+const BEYOND: f64 = 1.25;
+
+/// Speeds of a body.
+pub(super) struct Wanted {
+    /// The body, by its place; none of a machine in which nothing turns.
+    pub(super) of: Option<usize>,
+    /// rad/s, ascending.
+    pub(super) speeds: Vec<f64>,
+}
+
+/// Those that are asked for, or those of the case.
+///
+/// # Errors
+/// Nothing turns, or no speed is known.
+pub(super) fn wanted(
+    case: &Case,
+    linear: &LinearMachine,
+    analysis: &Analysis,
+) -> Result<Wanted, Failure> {
+    let top = |body: usize| match &case.system {
+        System::Joined(joined) => joined.top_speed(body, case.run()),
+        System::Lumped(_) => 0.0,
+    };
+    let fastest = linear.turning().max_by(|a, b| top(*a).total_cmp(&top(*b)).then(b.cmp(a)));
+    let Some(of) = analysis.of.or(fastest) else {
+        if analysis.kind == AnalysisKind::Modes && analysis.speeds.is_empty() {
+            return Ok(Wanted { of: None, speeds: vec![0.0] });
+        }
+        return Err(Failure::Argument {
+            message: format!("nothing turns in `{}`: it has no speeds", case.name),
+            help: "try `whirl modes` without `--speeds`".to_owned(),
+        });
+    };
+    if !analysis.speeds.is_empty() {
+        return Ok(Wanted { of: Some(of), speeds: analysis.speeds.clone() });
+    }
+    let top = top(of);
+    if analysis.kind == AnalysisKind::Modes {
+        return Ok(Wanted { of: Some(of), speeds: vec![top] });
+    }
+    if top == 0.0 {
+        return Err(Failure::Argument {
+            message: format!("`{}` gives no speed up to which modes could be followed", case.name),
+            help:
+                "write `--speeds \"0 rpm .. 30000 rpm, 61\"`, or `speeds` in its `[analysis.NAME]`"
+                    .to_owned(),
+        });
+    }
+    let at = |k: usize| BEYOND * top * k as f64 / (COUNT - 1) as f64;
+    Ok(Wanted { of: Some(of), speeds: (0..COUNT).map(at).collect() })
+}

@@ -1,0 +1,170 @@
+//! The tables `[analysis.NAME]`: small motions about the state in which the machine stands at constant speeds.
+
+use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, suggest};
+use whirl_codegen::document::Table;
+use whirl_codegen::document::tree::Place;
+use whirl_codegen::units::{Dimension, Quantity};
+
+use super::joined::names;
+use super::{JoinedMachine, SystemDraft};
+use crate::values::range::{Range, is_range};
+
+/// Speeds of a range that does not say how many.
+const SPEEDS: usize = 31;
+/// Modes, and orders of critical speeds, where none are asked for.
+pub(crate) const MODES: usize = 10;
+pub(crate) const ORDERS: [f64; 1] = [1.0];
+
+/// An analysis under its name.
+#[derive(Debug, Clone)]
+pub(crate) struct Analysis {
+    /// Its name.
+    pub(crate) name: String,
+    /// What it finds.
+    pub(crate) kind: AnalysisKind,
+    /// The body whose speed it is over, by its place, where the case says it.
+    pub(crate) of: Option<usize>,
+    /// Speeds of that (rad/s), ascending; those of the case where there are none.
+    pub(crate) speeds: Vec<f64>,
+    /// By body the ratio of its speed to that, where the case says it.
+    pub(crate) ratios: Vec<Option<f64>>,
+    /// How many modes, the slowest ones.
+    pub(crate) count: usize,
+    /// Orders of critical speeds.
+    pub(crate) orders: Vec<f64>,
+}
+
+/// What an analysis finds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum AnalysisKind {
+    /// Modes at one speed or a few.
+    Modes,
+    /// Modes followed over speeds, with critical speeds and thresholds of stability.
+    Campbell,
+}
+
+impl AnalysisKind {
+    pub(super) const WORDS: &'static [&'static str] = &["modes", "campbell"];
+}
+
+/// All analyses of a file that are right.
+pub(super) fn read(file: &Table, system: &SystemDraft) -> Vec<Analysis> {
+    let joined = match system {
+        SystemDraft::Joined(Some(joined)) => Some(joined.as_ref()),
+        SystemDraft::Joined(None) | SystemDraft::Lumped(_) => None,
+    };
+    let tables = names::in_order(file, "analysis");
+    let labels: Vec<Located> = tables.iter().map(|(name, _)| name.clone()).collect();
+    names::distinct(file, "analysis", &labels);
+    tables
+        .into_iter()
+        .filter_map(|(name, table)| table.read(|table| read_one(name.text(), table, joined)))
+        .collect()
+}
+
+fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option<Analysis> {
+    let kind = match table.optional_word("kind") {
+        Some("campbell") => Some(AnalysisKind::Campbell),
+        Some(_) => Some(AnalysisKind::Modes),
+        None => None,
+    };
+    let (of, speeds) = (table.optional_string("of"), table.optional_string("speeds"));
+    let ratios = table.named_values("ratios");
+    let count = table.optional_count("count").unwrap_or(MODES);
+    let orders = table.positive_numbers("orders");
+    let mut analysis = Analysis {
+        name: name.to_owned(),
+        kind: kind?,
+        of: None,
+        speeds: Vec::new(),
+        ratios: Vec::new(),
+        count,
+        orders: if orders.is_empty() { ORDERS.to_vec() } else { orders },
+    };
+    let mut errors = Diagnostics::new();
+    if let Some(speeds) = &speeds {
+        match self::speeds(speeds) {
+            Ok(found) => analysis.speeds = found,
+            Err(error) => errors.push(*error),
+        }
+    }
+    if let Some(joined) = joined {
+        let mut body =
+            |name: &Located| turning(joined, name).map_err(|error| errors.push(*error)).ok();
+        analysis.of = of.as_ref().and_then(&mut body);
+        analysis.ratios = vec![None; joined.bodies.len()];
+        for (name, value) in &ratios {
+            let (place, ratio) = (body(name), value.text().parse::<f64>());
+            match (place, ratio) {
+                (Some(place), Ok(ratio)) => analysis.ratios[place] = Some(ratio),
+                (_, Err(_)) => {
+                    let message = format!("the ratio of `{}` is no number", name.text());
+                    let help = "write the speed of the body over that of `of`, such as `-1.5`";
+                    table.push(value.error_here(Code::BAD_VALUE, message).help(help));
+                }
+                (None, Ok(_)) => {}
+            }
+        }
+    }
+    errors.iter().for_each(|error| table.push(error.clone()));
+    Some(analysis)
+}
+
+/// The body that turns and is called so.
+///
+/// # Errors
+/// There is none.
+pub(crate) fn turning(joined: &JoinedMachine, name: &Located) -> Result<usize, Box<Diagnostic>> {
+    let turns = |place: &usize| joined.bodies[*place].turning.is_some();
+    let own = |place: &usize| joined.bodies[*place].name.text() == name.text();
+    let all = || (0..joined.bodies.len()).filter(turns);
+    if let Some(place) = all().find(own) {
+        return Ok(place);
+    }
+    let names: Vec<&str> = all().map(|place| joined.bodies[place].name.text()).collect();
+    let message = format!("there is no body `{}` that turns", name.text());
+    let help = suggest(name.text(), &names).unwrap_or_else(|| match names.is_empty() {
+        true => "no body of this case turns: leave it out".to_owned(),
+        false => format!("bodies that turn: {}", names.join(", ")),
+    });
+    Err(name.error_here(Code::BAD_VALUE, message).help(help).into())
+}
+
+/// Speeds as they are written (rad/s), ascending: a range, or one of them.
+///
+/// # Errors
+/// What is no speed.
+pub(crate) fn speeds(text: &Located) -> Result<Vec<f64>, Box<Diagnostic>> {
+    let help = "write `speeds = \"0 rpm .. 30000 rpm, 61\"`, or one such as `\"3000 rpm\"`";
+    let wrong = |dimension: &Dimension| {
+        let message = format!("speeds are angular speeds, and this is {dimension}");
+        Box::new(text.error_here(Code::WRONG_UNIT, message).help(help))
+    };
+    let own = text.text();
+    if !is_range(own) {
+        let read = Quantity::parse(own)
+            .map_err(|error| Box::new(text.error_here(error.code, error.message).help(help)))?;
+        if !read.dimension().fits(&Dimension::ANGULAR_SPEED) {
+            return Err(wrong(read.dimension()));
+        }
+        return Ok(vec![read.si()]);
+    }
+    let place = Place { source: text.source().clone(), span: text.span() };
+    let range = Range::read(own, &place)?;
+    let count = range.count.unwrap_or(SPEEDS);
+    let mut speeds = Vec::with_capacity(count);
+    for k in 0..count {
+        let level = range.even(k, count);
+        let Some(quantity) = level.quantity() else {
+            return Err(Box::new(
+                text.error_here(Code::WRONG_UNIT, "a speed has a unit").help(help),
+            ));
+        };
+        if !quantity.dimension().fits(&Dimension::ANGULAR_SPEED) {
+            return Err(wrong(quantity.dimension()));
+        }
+        speeds.push(quantity.si());
+    }
+    speeds.sort_by(f64::total_cmp);
+    Ok(speeds)
+}

@@ -1,0 +1,57 @@
+//! The state of a machine, and what its tangents are weighted by.
+
+use serde::{Deserialize, Serialize};
+
+/// What C and M weigh in a tangent, K having the weight 1: those of Newmark's method are a1 and a2, eq. (46).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Weights {
+    /// Of derivatives by q̇ (1/s).
+    pub rate: f64,
+    /// Of derivatives by q̈ (1/s²).
+    pub acceleration: f64,
+}
+
+impl Weights {
+    /// Of derivatives by q alone.
+    pub const POSITION: Weights = Weights { rate: 0.0, acceleration: 0.0 };
+}
+
+/// Positions, velocities and accelerations of all coordinates q = {θ, η, x_b}.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct State {
+    /// q: θ (rad), η, x_b.
+    pub q: Vec<f64>,
+    /// q̇.
+    pub v: Vec<f64>,
+    /// q̈.
+    pub a: Vec<f64>,
+    /// (a − q̈)/Δt, by which what is integrated differs from q̈; zero in Newmark's method.
+    pub lag: Vec<f64>,
+}
+
+impl State {
+    /// All zeros.
+    pub fn new(size: usize) -> Self {
+        let values = || vec![0.0; size];
+        State { q: values(), v: values(), a: values(), lag: values() }
+    }
+
+    /// Takes over the first coordinates only, which no correction moves.
+    pub(crate) fn copy_first(&mut self, first: usize, other: &State) {
+        self.q[..first].copy_from_slice(&other.q[..first]);
+        self.v[..first].copy_from_slice(&other.v[..first]);
+        self.a[..first].copy_from_slice(&other.a[..first]);
+    }
+
+    /// The accelerations from the coordinate `first` on that steps of `dt` s integrate: those of Newmark's method are q̈.
+    pub(crate) fn integrated(&self, dt: f64, first: usize) -> impl Iterator<Item = f64> {
+        self.a[first..].iter().zip(&self.lag[first..]).map(move |(a, lag)| a + dt * lag)
+    }
+
+    pub(crate) fn copy_from(&mut self, other: &State) {
+        self.q.copy_from_slice(&other.q);
+        self.v.copy_from_slice(&other.v);
+        self.a.copy_from_slice(&other.a);
+        self.lag.copy_from_slice(&other.lag);
+    }
+}

@@ -1,0 +1,97 @@
+//! The equations of small motions about a state that stands, seen from space.
+
+use super::round::LinearMachine;
+use crate::dynamics::{Standing, standing_at};
+use crate::equations::Tangents;
+use crate::error::Error;
+use crate::linalg::{Matrix, multiply};
+
+/// A state in which the machine stands at constant speeds, with the equations of small motions about it.
+pub struct Standstill {
+    pub(super) found: Standing,
+    /// Places in q of the angles that small motions change: those of bodies whose speed was found.
+    angles: Vec<usize>,
+    /// θ̇ by body (rad/s); 0 of one that stands.
+    pub speeds: Vec<f64>,
+}
+
+impl Standstill {
+    /// Eccentricity over clearance in each bearing, with its name; none where it has no clearance.
+    pub fn eccentricities(&self) -> &[(String, Option<f64>)] {
+        &self.found.eccentricities
+    }
+}
+
+/// M′z̈ + C′ż + K′z = 0 of motions z seen from space: over the angles of bodies that turn at no given speed, then the
+/// coordinates of all bodies in their order.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Linearised {
+    /// How many angles there are.
+    pub angles: usize,
+    /// M′, symmetric.
+    pub mass: Matrix,
+    /// C′, with gyroscopic terms.
+    pub damping: Matrix,
+    /// K′.
+    pub stiffness: Matrix,
+}
+
+impl LinearMachine {
+    /// The state in which loads that stand in space are balanced at the speeds, as [`LinearMachine::speeds`] gives them; from
+    /// one nearby, if there is one.
+    ///
+    /// # Errors
+    /// There is none, or it was not found.
+    pub fn standing(
+        &self,
+        at: &[Option<f64>],
+        near: Option<&Standstill>,
+    ) -> Result<Standstill, Error> {
+        let from = near.map(|own| own.found.unknowns.as_slice());
+        let is_still = self.turning().all(|body| at.get(body).copied().flatten() == Some(0.0));
+        let machine = if is_still { &self.still } else { &self.machine };
+        let found = standing_at(machine, at, &self.generators, from)?;
+        let places = self.machine.places().iter();
+        let speeds = places.map(|own| own.rotation.map_or(0.0, |theta| found.state.v[theta]));
+        let free = self.turning().filter_map(|body| {
+            let theta = self.machine.places()[body].rotation?;
+            let is_found =
+                theta >= self.machine.first_unknown() && at.get(body).copied().flatten().is_none();
+            is_found.then_some(theta)
+        });
+        let mut angles: Vec<usize> = free.collect();
+        angles.sort_unstable();
+        Ok(Standstill { speeds: speeds.collect(), found, angles })
+    }
+
+    /// M′ = M, C′ = C − 2MD and K′ = K − CD + MD², with D = Ω S of each body that turns.
+    pub fn linearised(&self, at: &Standstill) -> Linearised {
+        let first = self.machine.first_unknown();
+        let flexible = self.machine.rotations()..self.machine.size();
+        let places = at.angles.iter().copied().chain(flexible).map(|place| place - first);
+        let kept: Vec<usize> = places.collect();
+        let Tangents { mass, damping, stiffness } = &at.found.tangents;
+        let [mass, mut damping, mut stiffness] =
+            [mass, damping, stiffness].map(|own| own.select(&kept, &kept));
+        let (rows, angles) = (mass.rows, at.angles.len());
+        for body in self.turning() {
+            let (block, speed) = (self.block(angles, body), at.speeds[body]);
+            let Some([once, twice]) = self.generators[body].as_ref().filter(|_| speed != 0.0)
+            else {
+                continue;
+            };
+            let by_rate = multiply(damping.columns(block.clone()), once.view());
+            let by_inertia = multiply(mass.columns(block.clone()), once.view());
+            let square = multiply(mass.columns(block.clone()), twice.view());
+            let range = block.start * rows..block.end * rows;
+            for (own, turned) in damping.data[range.clone()].iter_mut().zip(&by_inertia.data) {
+                *own -= 2.0 * speed * turned;
+            }
+            let turned = by_rate.data.iter().zip(&square.data);
+            for (own, (rate, square)) in stiffness.data[range].iter_mut().zip(turned) {
+                *own += speed * (speed * square - rate);
+            }
+        }
+        Linearised { angles, mass: mass.symmetric_part(), damping, stiffness }
+    }
+}

@@ -1,0 +1,25 @@
+//! Small motions of a machine about the states in which it stands at constant speeds.
+//!
+//! A [`Machine`] with bodies that are made exactly round ([`LinearMachine`]) → the balance of forces at the speeds
+//! ([`LinearMachine::standing`]) → M, C′ and K′ of small motions seen from space ([`Linearised`]) → modes ([`Modes`]) → modes
+//! followed over speeds ([`Campbell`]) → critical speeds and thresholds of stability.
+//!
+//! In the frames of bodies that turn the machine of section 5 varies with their angles. Round ones, whose tensors a turn
+//! exp(αS) leaves as they are, do not if their coordinates are turned back: with q = exp(−Dt) z, D = Ω S for each body, the
+//! equations M′z̈ + C′ż + K′z = 0 are constant, z being the motion seen from space.
+
+mod campbell;
+mod linearised;
+mod modes;
+mod round;
+#[cfg(test)]
+mod tests;
+mod track;
+
+pub use campbell::{Branch, Campbell, Critical, Range, Threshold};
+pub use linearised::{Linearised, Standstill};
+pub use modes::{Mode, Modes, Orbit, Whirl};
+pub use round::LinearMachine;
+
+#[cfg(doc)]
+use crate::machine::Machine;

@@ -1,0 +1,224 @@
+//! Damped modes of small motions, and how they whirl.
+
+use std::f64::consts::TAU;
+
+use num_complex::Complex64;
+
+use super::linearised::Linearised;
+use super::round::LinearMachine;
+use crate::error::Error;
+use crate::linalg::{Matrix, QuadraticPair, hermitian_eigen, quadratic_eigen};
+
+/// Motions with a larger damping ratio are not listed: those that creep in the frame of a body that turns are seen from space
+/// at its speed.
+const MOST_DAMPED: f64 = 0.9;
+/// Share of λ by which two are the same.
+const EQUAL: f64 = 1e-7;
+/// Share of a motion that must be circular for its sense to be named.
+const CIRCULAR: f64 = 0.1;
+
+/// Share of |λ| below which Re λ is rounding.
+const NEUTRAL: f64 = 1e-8;
+
+/// The sense in which a motion goes round.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Whirl {
+    /// As the body whose speed it is asked for turns.
+    Forward,
+    /// Against it.
+    Backward,
+    /// In a plane, along the axis, or about it.
+    None,
+}
+
+/// x e^{λt}, seen from space.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mode {
+    /// λ (1/s), Im λ ≥ 0.
+    pub value: Complex64,
+    /// x over the coordinates of [`Linearised`], xᴴM′x = 1.
+    pub shape: Vec<Complex64>,
+    /// (−1 to 1): 1 of a motion all of whose parts circle about +z as x turns to y, −1 of one the other way round.
+    pub sense: f64,
+    /// Shares of xᴴM′x by body, in their order.
+    pub shares: Vec<f64>,
+}
+
+impl Mode {
+    /// Im λ/2π (Hz).
+    pub fn hertz(&self) -> f64 {
+        self.value.im / TAU
+    }
+
+    /// ζ = −Re λ/|λ|.
+    pub fn damping_ratio(&self) -> f64 {
+        -self.value.re / self.value.norm()
+    }
+
+    /// δ = −2π Re λ/Im λ.
+    pub fn log_decrement(&self) -> f64 {
+        -TAU * self.value.re / self.value.im
+    }
+
+    /// Whether it grows, by more than rounding makes.
+    pub fn grows(&self) -> bool {
+        self.growth() > 0.0
+    }
+
+    /// Re λ less what may be rounding of it (1/s).
+    pub(super) fn growth(&self) -> f64 {
+        self.value.re - NEUTRAL * self.value.norm()
+    }
+
+    /// How it whirls, seen by a body that turns in the sense of `speed`.
+    pub fn whirl(&self, speed: f64) -> Whirl {
+        let sense = if speed < 0.0 { -self.sense } else { self.sense };
+        match sense {
+            own if own > CIRCULAR => Whirl::Forward,
+            own if own < -CIRCULAR => Whirl::Backward,
+            _ => Whirl::None,
+        }
+    }
+}
+
+/// The ellipse of a point that moves as Re(w e^{iωt}).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Orbit {
+    /// Major semi-axis.
+    pub major: f64,
+    /// Minor semi-axis, below zero if it goes round from y to x.
+    pub minor: f64,
+}
+
+impl Orbit {
+    /// Of complex amplitudes along x and y: circles of radius |x − iy|/2 and |x + iy|/2 in both senses.
+    pub fn new([x, y]: [Complex64; 2]) -> Orbit {
+        let i = Complex64::i();
+        // Re((x, y) e^{iωt}) circles from x to y as (1, −i).
+        let (forward, backward) = (0.5 * (x + i * y).norm(), 0.5 * (x - i * y).norm());
+        Orbit { major: forward + backward, minor: forward - backward }
+    }
+}
+
+/// The modes at a state.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Modes {
+    /// Those that oscillate, by their frequency.
+    pub oscillating: Vec<Mode>,
+    /// Those that do not and grow, fastest first (1/s).
+    pub growing: Vec<f64>,
+}
+
+impl LinearMachine {
+    /// The modes of the equations of small motions.
+    ///
+    /// # Errors
+    /// A mass that is not positive definite, or values that are not finite.
+    pub fn modes(&self, equations: &Linearised) -> Result<Modes, Error> {
+        let Linearised { angles, mass, damping, stiffness } = equations;
+        let (pairs, largest) = quadratic_eigen(mass, damping, stiffness)?;
+        // Slower ones are rounding of what nothing holds.
+        let least = mass.rows as f64 * f64::EPSILON * largest;
+        let (moving, still): (Vec<_>, Vec<_>) = pairs
+            .into_iter()
+            .filter(|own| own.value.norm_sqr() > least)
+            .partition(|own| own.value.im > 0.0 && -own.value.re < MOST_DAMPED * own.value.norm());
+        let mut growing: Vec<f64> = still
+            .iter()
+            .filter(|own| own.value.im == 0.0 && own.value.re > 0.0)
+            .map(|own| own.value.re)
+            .collect();
+        growing.sort_by(|a, b| b.total_cmp(a));
+        let mut moving = moving;
+        moving.sort_by(|a, b| a.value.im.total_cmp(&b.value.im));
+        let mut oscillating: Vec<Mode> = Vec::with_capacity(moving.len());
+        let mut rest = moving.as_slice();
+        while let Some(first) = rest.first() {
+            let same = |own: &QuadraticPair| {
+                (own.value - first.value).norm() <= EQUAL * first.value.norm()
+            };
+            let count = rest.iter().take_while(|own| same(own)).count();
+            let (cluster, other) = rest.split_at(count);
+            oscillating.extend(self.separated((*angles, mass), cluster)?);
+            rest = other;
+        }
+        Ok(Modes { oscillating, growing })
+    }
+
+    /// Modes of one eigenvalue: those that circle, where there are several.
+    fn separated(
+        &self,
+        (angles, mass): (usize, &Matrix),
+        cluster: &[QuadraticPair],
+    ) -> Result<Vec<Mode>, Error> {
+        let mut shapes: Vec<Vec<Complex64>> = Vec::with_capacity(cluster.len());
+        for pair in cluster {
+            // Orthonormal in M within the cluster.
+            let mut own = pair.vector.clone();
+            for other in &shapes {
+                let part = inner(&apply(mass, other), &own);
+                own.iter_mut().zip(other).for_each(|(own, other)| *own -= part * other);
+            }
+            let norm = inner(&apply(mass, &own), &own).re.sqrt();
+            own.iter_mut().for_each(|value| *value /= norm);
+            shapes.push(own);
+        }
+        if shapes.len() > 1 {
+            let turned: Vec<Vec<Complex64>> =
+                shapes.iter().map(|shape| apply(mass, &self.turned(angles, shape))).collect();
+            let n = shapes.len();
+            let entries = (0..n * n).map(|k| inner(&shapes[k % n], &turned[k / n]));
+            let (_, vectors) = hermitian_eigen(n, &entries.collect::<Vec<_>>())?;
+            let mixed = (0..n).map(|k| {
+                let mut sum = vec![Complex64::ZERO; mass.rows];
+                for (shape, weight) in shapes.iter().zip(&vectors[k * n..(k + 1) * n]) {
+                    sum.iter_mut().zip(shape).for_each(|(sum, own)| *sum += weight * own);
+                }
+                sum
+            });
+            shapes = mixed.collect();
+        }
+        let value = cluster.iter().map(|own| own.value).sum::<Complex64>() / cluster.len() as f64;
+        let single = cluster.len() == 1;
+        let modes = shapes.into_iter().zip(cluster).map(|(shape, pair)| {
+            let moved = apply(mass, &shape);
+            let whole = inner(&shape, &moved).re;
+            let sense = inner(&moved, &self.turned(angles, &shape)).re / whole;
+            let share = |body: usize| {
+                let block = self.block(angles, body);
+                inner(&shape[block.clone()], &moved[block]).re / whole
+            };
+            let shares = (0..self.machine.bodies.len()).map(share).collect();
+            Mode { value: if single { pair.value } else { value }, shape, sense, shares }
+        });
+        Ok(modes.collect())
+    }
+
+    /// −iS x, of all bodies whose S is known.
+    fn turned(&self, angles: usize, shape: &[Complex64]) -> Vec<Complex64> {
+        let mut out = vec![Complex64::ZERO; shape.len()];
+        for body in 0..self.machine.bodies.len() {
+            let generator =
+                self.generators[body].as_ref().map(|own| &own[0]).or(self.senses[body].as_ref());
+            if let Some(generator) = generator {
+                let block = self.block(angles, body);
+                let turned = apply(generator, &shape[block.clone()]);
+                let own = out[block].iter_mut().zip(turned);
+                own.for_each(|(out, value)| *out = -Complex64::i() * value);
+            }
+        }
+        out
+    }
+}
+
+/// A x.
+pub(super) fn apply(matrix: &Matrix, x: &[Complex64]) -> Vec<Complex64> {
+    let part = |of: fn(&Complex64) -> f64| matrix.apply(&x.iter().map(of).collect::<Vec<f64>>());
+    let both = part(|own| own.re).into_iter().zip(part(|own| own.im));
+    both.map(|(re, im)| Complex64::new(re, im)).collect()
+}
+
+/// xᴴy.
+pub(super) fn inner(x: &[Complex64], y: &[Complex64]) -> Complex64 {
+    x.iter().zip(y).map(|(x, y)| x.conj() * y).sum()
+}
