@@ -101,8 +101,9 @@ mod tests {
             let size = 0.01 * stiff(i.min(j)).sqrt();
             if i == j { size } else { 0.3 * size }
         });
-        let (pairs, _) = quadratic_eigen(&mass, &damping, &stiffness).unwrap();
+        let (pairs, largest) = quadratic_eigen(&mass, &damping, &stiffness).unwrap();
         assert_eq!(pairs.iter().map(|own| 1 + usize::from(own.value.im > 0.0)).sum::<usize>(), 24);
+        let fastest = largest.sqrt();
         for QuadraticPair { value, vector } in &pairs {
             let size = vector.iter().map(|x| x.norm()).fold(0.0, f64::max);
             for i in 0..n {
@@ -113,8 +114,9 @@ mod tests {
                     entry * vector[j]
                 });
                 let left: Complex64 = terms.sum();
-                // y of fast modes is divided by the slowest W.
-                let rounding = n as f64 * f64::EPSILON / SLOWEST * value.norm_sqr() * 2.0;
+                // λ is as exact as the fastest ω; and y of fast modes is divided by the slowest W.
+                let exact = n as f64 * f64::EPSILON;
+                let rounding = exact * 2.0 * value.norm() * (fastest + value.norm() / SLOWEST);
                 let bound = (rounding + 1e-11 * stiffness[(i, i)]) * size;
                 assert!(left.norm() < bound, "{value} row {i}: {left} for {bound:e}");
             }
