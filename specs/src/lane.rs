@@ -1,9 +1,12 @@
 //! Lanes: the number type over which kernels are written, one value or several side by side.
 
-use std::cell::Cell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::vector;
+/// Columns that sums over lanes take at once: each entry of y is loaded and stored once for all of them.
+pub(crate) const TOGETHER: usize = 8;
+
+/// Partial sums of a product.
+const PARTS: usize = 8;
 
 /// What many kernels do alike: compiled once for a lane type, not once a kernel.
 pub trait Shared<L> {
@@ -146,105 +149,96 @@ pub trait Lane:
     fn shared<T: Shared<Self>>(work: T) -> T::Output {
         work.run()
     }
-    /// See [`vector::add_columns`].
+    /// See [`crate::vector::add_columns`].
     fn add_columns(y: &mut [Self], columns: &[f64], x: &[Self]) {
-        vector::sum_of_columns(y, columns, x);
+        sum_of_columns(y, columns, x);
     }
-    /// See [`vector::dot`].
+    /// See [`crate::vector::dot`].
     fn dot(a: &[Self], b: &[Self]) -> Self {
-        vector::sum_of_products(a, b)
+        sum_of_products(a, b)
     }
-    /// See [`vector::dot_numbers`].
+    /// See [`crate::vector::dot_numbers`].
     fn dot_numbers(a: &[Self], b: &[f64]) -> Self {
-        vector::sum_of_products(a, b)
+        sum_of_products(a, b)
     }
 }
 
-thread_local! {
-    /// The bits of angles, the last one first, and the function of them: rings of one machine ask for the same two angles, of
-    /// the shaft and of the bore, one after the other.
-    static SIN: Cell<[(u64, f64); 2]> = const { Cell::new([(0, 0.0); 2]) };
-    static COS: Cell<[(u64, f64); 2]> = const { Cell::new([(0, 1.0); 2]) };
-}
-
+/// [`Lane::add_columns`] on any lane type.
 #[inline(always)]
-fn remembered(known: &Cell<[(u64, f64); 2]>, angle: f64, function: fn(f64) -> f64) -> f64 {
-    let [last, older] = known.get();
-    let bits = angle.to_bits();
-    if last.0 == bits {
-        return last.1;
+fn sum_of_columns<L: Lane>(y: &mut [L], columns: &[f64], x: &[L]) {
+    let n = y.len();
+    let (all, some) = x.as_chunks::<TOGETHER>();
+    let (half, rest) = some.as_chunks::<{ TOGETHER / 2 }>();
+    let mut columns = columns;
+    for x in all {
+        columns = sum_of_some(y, columns, x);
     }
-    let value = if older.0 == bits { older.1 } else { function(angle) };
-    known.set([(bits, value), last]);
-    value
+    for x in half {
+        columns = sum_of_some(y, columns, x);
+    }
+    for (column, x) in columns.chunks(n.max(1)).zip(rest) {
+        let column = &column[..n];
+        for i in 0..n {
+            y[i] = y[i] + *x * column[i];
+        }
+    }
 }
 
-impl Lane for f64 {
-    type Mask = bool;
+/// Adds as many columns as there are factors; the columns after them.
+#[inline(always)]
+fn sum_of_some<'c, L: Lane, const N: usize>(
+    y: &mut [L],
+    columns: &'c [f64],
+    x: &[L; N],
+) -> &'c [f64] {
+    let n = y.len();
+    let (own, rest) = columns.split_at(N * n);
+    let own: [&[f64]; N] = std::array::from_fn(|j| &own[j * n..(j + 1) * n]);
+    for i in 0..n {
+        let mut sum = y[i];
+        for j in 0..N {
+            sum = sum + x[j] * own[j][i];
+        }
+        y[i] = sum;
+    }
+    rest
+}
 
-    #[inline(always)]
-    fn splat(value: f64) -> Self {
-        value
+/// [`Lane::dot`] and [`Lane::dot_numbers`] on any lane type.
+#[inline(always)]
+pub(crate) fn sum_of_products<L: Lane + Mul<A, Output = L>, A: Copy>(a: &[L], b: &[A]) -> L {
+    let b = &b[..a.len()];
+    let mut parts = [L::splat(0.0); PARTS];
+    let ((a, last), (b, rest)) = (a.as_chunks::<PARTS>(), b.as_chunks::<PARTS>());
+    for (a, b) in a.iter().zip(b) {
+        for i in 0..PARTS {
+            parts[i] = parts[i] + a[i] * b[i];
+        }
     }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        f64::sqrt(self)
+    // Of a length that is known the partial sums stay in registers.
+    match last.len() {
+        0 => {}
+        1 => add_last::<L, A, 1>(&mut parts, last, rest),
+        2 => add_last::<L, A, 2>(&mut parts, last, rest),
+        3 => add_last::<L, A, 3>(&mut parts, last, rest),
+        4 => add_last::<L, A, 4>(&mut parts, last, rest),
+        5 => add_last::<L, A, 5>(&mut parts, last, rest),
+        6 => add_last::<L, A, 6>(&mut parts, last, rest),
+        _ => add_last::<L, A, 7>(&mut parts, last, rest),
     }
-    #[inline(always)]
-    fn abs(self) -> Self {
-        f64::abs(self)
-    }
-    #[inline(always)]
-    fn each(self, function: fn(f64) -> f64) -> Self {
-        function(self)
-    }
-    #[inline(always)]
-    fn sin(self) -> Self {
-        SIN.with(|last| remembered(last, self, libm::sin))
-    }
-    #[inline(always)]
-    fn cos(self) -> Self {
-        COS.with(|last| remembered(last, self, libm::cos))
-    }
-    #[inline(always)]
-    fn powf(self, exponent: Self) -> Self {
-        libm::pow(self, exponent)
-    }
-    #[inline(always)]
-    fn lt(self, other: Self) -> bool {
-        self < other
-    }
-    #[inline(always)]
-    fn le(self, other: Self) -> bool {
-        self <= other
-    }
-    #[inline(always)]
-    fn and(a: bool, b: bool) -> bool {
-        a & b
-    }
-    #[inline(always)]
-    fn or(a: bool, b: bool) -> bool {
-        a | b
-    }
-    #[inline(always)]
-    fn not(a: bool) -> bool {
-        !a
-    }
-    #[inline(always)]
-    fn select(mask: bool, a: Self, b: Self) -> Self {
-        if mask { a } else { b }
-    }
-    #[inline(never)]
-    fn shared<T: Shared<f64>>(work: T) -> T::Output {
-        work.run()
-    }
-    fn add_columns(y: &mut [f64], columns: &[f64], x: &[f64]) {
-        vector::add_columns_of_numbers(y, columns, x);
-    }
-    fn dot(a: &[f64], b: &[f64]) -> f64 {
-        vector::dot_of_numbers(a, b)
-    }
-    fn dot_numbers(a: &[f64], b: &[f64]) -> f64 {
-        vector::dot_of_numbers(a, b)
+    let [a, b, c, d, e, f, g, h] = parts;
+    ((a + b) + (c + d)) + ((e + f) + (g + h))
+}
+
+/// Adds the products of the last N terms to as many partial sums.
+#[inline(always)]
+fn add_last<L: Lane + Mul<A, Output = L>, A: Copy, const N: usize>(
+    parts: &mut [L; PARTS],
+    a: &[L],
+    b: &[A],
+) {
+    let (a, b) = (&a[..N], &b[..N]);
+    for i in 0..N {
+        parts[i] = parts[i] + a[i] * b[i];
     }
 }

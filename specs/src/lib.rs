@@ -13,6 +13,7 @@ pub mod generated;
 mod jacobian;
 pub mod lane;
 mod matrices;
+mod number;
 mod origin;
 mod pairs;
 mod register;
