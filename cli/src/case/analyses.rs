@@ -5,8 +5,7 @@ use whirl_codegen::document::Table;
 use whirl_codegen::document::tree::Place;
 use whirl_codegen::units::{Dimension, Quantity};
 
-use super::joined::names;
-use super::{JoinedMachine, SystemDraft};
+use super::{JoinedMachine, SystemDraft, names};
 use crate::values::range::{Range, is_range};
 
 /// Speeds of a range that does not say how many.

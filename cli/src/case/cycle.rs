@@ -5,7 +5,9 @@ use std::ops::Range;
 
 use whirl_codegen::units::Dimension;
 
-use super::{Load, SystemDraft, Variation};
+use super::loads::{Load, Variation};
+use super::run::Run;
+use super::system_draft::SystemDraft;
 
 /// A cycle and what it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,22 +20,6 @@ pub(super) struct Cycle {
     pub(super) common: bool,
     /// Whether it is that of a speed at which a couple only aims.
     pub(super) aimed: bool,
-}
-
-/// How long a case runs.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Run {
-    /// s.
-    pub(crate) duration: f64,
-    /// Whether it goes on from a state, whose time and speeds are those of another run.
-    pub(crate) goes_on: bool,
-}
-
-impl Run {
-    /// When it ends (s); infinite where that is not known.
-    pub(crate) fn end(self) -> f64 {
-        if self.goes_on { f64::INFINITY } else { self.duration }
-    }
 }
 
 /// Periods of what is slowest that a common cycle has at most.

@@ -3,7 +3,9 @@
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, suggest};
 use whirl_codegen::document::Table;
 
-use super::{Form, Mesh, SystemDraft};
+use super::named_body::Form;
+use super::rotor::Mesh;
+use super::system_draft::SystemDraft;
 
 /// What is written of whole bodies.
 #[derive(Debug, Clone)]

@@ -9,7 +9,7 @@ use whirl_codegen::kinds::law::{Acts, Given, LawSpec, Parameter};
 use whirl_specs::{LAWS, Law, TABLES};
 
 use super::library::FileStore;
-use super::parameters::{self, BearingFacts, SetParameter};
+use super::values::listed;
 
 /// Where a law comes from.
 #[derive(Debug, Clone)]
@@ -40,31 +40,6 @@ pub(crate) struct NamedLaw {
     pub(crate) source: LawSource,
     /// The value of the key `law`.
     pub(crate) name: Located,
-}
-
-impl NamedLaw {
-    /// The law as a bearing uses it: with what the case sets, and with what is known of the bearing.
-    ///
-    /// # Errors
-    /// Whatever is wrong with the law once it has these values.
-    pub(crate) fn used(
-        &self,
-        set: &[SetParameter],
-        facts: &BearingFacts,
-    ) -> Result<LawSource, Diagnostics> {
-        self.source.with(parameters::given(&self.source.parameters(), set, facts))
-    }
-
-    /// What is wrong where the law takes a value from its bearing that nothing gives.
-    /// `place`: where to say it.
-    pub(crate) fn lacking(
-        &self,
-        set: &[SetParameter],
-        facts: &BearingFacts,
-        place: &str,
-    ) -> Vec<Diagnostic> {
-        parameters::lacking(self, set, facts, place)
-    }
 }
 
 impl LawSource {
@@ -173,7 +148,7 @@ impl LawSource {
             LawSource::File(spec) => spec.read_again(&given),
             LawSource::Given(law) => law.spec.read_again(&given),
         };
-        let values = parameters::listed(&given);
+        let values = listed(&given);
         let named = |mut error: Diagnostic| {
             error.message = format!("{} (with {values}, as set in the case)", error.message);
             error

@@ -7,50 +7,9 @@ use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source, suggest};
 use whirl_codegen::document::Wording;
 use whirl_codegen::document::tree::{Content, Node, Place, Tree};
 
-use super::CaseText;
+use super::embedded::{EMBEDDED_FOLDER, embedded_cases, embedded_file, embedded_files};
+use super::text::CaseText;
 use crate::text_file;
-
-macro_rules! embedded {
-    ($($file:literal),* $(,)?) => {
-        /// Files of specs/cases by name.
-        const EMBEDDED: &[(&str, &str)] =
-            &[$(($file, include_str!(concat!("../../../specs/cases/", $file)))),*];
-    };
-}
-
-embedded![
-    "annular-rub.law.toml",
-    "annular-rub.toml",
-    "crank.gas-side.csv",
-    "crank.gas.csv",
-    "crank.piston-side.csv",
-    "crank.piston.csv",
-    "crank.toml",
-    "hu2003-1.toml",
-    "hu2003-2.toml",
-    "hu2003-3.toml",
-    "hu2003-4.toml",
-    "hu2003-5.toml",
-    "hu2003.machine.toml",
-    "overhung-disc.toml",
-    "sdnd101.toml",
-    "sdnd108.toml",
-    "turbocharger.toml",
-    "two-spool.toml",
-    "unbalance.toml",
-    "weight.toml",
-];
-
-/// Folder under which the built-in files are shown in messages.
-const EMBEDDED_FOLDER: &str = "specs/cases";
-
-/// Names of the built-in cases, in alphabetical order.
-pub(crate) fn embedded_cases() -> impl Iterator<Item = &'static str> {
-    EMBEDDED
-        .iter()
-        .filter_map(|(file, _)| file.strip_suffix(".toml"))
-        .filter(|name| !name.contains('.'))
-}
 
 /// Whether files are read from the disk or among the built-in ones.
 #[derive(Debug, Clone, Copy)]
@@ -142,15 +101,39 @@ impl<'a> FileStore<'a> {
     }
 }
 
-/// The paths and texts of all files that are built in.
-pub(super) fn embedded_files() -> impl Iterator<Item = (PathBuf, &'static str)> {
-    EMBEDDED.iter().map(|(file, text)| (Path::new(EMBEDDED_FOLDER).join(file), *text))
-}
+impl CaseText {
+    /// The text of a file.
+    ///
+    /// # Errors
+    /// It cannot be read.
+    pub fn of_file(path: &Path) -> Result<Self, Diagnostics> {
+        let source = FileStore::Disk.read(path).map_err(|message| {
+            Diagnostic::new(&Source::new(path, ""), Code::BAD_VALUE, None, message)
+        })?;
+        Ok(CaseText::at(path, source.text.as_str()))
+    }
 
-fn embedded_file(path: &Path) -> Option<Arc<Source>> {
-    let wanted = path.strip_prefix(EMBEDDED_FOLDER).ok()?;
-    let (_, text) = EMBEDDED.iter().find(|(file, _)| Path::new(file) == wanted)?;
-    Some(Source::new(path, *text))
+    /// The case that is called `name`: a path, relative to the folder of `beside` if there is one, or a built-in case, with all
+    /// that is built in beside it.
+    ///
+    /// # Errors
+    /// Nothing is called so; it cannot be read.
+    pub(crate) fn find(name: &str, beside: Option<&Source>) -> Result<Self, Diagnostics> {
+        let path = beside.map_or_else(|| PathBuf::from(name), |own| resolve(own, name));
+        if path.is_file() {
+            return CaseText::of_file(&path);
+        }
+        match FileStore::find(name)? {
+            (FileStore::Embedded, path) => {
+                let source = FileStore::Embedded.read(&path).expect("a file that is built in");
+                let own = CaseText::at(&path, source.text.as_str());
+                let with = |own: CaseText, (path, text)| own.with_path(path, text);
+                Ok(embedded_files().fold(own, with))
+            }
+            // It stands where the command is run, not beside the file that names it.
+            (_, path) => CaseText::of_file(&path),
+        }
+    }
 }
 
 /// A path as `beside` names it: relative to the folder of that file.
@@ -348,23 +331,4 @@ fn include_names(include: Node, errors: &mut Diagnostics) -> Vec<(Place, String)
         }
     }
     names
-}
-
-#[cfg(test)]
-mod tests {
-    use std::fs;
-
-    use super::*;
-
-    #[test]
-    fn every_file_of_the_folder_is_built_in() {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/cases");
-        let mut files: Vec<String> = fs::read_dir(folder)
-            .unwrap()
-            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-            .collect();
-        files.sort();
-        let built_in: Vec<&str> = EMBEDDED.iter().map(|(file, _)| *file).collect();
-        assert_eq!(built_in, files);
-    }
 }

@@ -4,13 +4,12 @@ mod bearings;
 mod bodies;
 mod drive;
 mod materials;
+mod motion;
 mod places;
+mod speed;
 
-use std::f64::consts::TAU;
-
-use whirl_codegen::diagnostic::{Code, Located, suggest};
+use whirl_codegen::diagnostic::Located;
 use whirl_codegen::document::Table;
-use whirl_specs::{MOTIONS, Motion};
 
 pub(super) use self::bodies::{
     Cells, body as meshed, crank_throw, ground_springs, ring_support, solid_shaft,
@@ -18,13 +17,13 @@ pub(super) use self::bodies::{
 };
 pub(super) use self::drive::{leads_to_its_target, needs_a_section, read_one as drive};
 pub(super) use self::materials::Materials;
+pub(super) use self::motion::{default_motion, motion};
 use self::places::SHAFT;
-use super::joined::{Drive, Form, JoinedMachine, Load, Turning};
+pub(super) use self::speed::speed;
+use super::joined_machine::{Drive, JoinedMachine, Load};
 use super::library::FileStore;
+use super::named_body::{Form, Turning};
 use super::{gravity, loads};
-
-/// The motion derived from the kinetic energy.
-const DEFAULT_MOTION: &str = "consistent";
 
 /// One shaft on one support, as bodies by name; none where too much of it is missing. `goes_on`: the shaft has the speed of
 /// another run, and not that of the start.
@@ -60,41 +59,4 @@ pub(super) fn read(
         motion,
         short: true,
     })
-}
-
-/// Beyond any machine, but far below where numbers end (rad/s): ten million revolutions per minute.
-const MOST_SPEED: f64 = 1e7 * TAU / 60.0;
-
-/// A speed of rotation (rad/s); one that no machine has is noted.
-pub(super) fn speed(table: &Table, key: &str) -> Option<f64> {
-    let speed = table.quantity(key)?;
-    if speed.abs() > MOST_SPEED {
-        let message = format!("`{key}` is faster than any machine turns");
-        let help = format!("write at most `{key} = \"1e7 rpm\"`");
-        table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
-    }
-    Some(speed)
-}
-
-/// The motion that a table names, or the default one.
-pub(super) fn motion(table: &Table) -> Option<&'static Motion> {
-    let name = table.optional_string("motion");
-    let wanted = name.as_ref().map_or(DEFAULT_MOTION, |name| name.text()).to_string();
-    let found = called(&wanted);
-    if found.is_none() {
-        let known: Vec<&str> = MOTIONS.iter().map(|motion| motion.origin.name).collect();
-        let place = name.unwrap_or_else(|| table.heading().text(""));
-        let error = place.error_here(Code::BAD_VALUE, format!("there is no motion `{wanted}`"));
-        table.push(error.maybe_help(suggest(&wanted, &known)));
-    }
-    found
-}
-
-fn called(name: &str) -> Option<&'static Motion> {
-    MOTIONS.iter().find(|motion| motion.origin.name == name)
-}
-
-/// In place of one that is not there, which has been noted.
-pub(super) fn default_motion() -> Option<&'static Motion> {
-    called(DEFAULT_MOTION)
 }

@@ -4,9 +4,20 @@ use whirl_codegen::diagnostic::Code;
 use whirl_codegen::document::Table;
 use whirl_solver::dynamics::{AutomaticStep, Integrator, LEAST_STEPS, SteadyRule};
 
-use super::SystemDraft;
-use super::cycle::{self, MOST_PERIODS, Run};
-use super::schema::{AUTOMATIC, GENERALIZED_ALPHA, MOST_STEPS, NEWMARK, ONE_CYCLE};
+use super::cycle::{self, MOST_PERIODS};
+use super::run::Run;
+use super::system_draft::SystemDraft;
+
+/// What stands for a time step that the program chooses.
+pub(super) const AUTOMATIC: &str = "auto";
+/// What tells a steady state.
+pub(super) const ESTIMATE: &str = "estimate";
+pub(super) const ONE_CYCLE: &str = "one-cycle";
+/// How steps are integrated.
+pub(super) const NEWMARK: &str = "newmark";
+pub(super) const GENERALIZED_ALPHA: &str = "generalized-alpha";
+/// Steps of a march; their history takes some gigabytes.
+pub(super) const MOST_STEPS: usize = 10_000_000;
 
 /// How a case is marched in time.
 #[derive(Debug, Clone)]

@@ -3,26 +3,36 @@
 mod analyses;
 mod columns;
 mod cycle;
+mod dimensions;
+mod embedded;
 mod fields;
 mod gravity;
 mod joined;
+mod joined_machine;
+mod joint;
 mod law;
 mod library;
 mod loads;
 mod lumped;
 mod machine;
 mod march;
+mod named_body;
+mod names;
 mod outputs;
 mod parameters;
 mod read;
 mod reduction;
 mod rotor;
+mod run;
 mod schema;
 mod selections;
+mod shapes;
 mod start;
 mod supports;
+mod system_draft;
 mod text;
 mod units;
+mod values;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -33,28 +43,30 @@ use crate::errors::Failure;
 
 pub(crate) use analyses::{Analysis, AnalysisKind, MODES, ORDERS, speeds, turning};
 pub(crate) use columns::Columns;
-pub(crate) use cycle::{Run, TWO_REVOLUTIONS};
+pub(crate) use cycle::TWO_REVOLUTIONS;
+pub(crate) use embedded::embedded_cases;
 pub(crate) use fields::Fields;
 pub(crate) use gravity::Gravity;
-pub(crate) use joined::{
-    Attached, Carried, Form, JoinedMachine, Joint, JointKind, Load as JoinedLoad, MeshedBody,
-    NamedBody, OtherLaw, Side as JointSide, Turning,
-};
+pub(crate) use joined_machine::{JoinedMachine, Load as JoinedLoad};
+pub(crate) use joint::{Joint, JointKind, OtherLaw, Side as JointSide};
 pub(crate) use law::{LawSource, NamedLaw};
-pub(crate) use library::{FileStore, embedded_cases, refused};
+pub(crate) use library::{FileStore, refused};
 pub(crate) use loads::{Acting, Load, Spread, Variation};
 pub(crate) use lumped::{Lumped, Side, Unbalance};
 pub(crate) use march::MarchSettings;
+pub(crate) use named_body::{Attached, Carried, Form, MeshedBody, NamedBody, Turning};
 pub(crate) use outputs::{Output, Wanted};
 pub(crate) use parameters::{BearingFacts, SetParameter, rounded};
 pub(crate) use read::read;
-pub(crate) use read::{Draft, Purpose, SystemDraft, draft, draft_of, draft_with};
+pub(crate) use read::{Draft, Purpose, draft, draft_of, draft_with};
 pub(crate) use rotor::{
     Bearing, Body, Drive, GeneratedMesh, MatrixFiles, Mesh, MeshFile, Region, StaticCorrection,
 };
+pub(crate) use run::Run;
 pub(crate) use selections::NamedSelection;
 pub(crate) use start::Start;
 pub(crate) use supports::SupportName;
+pub(crate) use system_draft::SystemDraft;
 pub use text::CaseText;
 pub(crate) use units::mesh_units;
 

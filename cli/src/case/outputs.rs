@@ -5,8 +5,10 @@ use whirl_codegen::document::Table;
 use whirl_solver::loads::Frame;
 use whirl_solver::output::{JointQuantity, Motion};
 
-use super::joined::names;
-use super::{Form, JointKind, SystemDraft};
+use super::joint::JointKind;
+use super::named_body::Form;
+use super::names;
+use super::system_draft::SystemDraft;
 
 /// An output under its name.
 #[derive(Debug, Clone)]

@@ -1,13 +1,14 @@
 //! Parameters of laws: what the bearing says of them, and what the case sets by name.
 
-use whirl_codegen::diagnostic::{Code, Diagnostic, Located, suggest};
+use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, suggest};
 use whirl_codegen::document::Table;
 use whirl_codegen::formula;
 use whirl_codegen::kinds::law::{BearingValue, Given, Parameter};
 use whirl_codegen::rational::{Rational, nearest};
 use whirl_codegen::units::{Exponent, Quantity, Unit};
 
-use super::law::NamedLaw;
+use super::law::{LawSource, NamedLaw};
+use super::values::written;
 
 /// A parameter that a case sets by name.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,6 +58,46 @@ pub(crate) struct BearingFacts {
     pub(crate) length: Option<Rational>,
     /// Springs in all rings.
     pub(crate) springs: Option<usize>,
+}
+
+impl NamedLaw {
+    /// The law as a bearing uses it: with what the case sets, and with what is known of the bearing.
+    ///
+    /// # Errors
+    /// Whatever is wrong with the law once it has these values.
+    pub(crate) fn used(
+        &self,
+        set: &[SetParameter],
+        facts: &BearingFacts,
+    ) -> Result<LawSource, Diagnostics> {
+        self.source.with(given(&self.source.parameters(), set, facts))
+    }
+
+    /// Parameters that the law takes from its bearing, of which neither the case nor a mesh gives a value; `place` is where
+    /// to say it.
+    pub(crate) fn lacking(
+        &self,
+        set: &[SetParameter],
+        facts: &BearingFacts,
+        place: &str,
+    ) -> Vec<Diagnostic> {
+        let mut errors = Vec::new();
+        for parameter in self.source.parameters() {
+            let Some(of) = parameter.bearing else { continue };
+            if facts.value(of).is_some() || set.iter().any(|set| set.name == parameter.name) {
+                continue;
+            }
+            let (name, key) = (&parameter.name, Keys { clearance: "radial_clearance" }.of(of));
+            let message = format!(
+                "the law `{}` takes `{name}` from its bearing, but nothing gives the {} of the bearing",
+                self.name.text(),
+                of.word().replace('_', " ")
+            );
+            let help = format!("add `{key} = \"…\"` to {place}");
+            errors.push(self.name.error_here(Code::MISSING_KEY, message).help(help));
+        }
+        errors
+    }
 }
 
 /// What the keys of a bearing are called of which a parameter can be one.
@@ -235,11 +276,7 @@ impl BearingFacts {
 
 /// The values with which the law is used where they are not those in its file, in the units of the file: those
 /// that the case sets, and those of the bearing.
-pub(super) fn given(
-    parameters: &[Parameter],
-    set: &[SetParameter],
-    facts: &BearingFacts,
-) -> Vec<Given> {
+fn given(parameters: &[Parameter], set: &[SetParameter], facts: &BearingFacts) -> Vec<Given> {
     let mut given = Vec::new();
     for parameter in parameters {
         let Parameter { name, unit, written, bearing, .. } = parameter;
@@ -268,44 +305,6 @@ pub(super) fn given(
     given
 }
 
-/// Parameters that the law takes from its bearing, of which neither the case nor a mesh gives a value; `place` is where
-/// to say it.
-pub(super) fn lacking(
-    law: &NamedLaw,
-    set: &[SetParameter],
-    facts: &BearingFacts,
-    place: &str,
-) -> Vec<Diagnostic> {
-    let mut errors = Vec::new();
-    for parameter in law.source.parameters() {
-        let Some(of) = parameter.bearing else { continue };
-        if facts.value(of).is_some() || set.iter().any(|set| set.name == parameter.name) {
-            continue;
-        }
-        let (name, key) = (&parameter.name, Keys { clearance: "radial_clearance" }.of(of));
-        let message = format!(
-            "the law `{}` takes `{name}` from its bearing, but nothing gives the {} of the bearing",
-            law.name.text(),
-            of.word().replace('_', " ")
-        );
-        let help = format!("add `{key} = \"…\"` to {place}");
-        errors.push(law.name.error_here(Code::MISSING_KEY, message).help(help));
-    }
-    errors
-}
-
-/// Values as people write them: `c = 0.04 mm, R = 20 mm`.
-pub(super) fn listed(given: &[Given]) -> String {
-    let one = |given: &Given| {
-        let Given { name, value, unit } = given;
-        match unit.text() {
-            "1" => format!("{name} = {}", written(value)),
-            unit => format!("{name} = {} {unit}", written(value)),
-        }
-    };
-    given.iter().map(one).collect::<Vec<_>>().join(", ")
-}
-
 /// A length or an area in SI, exactly.
 fn in_si(quantity: &Quantity) -> Option<Rational> {
     Some(quantity.value() * quantity.unit().rational()?)
@@ -324,9 +323,4 @@ fn si_of(unit: &Unit) -> Unit {
 /// What is measured or computed, to twelve digits: without those that rounding adds.
 pub(crate) fn rounded(value: f64) -> Option<Rational> {
     Quantity::parse(&format!("{value:.11e}")).ok().map(|quantity| quantity.value().clone())
-}
-
-/// All digits that its nearest number has.
-fn written(value: &Rational) -> String {
-    whirl_text::shown(nearest(value), 17, 1e-4..1e7)
 }

@@ -10,9 +10,10 @@ use whirl_codegen::document::{Document, Table};
 use super::fields::{self, Fields};
 use super::library::{FileStore, load};
 use super::start::{Start, StartDraft};
+use super::system_draft::SystemDraft;
 use super::{
-    Analysis, Case, CaseText, Figures, JoinedMachine, Lumped, MarchSettings, Output, System,
-    analyses, law, lumped, machine, march, outputs, reduction, start,
+    Analysis, Case, CaseText, Figures, JoinedMachine, MarchSettings, Output, System, analyses, law,
+    lumped, machine, march, outputs, reduction, start,
 };
 
 /// What a case is read for.
@@ -49,14 +50,6 @@ pub(crate) struct Draft {
     pub(crate) system: SystemDraft,
     /// What is wrong.
     pub(crate) errors: Diagnostics,
-}
-
-/// As [`System`], as far as the case says it.
-pub(crate) enum SystemDraft {
-    /// One mass, if enough of it is right.
-    Lumped(Option<Lumped>),
-    /// Bodies and what joins them, if enough of them is right.
-    Joined(Option<Box<JoinedMachine>>),
 }
 
 impl SystemDraft {

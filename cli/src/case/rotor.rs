@@ -12,7 +12,7 @@ use whirl_solver::mesh::format::MeshUnits;
 use whirl_solver::mesh::matrices::Request;
 
 use super::columns::Columns;
-use super::joined::Dimensions;
+use super::dimensions::Dimensions;
 use super::law::NamedLaw;
 use super::parameters::{BearingFacts, SetParameter};
 use super::selections::NamedSelection;

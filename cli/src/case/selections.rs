@@ -4,7 +4,7 @@ use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 use whirl_solver::mesh::Selection;
 
-use super::joined::names::in_order;
+use super::names::in_order;
 
 /// A node set that the case adds to a mesh.
 #[derive(Debug, Clone)]

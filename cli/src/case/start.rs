@@ -7,8 +7,10 @@ use whirl_codegen::document::Table;
 use whirl_codegen::units::Dimension;
 use whirl_specs::Motion;
 
-use super::joined::{Drive, Turning};
-use super::{JoinedMachine, SystemDraft, machine};
+use super::joined_machine::{Drive, JoinedMachine};
+use super::machine;
+use super::named_body::{NamedBody, Turning};
+use super::system_draft::SystemDraft;
 
 /// How a machine begins.
 #[derive(Debug, Clone)]
@@ -88,7 +90,7 @@ pub(super) fn check(file: &Table, draft: &StartDraft, system: &SystemDraft) {
 
 fn check_joined(file: &Table, draft: &StartDraft, joined: &JoinedMachine) {
     if draft.speed.is_some() && !joined.short {
-        let turns = |own: &&super::NamedBody| matches!(own.turning, Some(Turning::Free { .. }));
+        let turns = |own: &&NamedBody| matches!(own.turning, Some(Turning::Free { .. }));
         let name = joined.bodies.iter().find(turns).map_or("NAME", |own| own.name.text());
         let message = "`speed` is of the one shaft of a machine in short form";
         let help = format!("write `initial_speed` in `[body.{name}]`, or in another that turns");

@@ -4,9 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source};
-
-use super::library::{FileStore, embedded_files, resolve};
+use whirl_codegen::diagnostic::Source;
 
 /// What messages call values that hold in place of those of a case.
 const VARIED: &str = "varied keys";
@@ -32,40 +30,6 @@ impl CaseText {
     /// A text as if it were the file at `path`.
     pub fn at(path: &Path, text: impl Into<String>) -> Self {
         CaseText { path: path.to_path_buf(), text: text.into(), ..CaseText::default() }
-    }
-
-    /// The text of a file.
-    ///
-    /// # Errors
-    /// It cannot be read.
-    pub fn of_file(path: &Path) -> Result<Self, Diagnostics> {
-        let source = FileStore::Disk.read(path).map_err(|message| {
-            Diagnostic::new(&Source::new(path, ""), Code::BAD_VALUE, None, message)
-        })?;
-        let text = source.text.clone();
-        Ok(CaseText { path: path.to_path_buf(), text, ..CaseText::default() })
-    }
-
-    /// The case that is called `name`: a path, relative to the folder of `beside` if there is one, or a built-in case, with all
-    /// that is built in beside it.
-    ///
-    /// # Errors
-    /// Nothing is called so; it cannot be read.
-    pub(crate) fn find(name: &str, beside: Option<&Source>) -> Result<Self, Diagnostics> {
-        let path = beside.map_or_else(|| PathBuf::from(name), |own| resolve(own, name));
-        if path.is_file() {
-            return CaseText::of_file(&path);
-        }
-        match FileStore::find(name)? {
-            (FileStore::Embedded, path) => {
-                let source = FileStore::Embedded.read(&path).expect("a file that is built in");
-                let own = CaseText::at(&path, source.text.as_str());
-                let with = |own: CaseText, (path, text)| own.with_path(path, text);
-                Ok(embedded_files().fold(own, with))
-            }
-            // It stands where the command is run, not beside the file that names it.
-            (_, path) => CaseText::of_file(&path),
-        }
     }
 
     /// With a file that it or another one may name, such as `my-law.toml`: as if it stood in the same folder, before any

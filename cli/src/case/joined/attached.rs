@@ -1,44 +1,12 @@
 //! What a body that turns carries beside its mesh: `[body.NAME.disc.NAME]`, `[body.NAME.added.NAME]` and
 //! `[body.NAME.unbalance.NAME]`.
 
-use whirl_codegen::diagnostic::{Code, Located};
+use whirl_codegen::diagnostic::Code;
 use whirl_codegen::document::Table;
 
-use super::{fit, names};
-
-/// What is carried, and where.
-#[derive(Debug, Clone)]
-pub(crate) struct Attached {
-    /// Its name, at its table.
-    pub(crate) name: Located,
-    /// z of the section that carries it, m.
-    pub(crate) z: f64,
-    /// What it is.
-    pub(crate) what: Carried,
-}
-
-/// What a section carries.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum Carried {
-    /// A rigid disc, its centre of mass on the axis.
-    Disc {
-        /// kg.
-        mass: f64,
-        /// About the axis, kg·m².
-        polar_inertia: f64,
-        /// About a diameter, kg·m².
-        transverse_inertia: f64,
-    },
-    /// A point mass.
-    Mass {
-        /// kg.
-        mass: f64,
-        /// Along x and y of the turning frame, m.
-        place: [f64; 2],
-    },
-    /// Mass times eccentricity along x and y of the turning frame, kg·m.
-    Unbalance([f64; 2]),
-}
+use super::fit;
+use crate::case::named_body::{Attached, Carried};
+use crate::case::names;
 
 /// What a body that turns carries, discs first; those on another one are noted.
 pub(super) fn read(table: &Table, turns: bool, meshed: bool, tilts: bool) -> Vec<Attached> {

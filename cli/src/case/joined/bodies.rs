@@ -7,15 +7,14 @@ use whirl_solver::mesh::Material;
 use whirl_specs::Motion;
 
 use super::schema;
-use super::{
-    Attached, Carried, Dimensions, Form, MeshedBody, NamedBody, RigidBody, Turning, attached, fit,
-    matrices, names,
-};
+use super::{attached, fit, matrices};
 use crate::case::columns;
+use crate::case::dimensions::Dimensions;
 use crate::case::library::FileStore;
 use crate::case::machine::{self, Materials};
+use crate::case::named_body::{Attached, Carried, Form, MeshedBody, NamedBody, RigidBody, Turning};
 use crate::case::rotor::{Body, Mesh};
-use crate::case::selections;
+use crate::case::{names, selections};
 
 /// What a table says of a body.
 pub(super) struct BodyDraft {

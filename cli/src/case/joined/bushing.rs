@@ -8,10 +8,11 @@ use whirl_codegen::kinds::law::LawSpec;
 use whirl_codegen::units::Quantity;
 use whirl_solver::bearing::MotionKind;
 
-use super::joints::Parts;
-use super::{OtherLaw, names};
+use super::parts::Parts;
+use crate::case::joint::OtherLaw;
 use crate::case::law::{self, GivenLaw, LawSource, NamedLaw};
 use crate::case::library::FileStore;
+use crate::case::names;
 use crate::case::parameters::SetParameter;
 
 /// Directions of force and motion, as keys of bushings and parameters of their law call them.

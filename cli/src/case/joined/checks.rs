@@ -6,11 +6,12 @@ use whirl_solver::bearing::MotionKind;
 use whirl_specs::Motion;
 
 use super::fit;
-use super::{
-    Attached, Carried, Drive, Form, Gravity, JoinedMachine, Joint, JointKind, NamedBody, Side,
-    Turning,
-};
+use crate::case::gravity::Gravity;
+use crate::case::joined_machine::{Drive, JoinedMachine};
+use crate::case::joint::{Joint, JointKind, Side};
 use crate::case::machine;
+use crate::case::named_body::{Attached, Carried, Form, NamedBody, Turning};
+use crate::case::rotor::Mesh;
 
 /// The motion of all bodies, which is one.
 pub(super) fn one_motion(
@@ -283,7 +284,7 @@ impl Checks<'_, '_> {
         }
         let Form::Meshed(own) = &body.form else { return };
         // Whether matrices have dofs along z is known once they are read.
-        let stored = matches!(own.body.mesh, super::rotor::Mesh::Matrices(_));
+        let stored = matches!(own.body.mesh, Mesh::Matrices(_));
         let held = stored || own.rigid || own.axial_restraint.is_some() || !own.held.is_empty();
         if body.turning.is_some() && !held {
             let message =

@@ -4,7 +4,9 @@ use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 use whirl_text::rounded;
 
-use super::{JoinedMachine, Joint, JointKind, NamedBody};
+use crate::case::joined_machine::JoinedMachine;
+use crate::case::joint::{Joint, JointKind};
+use crate::case::named_body::NamedBody;
 
 /// Values of three digits may be this part apart from what they mean.
 const DIGITS: f64 = 0.01;

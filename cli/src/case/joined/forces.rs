@@ -3,11 +3,11 @@
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 
-use super::names;
-use super::{Drive, Form, Load, NamedBody, Turning};
+use crate::case::joined_machine::{Drive, Load};
 use crate::case::library::FileStore;
 use crate::case::loads::Acting;
-use crate::case::{loads, machine};
+use crate::case::named_body::{Form, NamedBody, Turning};
+use crate::case::{loads, machine, names};
 
 /// The couple of a table; `body_of` gives the body at a place, if all are right; `goes_on`: bodies have the speeds of another
 /// run.

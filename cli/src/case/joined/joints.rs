@@ -8,16 +8,18 @@ use whirl_codegen::kinds::law::{Acts, BearingValue};
 use whirl_codegen::rational::nearest;
 use whirl_codegen::units::Quantity;
 
+use super::bushing;
 use super::fit::Room;
-use super::names::{self, GROUND};
+use super::parts::Parts;
 use super::schema::{self, FROM_MESH};
-use super::{Joint, JointKind, OtherLaw, Side, bushing};
-use crate::case::law::{self, NamedLaw};
+use crate::case::joint::{Joint, JointKind, Side};
+use crate::case::law;
 use crate::case::library::FileStore;
 use crate::case::lumped;
+use crate::case::names::{self, GROUND};
 use crate::case::parameters::{self, BearingFacts, Keys, SetParameter};
 use crate::case::rotor::Bearing;
-use crate::case::schema::MOST_SPRINGS;
+use crate::case::shapes::MOST_SPRINGS;
 use crate::case::supports::SupportName;
 
 pub(super) fn read(
@@ -161,44 +163,6 @@ fn side(table: &Table, key: &'static str, known: &[Located]) -> Option<Side> {
         sets.extend(surface.clone());
         Some(Side { body, place, sets, surface: surface.is_some(), z })
     })
-}
-
-/// What a joint of any kind has.
-pub(super) struct Parts {
-    springs: usize,
-    law: NamedLaw,
-    parameters: Vec<SetParameter>,
-    facts: BearingFacts,
-    clearance: f64,
-    /// Whether the meshes say the clearance.
-    from_mesh: bool,
-    stations: Vec<f64>,
-    angle: Option<f64>,
-    others: Vec<OtherLaw>,
-    table: Option<Located>,
-}
-
-impl Parts {
-    /// Of a joint that acts once, without clearance, by a law with these values.
-    pub(super) fn of_law(law: NamedLaw, parameters: Vec<SetParameter>) -> Parts {
-        Parts {
-            springs: 1,
-            law,
-            parameters,
-            facts: BearingFacts::default(),
-            clearance: 0.0,
-            from_mesh: false,
-            stations: Vec::new(),
-            angle: None,
-            others: Vec::new(),
-            table: None,
-        }
-    }
-
-    /// With laws on other motions, and the file of its coefficients.
-    pub(super) fn with(self, others: Vec<OtherLaw>, table: Option<Located>) -> Parts {
-        Parts { others, table, ..self }
-    }
 }
 
 /// A joint whose law is shipped.

@@ -5,7 +5,7 @@ use whirl_codegen::document::schema::Shape::{
 };
 use whirl_codegen::document::schema::{Key, Shape, key, merged};
 
-use crate::case::schema::{
+use crate::case::shapes::{
     ACCELERATION, ANGLE, CLEARANCE, CROSS_DAMPING, CROSS_STIFFNESS, DAMPING, DAMPING_TIME,
     GROUND_SPRING, INERTIA, LENGTH, MASS, MERGE, MOST_CELLS, MOST_MODES, MOST_SPRINGS, MOTION,
     NAMES, PARAMETERS, PARAMETERS_EXAMPLE, POSITION, SELECTION, STIFFNESS, TARGET_SPEED,

@@ -7,12 +7,12 @@ use whirl_codegen::document::Table;
 use whirl_codegen::rational::nearest;
 use whirl_codegen::units::Quantity;
 
-use super::super::joined::{Joint, JointKind, Side};
+use super::super::joint::{Joint, JointKind, Side};
 use super::super::law::{self, NamedLaw};
 use super::super::library::FileStore;
 use super::super::parameters::{self, BearingFacts, Keys, SetParameter};
 use super::super::rotor::Bearing;
-use super::super::schema::MOST_SPRINGS;
+use super::super::shapes::MOST_SPRINGS;
 use super::super::supports::SupportName;
 use super::places::{SHAFT, SUPPORT};
 

@@ -11,13 +11,14 @@ use whirl_solver::mesh::shaft::{FINE, SectionCells, SolidShaft};
 use whirl_solver::mesh::support::{RingSupport, SupportCells};
 use whirl_specs::Motion;
 
-use super::super::joined::{Dimensions, MeshedBody, NamedBody, Turning};
+use super::super::dimensions::Dimensions;
 use super::super::library::{FileStore, resolve};
+use super::super::named_body::{MeshedBody, NamedBody, Turning};
 use super::super::rotor::{Body, GeneratedMesh, GroundSpring, Mesh, MeshFile, StaticCorrection};
 use super::super::selections;
 use super::super::units::mesh_units;
 use super::materials::{Materials, material_of, regions};
-use super::{default_motion, motion};
+use super::motion::{default_motion, motion};
 
 /// The table `[shaft]`: the body, which its drive ties to its frame, and how its rotation is coupled to deformation.
 pub(super) fn shaft(

@@ -1,4 +1,4 @@
-//! Names of bodies and joints.
+//! Names of bodies, joints and outputs.
 
 use whirl_codegen::diagnostic::{Code, Located, suggest};
 use whirl_codegen::document::Table;
@@ -7,7 +7,7 @@ use whirl_codegen::document::Table;
 pub(super) const GROUND: &str = "ground";
 
 /// The tables below a key with their names, in the order of the file.
-pub(in crate::case) fn in_order<'d>(file: &Table<'d>, key: &str) -> Vec<(Located, Table<'d>)> {
+pub(super) fn in_order<'d>(file: &Table<'d>, key: &str) -> Vec<(Located, Table<'d>)> {
     let mut tables: Vec<(Located, Table<'d>)> = file
         .named_tables(key)
         .into_iter()
@@ -40,7 +40,7 @@ fn is_plain(text: &str) -> bool {
 }
 
 /// Notes names that cannot stand in columns, and those that differ in nothing but case.
-pub(in crate::case) fn distinct(file: &Table, key: &str, names: &[Located]) {
+pub(super) fn distinct(file: &Table, key: &str, names: &[Located]) {
     for (place, name) in names.iter().enumerate() {
         let text = name.text();
         if !is_plain(text) {

@@ -1,0 +1,42 @@
+//! Dimensions from which meshes are made.
+
+use whirl_solver::error::Error;
+use whirl_solver::mesh::crank::CrankThrow;
+use whirl_solver::mesh::shaft::SolidShaft;
+use whirl_solver::mesh::support::RingSupport;
+use whirl_solver::mesh::{Fineness, Mesh};
+use whirl_specs::Element;
+
+/// Dimensions from which a mesh is made.
+#[derive(Debug, Clone)]
+pub(crate) enum Dimensions {
+    /// Of a solid shaft.
+    Shaft(SolidShaft),
+    /// Of one throw of a crankshaft.
+    Crank(CrankThrow),
+    /// Of rings below a beam.
+    Support(RingSupport),
+}
+
+impl Dimensions {
+    /// The mesh.
+    ///
+    /// # Errors
+    /// Dimensions of which none can be made.
+    pub(crate) fn mesh(&self, elements: &[&'static Element]) -> Result<Mesh, Error> {
+        match self {
+            Dimensions::Shaft(shaft) => shaft.mesh(elements),
+            Dimensions::Crank(crank) => crank.mesh(elements),
+            Dimensions::Support(support) => support.mesh(elements),
+        }
+    }
+
+    /// How fine the layers of the mesh are, where that is known.
+    pub(crate) fn fineness(&self) -> Option<Fineness> {
+        match self {
+            Dimensions::Shaft(shaft) => shaft.fineness(),
+            Dimensions::Crank(_) => None,
+            Dimensions::Support(support) => support.fineness(),
+        }
+    }
+}
