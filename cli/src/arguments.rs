@@ -33,6 +33,10 @@ pub(crate) enum Command {
     Modes(ModesArguments),
     /// Modes over speed, with critical speeds and thresholds of stability, as table and figure
     Campbell(ModesArguments),
+    /// Response to unbalance over speed: orbits, peaks and amplification factors
+    Response(ModesArguments),
+    /// Stiffness and damping of joints in their state at speed
+    Coefficients(ModesArguments),
     /// Check a case, sweep or spec file: report what it would run, or what is known of it, and every error
     Check(CheckArguments),
     /// Show what a spec defines and what follows from it: equations, shapes, costs, report, plot, code
@@ -144,7 +148,7 @@ pub(crate) struct AnalyseArguments {
     pub(crate) results: AnalysisOutput,
 }
 
-/// Arguments of `whirl modes` and `whirl campbell`.
+/// Arguments of `whirl modes`, `campbell`, `response` and `coefficients`.
 #[derive(Debug, Args)]
 pub(crate) struct ModesArguments {
     /// Path of a case file, or the name of a built-in case (see `whirl list`)
@@ -169,7 +173,7 @@ pub(crate) struct ModesArguments {
 /// Where the results of analyses go.
 #[derive(Debug, Args)]
 pub(crate) struct AnalysisOutput {
-    /// Folder for tables and figures (nothing is written for `modes`, `results` and the name of the case for the others, if left out)
+    /// Folder for tables and figures (if left out, `results` and the name of the case; for `modes` and `coefficients`, nothing is written)
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
     /// Write no figures

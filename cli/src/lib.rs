@@ -63,6 +63,10 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
         Command::Analyse(arguments) => analysis::analyse(arguments),
         Command::Modes(arguments) => analysis::of_kind(AnalysisKind::Modes, arguments),
         Command::Campbell(arguments) => analysis::of_kind(AnalysisKind::Campbell, arguments),
+        Command::Response(arguments) => analysis::of_kind(AnalysisKind::Response, arguments),
+        Command::Coefficients(arguments) => {
+            analysis::of_kind(AnalysisKind::Coefficients, arguments)
+        }
         Command::Check(arguments) => check::check(arguments).and_then(|text| say(&text)),
         Command::Explain(arguments) => explain::explain(arguments).and_then(|text| say(&text)),
         Command::New(arguments) => new::new(arguments).and_then(|text| say(&text)),

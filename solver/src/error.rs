@@ -247,6 +247,18 @@ pub enum Error {
         /// The largest share of the loads for which a balance was found.
         share: f64,
     },
+    /// Constant speeds at which no state was found in which the machine stands.
+    #[error("no state in which the machine stands was found with {at}: {}. Lower the loads to what the bearings carry at this speed, or begin at a higher one", out_of_balance(.rows, .journals, *.share))]
+    NotStanding {
+        /// The bodies with their speeds.
+        at: String,
+        /// As of [`Error::NoEquilibrium`].
+        rows: Vec<(String, f64)>,
+        /// As there.
+        journals: Vec<(String, f64)>,
+        /// As there.
+        share: f64,
+    },
     /// A balance at t = 0 that is none: nothing holds the machine in it.
     #[error(
         "the start at equilibrium is not determined: nothing holds the {}. In a clearance a journal without load touches \
@@ -303,6 +315,11 @@ impl Error {
         }
     }
 
+    /// Whether it says that the machine does not stand at a speed, as at others it may.
+    pub fn is_of_balance(&self) -> bool {
+        matches!(self, Error::NotStanding { .. } | Error::NoForce { .. })
+    }
+
     /// The errors that it is made of: itself, or several.
     pub fn parts(&self) -> &[Error] {
         match self {
@@ -324,6 +341,14 @@ pub struct InvertedCell {
 }
 
 fn no_equilibrium(rows: &[(String, f64)], journals: &[(String, f64)], share: f64) -> String {
+    format!(
+        "the start at equilibrium was not found: {}. Lower the loads to what the bearings carry, give the speed at which \
+         they do, or start at rest",
+        out_of_balance(rows, journals, share)
+    )
+}
+
+fn out_of_balance(rows: &[(String, f64)], journals: &[(String, f64)], share: f64) -> String {
     let rows: Vec<String> =
         rows.iter().map(|(name, force)| format!("{name} by {force:.3e}")).collect();
     let journals: Vec<String> =
@@ -336,11 +361,7 @@ fn no_equilibrium(rows: &[(String, f64)], journals: &[(String, f64)], share: f64
         true => format!("; {:.0} % of the loads are balanced", 100.0 * share),
         false => String::new(),
     };
-    format!(
-        "the start at equilibrium was not found: out of balance are {} (N or N·m){journals}{share}. Lower the loads to \
-         what the bearings carry, give the speed at which they do, or start at rest",
-        rows.join(", ")
-    )
+    format!("out of balance are {} (N or N·m){journals}{share}", rows.join(", "))
 }
 
 fn suggestion(nearest: &Option<String>) -> String {

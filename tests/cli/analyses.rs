@@ -172,6 +172,20 @@ fn thresholds_are_those_of_closed_forms() {
     assert!(said.contains("stable at all speeds of the range"), "{said}");
 }
 
+/// Films carry nothing at rest: that speed is left out of a range, and said.
+#[test]
+fn speeds_at_which_the_machine_does_not_stand_are_left_out() {
+    let workbench = Workbench::new().file("film.toml", CASES[3].1);
+    for command in ["campbell", "modes", "coefficients"] {
+        let speeds = ["--speeds", "0 rpm .. 3000 rpm, 3", "--out", "out"];
+        let said = ran(&workbench, &[&[command, "film.toml"][..], &speeds].concat()).stdout;
+        assert!(said.contains("left out: 0 rpm, as no state"), "{command}: {said}");
+        let file = format!("out/{command}.csv");
+        let least = numbers(&workbench, &file, "speed_rpm").into_iter().fold(f64::MAX, f64::min);
+        assert!((least - 1500.0).abs() < 1e-6, "{command}: {least}");
+    }
+}
+
 /// Its speed is found, and its angle takes part.
 #[test]
 fn a_floating_ring_has_the_speed_and_the_whirl_of_its_own_equations() {
@@ -200,6 +214,107 @@ fn a_floating_ring_has_the_speed_and_the_whirl_of_its_own_equations() {
             assert!(apart <= known.tolerance, "{case}, {}: {found}", known.quantity);
         }
     }
+}
+
+/// Speeds and heights of the peaks of a disc with unbalance.
+#[test]
+fn peaks_of_unbalance_are_those_of_other_programs() {
+    let all = reference();
+    for (name, case, speeds, rpm) in [
+        (
+            "example_damped",
+            include_str!("analyses/example-damped.toml"),
+            "0 rad/s .. 400 rad/s, 21",
+            60.0 / TAU,
+        ),
+        (
+            "lalanne_ferraris",
+            include_str!("analyses/lalanne-response.toml"),
+            "0 rpm .. 14000 rpm, 21",
+            1.0,
+        ),
+    ] {
+        let workbench = Workbench::new().file("case.toml", case);
+        ran(&workbench, &["response", "case.toml", "--speeds", speeds, "--out", "out"]);
+        assert!(workbench.path("out/response.svg").is_file());
+        let points = column(&workbench, "out/response.peaks.csv", "point");
+        let of_disc = |name: &str| -> Vec<f64> {
+            let values = numbers(&workbench, "out/response.peaks.csv", name);
+            let own = points.iter().zip(values).filter(|own| own.0 == "output.disc");
+            own.map(|own| own.1).collect()
+        };
+        let (speeds, heights) = (of_disc("speed_rpm"), of_disc("major_um"));
+        let known: Vec<&Known> = all.iter().filter(|own| own.case == name).collect();
+        assert!(known.len() >= 6, "{name}");
+        for pair in known.chunks(2) {
+            let [speed, height] = pair else { panic!("{name}: a speed and a height") };
+            let nearest = |own: &f64| (own / (speed.value * rpm) - 1.0).abs();
+            let place = (0..speeds.len())
+                .min_by(|a, b| nearest(&speeds[*a]).total_cmp(&nearest(&speeds[*b])))
+                .expect("a peak");
+            assert!(nearest(&speeds[place]) <= speed.tolerance, "{name}: {speeds:?}");
+            let apart = (heights[place] / height.value - 1.0).abs();
+            assert!(apart <= height.tolerance, "{name}, {}: {apart:e}", height.quantity);
+        }
+    }
+}
+
+/// Of the short film, by its closed form; and a bushing with the file of a film has its modes.
+#[test]
+fn coefficients_are_those_of_the_closed_form() {
+    // So fast that the slowest squeezing that the law tells from none is nothing beside it.
+    let (mu, omega, radius, length, gap): (f64, f64, f64, f64, f64) =
+        (0.02, 6000.0, 0.03, 0.03, 60e-6);
+    let all = reference();
+    let mut compared = 0;
+    for epsilon in [0.05, 0.1, 0.2, 0.4, 0.5, 0.6, 0.8, 0.9, 0.95_f64] {
+        let rest = 1.0 - epsilon * epsilon;
+        let root = (16.0 * epsilon * epsilon + std::f64::consts::PI.powi(2) * rest).sqrt();
+        let load = mu * omega * radius * length.powi(3) / (4.0 * gap * gap) * epsilon
+            / (rest * rest)
+            * root;
+        let rotor = "[body.rotor]\nturns = \"prescribed\"\nspeed = \"6000 rad/s\"\nmass = \"1 kg\"\n\
+                     polar_inertia = \"1e-3 kg*m^2\"\n";
+        let film = format!(
+            "title = \"a film\"\n{rotor}[joint.film]\nkind = \"bearing\"\njournal = {{ body = \"rotor\" }}\n\
+             law = \"ocvirk\"\nparameters = {{ mu = \"20 mPa*s\" }}\nradial_clearance = \"60 um\"\n\
+             journal_radius = \"30 mm\"\nlength = \"30 mm\"\n[loads.weight]\nbody = \"rotor\"\n\
+             direction = \"x\"\nforce = \"-{load} N\"\n"
+        );
+        let bushing = format!(
+            "title = \"a bushing\"\n{rotor}[joint.film]\nkind = \"bushing\"\nfirst = {{ body = \"rotor\" }}\n\
+             table = \"out/coefficients.film.csv\"\n"
+        );
+        let workbench = Workbench::new().file("case.toml", &film).file("bushing.toml", &bushing);
+        let speeds = ["--speeds", "4000 rad/s .. 6000 rad/s, 2", "--out", "out"];
+        ran(&workbench, &[&["coefficients", "case.toml"][..], &speeds].concat());
+        let last =
+            |name: &str| *numbers(&workbench, "out/coefficients.csv", name).last().expect("a row");
+        assert!((last("eccentricity_ratio") / epsilon - 1.0).abs() < 1e-6, "{epsilon}");
+        let case = format!("ocvirk eps {epsilon}");
+        for known in all.iter().filter(|own| own.case == case) {
+            let Some((what, axes)) = known.quantity.rsplit_once(' ') else { continue };
+            let (found, scale) = match what {
+                "K c/W" => (last(&format!("k_{axes}_N_m")), gap / load),
+                "C c omega/W" => (last(&format!("c_{axes}_Ns_m")), gap * omega / load),
+                _ => continue,
+            };
+            let apart = (found * scale / known.value - 1.0).abs();
+            assert!(apart <= known.tolerance, "{case}, {}: {apart:e}", known.quantity);
+            compared += 1;
+        }
+        let of = |case: &str| {
+            let arguments = ["modes", case, "--speeds", "6000 rad/s", "--out", "modes"];
+            ran(&workbench, &arguments);
+            numbers(&workbench, "modes/modes.csv", "imaginary_1_s")
+        };
+        let (film, bushing) = (of("case.toml"), of("bushing.toml"));
+        assert_eq!(film.len(), bushing.len(), "{epsilon}");
+        for (a, b) in film.iter().zip(&bushing) {
+            assert!((a / b - 1.0).abs() < 1e-7, "{epsilon}: {a} {b}");
+        }
+    }
+    assert_eq!(compared, 72);
 }
 
 /// Tables of a case do what the command line does, and need no march.
@@ -241,7 +356,7 @@ fn tables_of_a_case_are_analyses() {
 
 #[test]
 fn what_has_no_modes_at_a_speed_is_refused() {
-    let workbench = Workbench::new().file("case.toml", CASES[0].1);
+    let workbench = Workbench::new().file("film.toml", CASES[3].1);
     for (arguments, message) in [
         (vec!["modes", "crank"], "crank is not round: its rigid motions"),
         (vec!["campbell", "sdnd101"], "nothing turns in `sdnd101`"),
@@ -251,14 +366,19 @@ fn what_has_no_modes_at_a_speed_is_refused() {
         (vec!["modes", "weight", "--speeds", "0 rpm .. 5 mm, 3"], "a range from"),
         (vec!["campbell", "weight", "--orders", "1,-2"], "is no order of a rotation"),
         (vec!["modes", "weight", "--count", "0"], "no modes are asked for"),
+        (vec!["response", "film.toml"], "no body of `film` has an unbalance"),
         (vec!["analyse", "weight"], "`weight` has no analysis"),
+        (
+            vec!["modes", "film.toml", "--speeds", "0 rpm"],
+            "machine stands was found with rotor at 0 rpm",
+        ),
     ] {
         let outcome = workbench.whirl(&arguments);
         assert_eq!(outcome.status, 2, "{arguments:?}: {}", outcome.stderr);
         assert!(outcome.stderr.contains(message), "{arguments:?}: {}", outcome.stderr);
     }
     assert!(
-        workbench.listing().iter().all(|name| name == "case.toml"),
+        workbench.listing().iter().all(|name| name == "film.toml"),
         "{:?}",
         workbench.listing()
     );

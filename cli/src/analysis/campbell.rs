@@ -40,7 +40,7 @@ pub(super) fn found(
         files.extend(png(&drawing).map(|image| (format!("{name}.png"), image)));
         files.push((format!("{name}.svg"), drawing.into_bytes()));
     }
-    let interrupted = all.speeds.len() < wanted.speeds.len();
+    let interrupted = all.speeds.len() + all.lost.len() < wanted.speeds.len();
     Ok(Found { text: text(case, linear, of, &all), files, interrupted })
 }
 
@@ -137,6 +137,10 @@ fn text(case: &Case, linear: &LinearMachine, of: usize, all: &Campbell) -> Strin
         0 => text.push_str("stable at all speeds of the range\n"),
         some if some == all.speeds.len() => text.push_str("UNSTABLE at all speeds of the range\n"),
         _ => {}
+    }
+    if let Some((_, error)) = all.lost.first() {
+        let speeds: Vec<String> = all.lost.iter().map(|own| words::speed(own.0)).collect();
+        let _ = writeln!(text, "left out: {} rpm, as {error}", speeds.join(", "));
     }
     if !all.unclear.is_empty() {
         let at: Vec<String> =

@@ -1,10 +1,13 @@
-//! `whirl analyse`, `modes` and `campbell`: small motions about the state in which a machine stands at constant speeds.
+//! `whirl analyse`, `modes`, `campbell`, `response` and `coefficients`: small motions about the state in which a machine stands at constant speeds.
 //!
 //! A case → its machine → bodies made round ([`LinearMachine`]) → each analysis over its speeds → a text, tables and figures.
 
 mod campbell;
+mod coefficients;
 mod found;
+mod lost;
 mod modes;
+mod response;
 mod speeds;
 mod words;
 
@@ -42,8 +45,8 @@ pub(crate) fn of_kind(kind: AnalysisKind, arguments: &ModesArguments) -> Result<
     let analysis = described(&case, kind, arguments)?;
     let folder = match (&arguments.results.out, kind) {
         (Some(folder), _) => Some(folder.clone()),
-        (None, AnalysisKind::Modes) => None,
-        (None, AnalysisKind::Campbell) => Some(usual(&case)),
+        (None, AnalysisKind::Modes | AnalysisKind::Coefficients) => None,
+        (None, AnalysisKind::Campbell | AnalysisKind::Response) => Some(usual(&case)),
     };
     run(&case, &[analysis], folder.as_deref(), &arguments.results)
 }
@@ -106,10 +109,7 @@ fn described(
     }
     let orders = arguments.orders.clone();
     Ok(Analysis {
-        name: match kind {
-            AnalysisKind::Modes => "modes".to_owned(),
-            AnalysisKind::Campbell => "campbell".to_owned(),
-        },
+        name: kind.word().to_owned(),
         kind,
         of,
         speeds: speeds.unwrap_or_default(),
@@ -142,17 +142,18 @@ fn run(
     for analysis in analyses {
         let name = &analysis.name;
         let wanted = speeds::wanted(case, &linear, analysis)?;
+        let (wanted, figures) = ((analysis, &wanted), !arguments.no_figures);
         let work = || match analysis.kind {
-            AnalysisKind::Modes => modes::found(case, &linear, (analysis, &wanted)),
-            AnalysisKind::Campbell => campbell::found(
-                case,
-                &linear,
-                (analysis, &wanted),
-                &interruption,
-                !arguments.no_figures,
-            ),
+            AnalysisKind::Modes => modes::found(case, &linear, wanted),
+            AnalysisKind::Campbell => {
+                campbell::found(case, &linear, wanted, &interruption, figures)
+            }
+            AnalysisKind::Response => {
+                response::found(case, &linear, wanted, &interruption, figures)
+            }
+            AnalysisKind::Coefficients => coefficients::found(case, &linear, wanted, &interruption),
         };
-        let found = progress::during(show, "following modes over speeds", work)?;
+        let found = progress::during(show, "analysing", work)?;
         if !arguments.quiet {
             say(&found.text)?;
         }

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use whirl_solver::linear::{LinearMachine, Mode};
 
 use super::found::Found;
+use super::lost::Lost;
 use super::speeds::Wanted;
 use super::words;
 use crate::case::{Analysis, Case};
@@ -21,13 +22,13 @@ pub(super) fn found(
     let mut file = String::from(
         "speed_rpm,mode,frequency_hz,damping_ratio,log_decrement,whirl,sense,real_1_s,imaginary_1_s\n",
     );
-    let mut near = None;
+    let (mut near, mut lost) = (None, Lost::default());
     for &speed in &wanted.speeds {
         let speeds = match wanted.of {
             Some(of) => linear.speeds(of, speed, &analysis.ratios),
             None => Vec::new(),
         };
-        let at = linear.standing(&speeds, near.as_ref())?;
+        let Some(at) = lost.take(speed, linear.standing(&speeds, near.as_ref()))? else { continue };
         let modes = linear.modes(&linear.linearised(&at))?;
         line(&mut text, &format!("{}: {}", case.name, case.title));
         for (body, own) in linear.machine().bodies.iter().enumerate() {
@@ -71,6 +72,7 @@ pub(super) fn found(
         text.push('\n');
         near = Some(at);
     }
+    text.push_str(&lost.words(near.is_some())?);
     let files = vec![(format!("{}.csv", analysis.name), file.into_bytes())];
     Ok(Found { text, files, interrupted: false })
 }

@@ -7,6 +7,8 @@ use crate::errors::Failure;
 
 /// Speeds of a Campbell diagram where none are asked for.
 const COUNT: usize = 31;
+/// Of a response, which has peaks.
+const FINE: usize = 121;
 /// How far they reach, of the top speed of the case.
 const BEYOND: f64 = 1.25;
 
@@ -33,7 +35,8 @@ pub(super) fn wanted(
     };
     let fastest = linear.turning().max_by(|a, b| top(*a).total_cmp(&top(*b)).then(b.cmp(a)));
     let Some(of) = analysis.of.or(fastest) else {
-        if analysis.kind == AnalysisKind::Modes && analysis.speeds.is_empty() {
+        let at_rest = matches!(analysis.kind, AnalysisKind::Modes | AnalysisKind::Coefficients);
+        if at_rest && analysis.speeds.is_empty() {
             return Ok(Wanted { of: None, speeds: vec![0.0] });
         }
         return Err(Failure::Argument {
@@ -45,7 +48,7 @@ pub(super) fn wanted(
         return Ok(Wanted { of: Some(of), speeds: analysis.speeds.clone() });
     }
     let top = top(of);
-    if analysis.kind == AnalysisKind::Modes {
+    if matches!(analysis.kind, AnalysisKind::Modes | AnalysisKind::Coefficients) {
         return Ok(Wanted { of: Some(of), speeds: vec![top] });
     }
     if top == 0.0 {
@@ -56,6 +59,7 @@ pub(super) fn wanted(
                     .to_owned(),
         });
     }
-    let at = |k: usize| BEYOND * top * k as f64 / (COUNT - 1) as f64;
-    Ok(Wanted { of: Some(of), speeds: (0..COUNT).map(at).collect() })
+    let count = if analysis.kind == AnalysisKind::Response { FINE } else { COUNT };
+    let at = |k: usize| BEYOND * top * k as f64 / (count - 1) as f64;
+    Ok(Wanted { of: Some(of), speeds: (0..count).map(at).collect() })
 }

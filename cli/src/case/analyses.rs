@@ -40,10 +40,27 @@ pub(crate) enum AnalysisKind {
     Modes,
     /// Modes followed over speeds, with critical speeds and thresholds of stability.
     Campbell,
+    /// Response to unbalance over speeds.
+    Response,
+    /// Stiffness and damping of joints over speeds.
+    Coefficients,
 }
 
 impl AnalysisKind {
-    pub(super) const WORDS: &'static [&'static str] = &["modes", "campbell"];
+    pub(super) const WORDS: &'static [&'static str] =
+        &["modes", "campbell", "response", "coefficients"];
+    const ALL: [AnalysisKind; 4] = [
+        AnalysisKind::Modes,
+        AnalysisKind::Campbell,
+        AnalysisKind::Response,
+        AnalysisKind::Coefficients,
+    ];
+
+    /// As a case names it.
+    pub(crate) fn word(self) -> &'static str {
+        let place = AnalysisKind::ALL.iter().position(|own| *own == self);
+        AnalysisKind::WORDS[place.expect("all are listed")]
+    }
 }
 
 /// All analyses of a file that are right.
@@ -62,11 +79,8 @@ pub(super) fn read(file: &Table, system: &SystemDraft) -> Vec<Analysis> {
 }
 
 fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option<Analysis> {
-    let kind = match table.optional_word("kind") {
-        Some("campbell") => Some(AnalysisKind::Campbell),
-        Some(_) => Some(AnalysisKind::Modes),
-        None => None,
-    };
+    let word = table.optional_word("kind");
+    let kind = AnalysisKind::ALL.into_iter().find(|own| Some(own.word()) == word);
     let (of, speeds) = (table.optional_string("of"), table.optional_string("speeds"));
     let ratios = table.named_values("ratios");
     let count = table.optional_count("count").unwrap_or(MODES);

@@ -328,7 +328,7 @@ const ANALYSIS: &[Key] = &[
     merged(
         "kind",
         Words(AnalysisKind::WORDS),
-        "modes at one speed or a few, or followed over speeds",
+        "modes at a speed or followed over speeds, response to unbalance, coefficients of joints",
     ),
     key("of", Text, "the body whose speed it is over; the first that turns if left out")
         .like("\"rotor\""),

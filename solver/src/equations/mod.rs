@@ -33,6 +33,8 @@ pub struct Tangents {
     pub damping: Matrix,
     /// −∂r/∂q.
     pub stiffness: Matrix,
+    /// By planes of springs −∂F/∂ε and −∂F/∂ε̇ of the force on the journal, both along x and y of its body.
+    pub(crate) planes: Vec<[[[f64; 2]; 2]; 2]>,
 }
 
 /// Memory for evaluating a machine, and what was last evaluated.
@@ -221,15 +223,24 @@ impl<'m> Equations<'m> {
         let mut weighted = |weights: Weights| {
             let mut data = vec![0.0; size * size];
             self.tangent(t, state, weights, &mut data);
-            Matrix { rows: size, cols: size, data }.select(&unknowns, &unknowns)
+            let planes = self
+                .spring_tangents()
+                .iter()
+                .map(|own| [1, 2].map(|i| [1, 2].map(|j: usize| -own.ring_ring[i][j])));
+            let planes: Vec<[[f64; 2]; 2]> = planes.collect();
+            (Matrix { rows: size, cols: size, data }.select(&unknowns, &unknowns), planes)
         };
-        let stiffness = weighted(Weights::POSITION);
-        let mut damping = weighted(Weights { rate: RATE, acceleration: 0.0 });
+        let (stiffness, held) = weighted(Weights::POSITION);
+        let (mut damping, both) = weighted(Weights { rate: RATE, acceleration: 0.0 });
         for (both, position) in damping.data.iter_mut().zip(&stiffness.data) {
             *both = (*both - position) / RATE;
         }
         let mass = self.mass(state).select(&unknowns, &unknowns);
-        Tangents { mass, damping, stiffness }
+        let planes = held.into_iter().zip(both).map(|(held, both)| {
+            let rate = [0, 1].map(|i| [0, 1].map(|j| (both[i][j] - held[i][j]) / RATE));
+            [held, rate]
+        });
+        Tangents { mass, damping, stiffness, planes: planes.collect() }
     }
 
     /// As [`Equations::tangent`], without springs.

@@ -6,6 +6,7 @@
 mod block_solve;
 mod cholesky;
 mod combination;
+mod complex;
 mod eigen;
 mod lower;
 mod lu;
@@ -20,6 +21,7 @@ mod sums;
 
 pub use cholesky::Cholesky;
 pub(crate) use combination::{add_columns, add_product, add_transposed, widely};
+pub(crate) use complex::solve_complex;
 pub use eigen::{GeneralisedEigen, SymmetricEigen, generalised_symmetric_eigen, symmetric_eigen};
 pub(crate) use eigen::{eigenvalues, hermitian_eigen};
 pub use lower::LowerTriangle;

@@ -73,6 +73,8 @@ pub struct Campbell {
     pub criticals: Vec<Critical>,
     /// Thresholds by speeds.
     pub thresholds: Vec<Threshold>,
+    /// Speeds at which the machine does not stand, and why: they are left out.
+    pub lost: Vec<(f64, Error)>,
     /// Steps between speeds, by the place of the first, in which modes could not be told apart for sure.
     pub unclear: Vec<usize>,
 }
@@ -96,11 +98,19 @@ impl LinearMachine {
         goes_on: &mut dyn FnMut(usize) -> bool,
     ) -> Result<Campbell, Error> {
         let mut points: Vec<Point> = Vec::with_capacity(range.speeds.len());
+        let mut lost = Vec::new();
         for (place, &speed) in range.speeds.iter().enumerate() {
-            points.push(self.point(range, speed, points.last().map(|own| &own.at))?);
+            match self.point(range, speed, points.last().map(|own| &own.at)) {
+                Ok(point) => points.push(point),
+                Err(error) if error.is_of_balance() => lost.push((speed, error)),
+                Err(error) => return Err(error),
+            }
             if !goes_on(place) {
                 break;
             }
+        }
+        if let (true, Some((_, error))) = (points.is_empty(), lost.first()) {
+            return Err(error.clone());
         }
         let mut followed = Followed { machine: self, range, points: &points, unclear: Vec::new() };
         let branches = followed.branches()?;
@@ -125,6 +135,7 @@ impl LinearMachine {
             thresholds: (thresholds.into_iter())
                 .filter_map(|own| Some(Threshold { branch: of(own.branch)?, ..own }))
                 .collect(),
+            lost,
             unclear,
         })
     }

@@ -50,7 +50,8 @@ impl LinearMachine {
         let from = near.map(|own| own.found.unknowns.as_slice());
         let is_still = self.turning().all(|body| at.get(body).copied().flatten() == Some(0.0));
         let machine = if is_still { &self.still } else { &self.machine };
-        let found = standing_at(machine, at, &self.generators, from)?;
+        let found = standing_at(machine, at, &self.generators, from);
+        let found = found.map_err(|error| self.not_standing(at, error))?;
         let places = self.machine.places().iter();
         let speeds = places.map(|own| own.rotation.map_or(0.0, |theta| found.state.v[theta]));
         let free = self.turning().filter_map(|body| {
@@ -64,13 +65,26 @@ impl LinearMachine {
         Ok(Standstill { speeds: speeds.collect(), found, angles })
     }
 
+    /// An error with the speeds at which it was.
+    fn not_standing(&self, at: &[Option<f64>], error: Error) -> Error {
+        let Error::NoEquilibrium { rows, journals, share } = error else { return error };
+        let rpm =
+            |speed: f64| whirl_text::shown(speed * 60.0 / std::f64::consts::TAU, 6, 1e-3..1e7);
+        let known =
+            self.machine.bodies.iter().zip(at).filter_map(|(body, speed)| {
+                Some(format!("{} at {} rpm", body.name(), rpm((*speed)?)))
+            });
+        let at = known.collect::<Vec<_>>().join(", ");
+        Error::NotStanding { at, rows, journals, share }
+    }
+
     /// M′ = M, C′ = C − 2MD and K′ = K − CD + MD², with D = Ω S of each body that turns.
     pub fn linearised(&self, at: &Standstill) -> Linearised {
         let first = self.machine.first_unknown();
         let flexible = self.machine.rotations()..self.machine.size();
         let places = at.angles.iter().copied().chain(flexible).map(|place| place - first);
         let kept: Vec<usize> = places.collect();
-        let Tangents { mass, damping, stiffness } = &at.found.tangents;
+        let Tangents { mass, damping, stiffness, .. } = &at.found.tangents;
         let [mass, mut damping, mut stiffness] =
             [mass, damping, stiffness].map(|own| own.select(&kept, &kept));
         let (rows, angles) = (mass.rows, at.angles.len());

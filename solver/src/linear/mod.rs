@@ -9,16 +9,20 @@
 //! equations M′z̈ + C′ż + K′z = 0 are constant, z being the motion seen from space.
 
 mod campbell;
+mod coefficients;
 mod linearised;
 mod modes;
+mod peaks;
+mod response;
 mod round;
-#[cfg(test)]
-mod tests;
 mod track;
 
 pub use campbell::{Branch, Campbell, Critical, Range, Threshold};
+pub use coefficients::JointCoefficients;
 pub use linearised::{Linearised, Standstill};
 pub use modes::{Mode, Modes, Orbit, Whirl};
+pub use peaks::{Peak, peak};
+pub use response::{Point, Vibration};
 pub use round::LinearMachine;
 
 #[cfg(doc)]

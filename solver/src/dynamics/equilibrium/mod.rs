@@ -40,6 +40,8 @@ pub(crate) struct Standing {
     pub(crate) unknowns: Vec<f64>,
     /// Eccentricity over clearance in each bearing, with its name; none where it has no clearance.
     pub(crate) eccentricities: Vec<(String, Option<f64>)>,
+    /// Displacement of the journal against the bore in each (m, along x and y of space).
+    pub(crate) displacements: Vec<[f64; 2]>,
     /// As [`Equilibrium::left`].
     pub(crate) left: f64,
     /// Of small motions about it, in the frames of the bodies.
@@ -78,10 +80,11 @@ pub(crate) fn standing_at(
     let left = balance.worst();
     let (eccentricities, unknowns) = (balance.ratios(), balance.unknowns());
     let state = balance.state.clone();
+    let displacements = balance.eccentricities(&state.q);
     balance.equations.release(&released);
     balance.equations.evaluate(0.0, &state);
     let tangents = balance.equations.tangents(&state);
-    Ok(Standing { state, unknowns, eccentricities, left, tangents })
+    Ok(Standing { state, unknowns, eccentricities, displacements, left, tangents })
 }
 
 /// The rows that an error names.

@@ -1,0 +1,280 @@
+//! Response to unbalance over speed: orbits of points, peaks and how sharp they are.
+
+use std::fmt::Write;
+
+use whirl_solver::Error;
+use whirl_solver::linear::{
+    Critical, LinearMachine, Peak, Point, Range, Standstill, Vibration, peak,
+};
+use whirl_text::{rounded, shown};
+
+use super::found::Found;
+use super::lost::Lost;
+use super::speeds::Wanted;
+use super::words;
+use crate::case::{Analysis, Case};
+use crate::errors::Failure;
+use crate::figures::{Dot, Figure, Line, Panel, Style, png, svg};
+use crate::report::table;
+use crate::signals::Interruption;
+
+/// Points that a figure shows.
+const SHOWN: usize = 4;
+/// Peaks nearer than this share of their speed are one.
+const SAME: f64 = 1e-5;
+
+/// A body with unbalance and what the points do at each speed.
+struct Source {
+    body: usize,
+    /// By speeds, by points.
+    motions: Vec<Vec<Vibration>>,
+    /// By points.
+    peaks: Vec<Vec<Peak>>,
+}
+
+/// The response over the speeds.
+pub(super) fn found(
+    case: &Case,
+    linear: &LinearMachine,
+    (analysis, wanted): (&Analysis, &Wanted),
+    interruption: &Interruption,
+    figures: bool,
+) -> Result<Found, Failure> {
+    let of = wanted.of.expect("a body that turns");
+    let points = linear.points();
+    let bodies: Vec<usize> = linear.unbalanced().collect();
+    if bodies.is_empty() {
+        return Err(Failure::Argument {
+            message: format!("no body of `{}` has an unbalance", case.name),
+            help: "add `unbalance.NAME = { mass = \"1 g\", radius = \"50 mm\", z = \"300 mm\" }` to a body that turns"
+                .to_owned(),
+        });
+    }
+    if points.is_empty() {
+        return Err(Failure::Argument {
+            message: format!("`{}` has no point whose response could be given", case.name),
+            help: "add an `[output.NAME]` with `quantity = \"displacement\"`".to_owned(),
+        });
+    }
+    let at = |speed: f64, near: Option<&Standstill>| {
+        linear.standing(&linear.speeds(of, speed, &analysis.ratios), near)
+    };
+    let (mut near, mut speeds): (Option<Standstill>, Vec<f64>) = (None, Vec::new());
+    let mut sources: Vec<Source> = bodies
+        .iter()
+        .map(|&body| Source { body, motions: Vec::new(), peaks: vec![Vec::new(); points.len()] })
+        .collect();
+    let mut ratios = vec![0.0; bodies.len()];
+    let (mut done, mut lost) = (0, Lost::default());
+    for &speed in &wanted.speeds {
+        done += 1;
+        let Some(here) = lost.take(speed, at(speed, near.as_ref()))? else { continue };
+        let equations = linear.linearised(&here);
+        for (source, ratio) in sources.iter_mut().zip(&mut ratios) {
+            source.motions.push(linear.unbalance_response(
+                (&here, &equations),
+                source.body,
+                &points,
+            )?);
+            *ratio = if speed == 0.0 { *ratio } else { (here.speeds[source.body] / speed).abs() };
+        }
+        speeds.push(speed);
+        near = Some(here);
+        if interruption.asked() {
+            break;
+        }
+    }
+    let lost = lost.words(near.is_some())?;
+    let interrupted = done < wanted.speeds.len();
+    if let ([first, .., last], false) = (speeds.as_slice(), interrupted) {
+        for (source, &ratio) in sources.iter_mut().zip(&ratios).filter(|own| *own.1 > 0.0) {
+            let range = Range {
+                of,
+                speeds: coarse(&speeds),
+                ratios: analysis.ratios.clone(),
+                count: analysis.count,
+                orders: vec![ratio],
+            };
+            let seeds = linear.campbell(&range, &mut |_| true)?.criticals;
+            let own = |place: usize| {
+                let mut near: Option<Standstill> = None;
+                let mut response = |speed: f64| -> Result<f64, Error> {
+                    let here = at(speed, near.as_ref())?;
+                    let equations = linear.linearised(&here);
+                    let point = &points[place..=place];
+                    let moved =
+                        linear.unbalance_response((&here, &equations), source.body, point)?;
+                    near = Some(here);
+                    Ok(moved[0].orbit().major)
+                };
+                peaks(&seeds, [*first, *last], &mut response)
+            };
+            source.peaks = (0..points.len()).map(own).collect::<Result<_, Error>>()?;
+        }
+    }
+    let name = &analysis.name;
+    let mut files = vec![
+        (format!("{name}.csv"), rows(linear, &points, &speeds, &sources).into_bytes()),
+        (format!("{name}.peaks.csv"), peak_rows(linear, &points, &sources).into_bytes()),
+    ];
+    if figures {
+        let drawing = svg(&figure(case, linear, (of, &points), &speeds, &sources));
+        files.extend(png(&drawing).map(|image| (format!("{name}.png"), image)));
+        files.push((format!("{name}.svg"), drawing.into_bytes()));
+    }
+    let text = text(case, linear, &points, &sources) + &lost;
+    Ok(Found { text, files, interrupted })
+}
+
+/// Some of many speeds, both ends among them.
+fn coarse(speeds: &[f64]) -> Vec<f64> {
+    const MOST: usize = 31;
+    let last = speeds.len() - 1;
+    let count = speeds.len().min(MOST);
+    (0..count).map(|k| speeds[k * last / (count - 1).max(1)]).collect()
+}
+
+/// The peaks beside critical speeds.
+fn peaks(
+    seeds: &[Critical],
+    range: [f64; 2],
+    response: &mut dyn FnMut(f64) -> Result<f64, Error>,
+) -> Result<Vec<Peak>, Error> {
+    let mut found: Vec<Peak> = Vec::new();
+    for seed in seeds {
+        let width = seed.speed * seed.mode.damping_ratio().abs().max(1e-6);
+        let Some(own) = peak(response, (seed.speed, width), range)? else { continue };
+        if found.iter().all(|other| (other.speed / own.speed - 1.0).abs() > SAME) {
+            found.push(own);
+        }
+    }
+    found.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+    Ok(found)
+}
+
+fn rows(linear: &LinearMachine, points: &[Point], speeds: &[f64], sources: &[Source]) -> String {
+    let mut text = String::from(
+        "speed_rpm,unbalance_of,point,major_um,minor_um,x_um,x_phase_deg,y_um,y_phase_deg\n",
+    );
+    for source in sources {
+        let body = linear.machine().bodies[source.body].name();
+        for (speed, motions) in speeds.iter().zip(&source.motions) {
+            for (point, own) in points.iter().zip(motions) {
+                let (orbit, [x, y]) = (own.orbit(), own.amplitudes);
+                let [major, minor] = [orbit.major, orbit.minor].map(|own| 1e6 * own);
+                writeln!(
+                    text,
+                    "{},{body},{},{major},{minor},{},{},{},{}",
+                    words::rpm(*speed),
+                    point.name,
+                    1e6 * x.norm(),
+                    x.arg().to_degrees(),
+                    1e6 * y.norm(),
+                    y.arg().to_degrees()
+                )
+                .expect("text can be written");
+            }
+        }
+    }
+    text
+}
+
+fn peak_rows(linear: &LinearMachine, points: &[Point], sources: &[Source]) -> String {
+    let mut text = String::from(
+        "unbalance_of,point,speed_rpm,major_um,amplification_factor,half_power_below_rpm,half_power_above_rpm\n",
+    );
+    for source in sources {
+        let body = linear.machine().bodies[source.body].name();
+        for (point, peaks) in points.iter().zip(&source.peaks) {
+            for own in peaks {
+                let given = |value: Option<f64>| value.map_or(String::new(), |own| own.to_string());
+                let [below, above] = own.half_power.map(|speed| given(speed.map(words::rpm)));
+                writeln!(
+                    text,
+                    "{body},{},{},{},{},{below},{above}",
+                    point.name,
+                    words::rpm(own.speed),
+                    1e6 * own.height,
+                    given(own.amplification())
+                )
+                .expect("text can be written");
+            }
+        }
+    }
+    text
+}
+
+fn text(case: &Case, linear: &LinearMachine, points: &[Point], sources: &[Source]) -> String {
+    let mut text = format!("{}: {}\n", case.name, case.title);
+    for source in sources {
+        let body = linear.machine().bodies[source.body].name();
+        let _ = writeln!(text, "response to the unbalance of {body}, zero to peak\n");
+        let head = ["point", "peak (rpm)", "major semi-axis (um)", "amplification factor"];
+        let mut rows = vec![head.map(str::to_owned).to_vec()];
+        for (point, peaks) in points.iter().zip(&source.peaks) {
+            for own in peaks {
+                rows.push(vec![
+                    point.name.clone(),
+                    words::speed(own.speed),
+                    shown(1e6 * own.height, 5, 1e-4..1e7),
+                    own.amplification().map_or("-".to_owned(), |own| rounded(own, 4).to_string()),
+                ]);
+            }
+        }
+        match rows.len() {
+            1 => text.push_str("no peak in this range\n"),
+            _ => text.push_str(&table(&rows)),
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// Major semi-axes of the first points, and phases along x.
+fn figure(
+    case: &Case,
+    linear: &LinearMachine,
+    (of, points): (usize, &[Point]),
+    speeds: &[f64],
+    sources: &[Source],
+) -> Figure {
+    let x = format!("speed of {} (rpm)", linear.machine().bodies[of].name());
+    let styles = [Style::First, Style::Second, Style::Third, Style::Fourth];
+    let mut panels = Vec::new();
+    for source in sources {
+        let body = linear.machine().bodies[source.body].name();
+        let lines = |value: &dyn Fn(&Vibration) -> f64| -> Vec<Line> {
+            let shown = points.iter().enumerate().take(SHOWN).zip(styles);
+            let line = |((place, point), style): ((usize, &Point), Style)| Line {
+                points: speeds
+                    .iter()
+                    .zip(&source.motions)
+                    .map(|(speed, motions)| (words::rpm(*speed), value(&motions[place])))
+                    .collect(),
+                style,
+                name: point.name.clone(),
+            };
+            shown.map(line).collect()
+        };
+        let dots = source.peaks.iter().take(SHOWN).flatten().map(|own| Dot {
+            at: (words::rpm(own.speed), 1e6 * own.height),
+            name: "peaks".to_owned(),
+        });
+        panels.push(Panel {
+            title: format!("unbalance of {body}"),
+            x: x.clone(),
+            y: "major semi-axis (µm, zero to peak)".to_owned(),
+            lines: lines(&|own| 1e6 * own.orbit().major),
+            dots: dots.collect(),
+            ..Panel::default()
+        });
+        panels.push(Panel {
+            title: "phase along x".to_owned(),
+            x: x.clone(),
+            y: "phase (deg)".to_owned(),
+            lines: lines(&|own| own.amplitudes[0].arg().to_degrees()),
+            ..Panel::default()
+        });
+    }
+    Figure { title: format!("{}: {}", case.name, case.title), panels, columns: 2 }
+}
