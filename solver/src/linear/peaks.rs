@@ -128,7 +128,7 @@ fn crossing(
     wanted: f64,
 ) -> Result<f64, Error> {
     for _ in 0..TRIES {
-        if (b.0 - a.0).abs() <= 1e-7 * b.0.abs() {
+        if (b.0 - a.0).abs() <= 1e-11 * b.0.abs() {
             break;
         }
         let secant = a.0 + (wanted - a.1) / (b.1 - a.1) * (b.0 - a.0);
