@@ -29,7 +29,7 @@ pub(super) fn found(
         count: analysis.count,
         orders: analysis.orders.clone(),
     };
-    let all = linear.campbell(&range, &mut |_| !interruption.asked())?;
+    let all = linear.campbell(&range, &|| !interruption.asked())?;
     let name = &analysis.name;
     let mut files = vec![
         (format!("{name}.csv"), rows(&all).into_bytes()),
@@ -129,11 +129,7 @@ fn text(case: &Case, linear: &LinearMachine, of: usize, all: &Campbell) -> Strin
             words::whirl(&own.mode, own.speed)
         );
     }
-    let unstable = |place: usize| {
-        let modes = all.branches.iter().filter_map(|branch| branch[place].as_ref());
-        modes.filter(|mode| mode.grows()).count() + all.growing[place].len() > 0
-    };
-    match (0..all.speeds.len()).filter(|place| unstable(*place)).count() {
+    match all.stable.iter().filter(|stable| !**stable).count() {
         0 => text.push_str("stable at all speeds of the range\n"),
         some if some == all.speeds.len() => text.push_str("UNSTABLE at all speeds of the range\n"),
         _ => {}

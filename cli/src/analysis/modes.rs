@@ -29,7 +29,7 @@ pub(super) fn found(
             None => Vec::new(),
         };
         let Some(at) = lost.take(speed, linear.standing(&speeds, near.as_ref()))? else { continue };
-        let modes = linear.modes(&linear.linearised(&at))?;
+        let modes = linear.modes(&linear.linearised(&at), analysis.count)?;
         line(&mut text, &format!("{}: {}", case.name, case.title));
         for (body, own) in linear.machine().bodies.iter().enumerate() {
             if at.speeds[body] != 0.0 {
@@ -65,8 +65,7 @@ pub(super) fn found(
         for rate in &modes.growing {
             line(&mut text, &format!("a motion that does not oscillate grows by {rate:.4e} 1/s"));
         }
-        let unstable = modes.oscillating.iter().filter(|mode| mode.grows()).count();
-        if unstable + modes.growing.len() > 0 {
+        if !modes.is_stable() {
             line(&mut text, "the machine is NOT STABLE in this state: a motion grows");
         }
         text.push('\n');

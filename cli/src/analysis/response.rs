@@ -95,7 +95,7 @@ pub(super) fn found(
                 count: analysis.count,
                 orders: vec![ratio],
             };
-            let seeds = linear.campbell(&range, &mut |_| true)?.criticals;
+            let seeds = linear.campbell(&range, &|| true)?.criticals;
             let own = |place: usize| {
                 let mut near: Option<Standstill> = None;
                 let mut response = |speed: f64| -> Result<f64, Error> {

@@ -3,7 +3,7 @@
 use faer::linalg::solvers::Solve;
 use num_complex::Complex64;
 
-use super::LinearAlgebraError;
+use super::{LinearAlgebraError, on_one_thread};
 
 /// x of A x = b, A of `size` rows, column after column.
 ///
@@ -18,6 +18,7 @@ pub(crate) fn solve_complex(
     if matrix.iter().chain(right).any(|value| !value.is_finite()) {
         return Err(failure);
     }
+    on_one_thread();
     let whole = faer::MatRef::from_column_major_slice(matrix, size, size);
     let mut x = right.to_vec();
     let column = faer::MatMut::from_column_major_slice_mut(&mut x, size, 1);

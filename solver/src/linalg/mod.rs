@@ -91,6 +91,12 @@ pub enum LinearAlgebraError {
     },
 }
 
+/// What faer does without being told how runs on the thread that asks for it: its own would wait for each other.
+fn on_one_thread() {
+    static ONCE: std::sync::Once = std::sync::Once::new();
+    ONCE.call_once(|| faer::set_global_parallelism(faer::Par::Seq));
+}
+
 fn view(rows: usize, cols: usize, data: &[f64]) -> MatRef<'_, f64> {
     MatRef::from_column_major_slice(data, rows, cols)
 }

@@ -2,7 +2,10 @@
 
 use num_complex::Complex64;
 
-use super::{LinearAlgebraError, Matrix, congruence, generalised_symmetric_eigen, multiply, view};
+use super::{
+    LinearAlgebraError, Matrix, congruence, generalised_symmetric_eigen, multiply, on_one_thread,
+    view,
+};
 
 /// ω below this share of the largest one stand for it where speeds are scaled by it.
 const SLOWEST: f64 = 1e-4;
@@ -53,6 +56,7 @@ pub(crate) fn quadratic_eigen(
     if rates.data.iter().any(|value| !value.is_finite()) {
         return Err(failure);
     }
+    on_one_thread();
     let found = view(2 * n, 2 * n, &rates.data).eigen().map_err(|_| failure)?;
     let (values, vectors) = (found.S().column_vector(), found.U());
     let upper: Vec<usize> = (0..2 * n).filter(|&k| values[k].im >= 0.0).collect();

@@ -1,5 +1,10 @@
 //! Modes followed over speeds: Campbell diagram, critical speeds, thresholds of stability.
 
+use std::num::NonZero;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+
 use super::linearised::Standstill;
 use super::modes::{Mode, Modes, apply};
 use super::round::LinearMachine;
@@ -9,6 +14,8 @@ use crate::linalg::Matrix;
 
 /// Modes that are followed beyond those that are asked for, so that these may change places with them.
 const BEYOND: usize = 4;
+/// Speeds that follow each other, each state found from the one before.
+const TOGETHER: usize = 8;
 /// Smallest part of a step between speeds in which it is halved to tell modes apart.
 const HALVINGS: u32 = 8;
 /// Share of a speed to which critical speeds and thresholds are found.
@@ -67,8 +74,8 @@ pub struct Campbell {
     pub speeds: Vec<f64>,
     /// The modes, each over all speeds, by the frequency with which they begin.
     pub branches: Vec<Branch>,
-    /// By speed those that grow without oscillating (1/s).
-    pub growing: Vec<Vec<f64>>,
+    /// By speed whether nothing grows, listed or not.
+    pub stable: Vec<bool>,
     /// Critical speeds, by orders and speeds.
     pub criticals: Vec<Critical>,
     /// Thresholds by speeds.
@@ -88,25 +95,20 @@ struct Point {
 }
 
 impl LinearMachine {
-    /// Follows the modes over the speeds. `goes_on` is asked after every speed.
+    /// Follows the modes over the speeds, on all processors. `goes_on` is asked before every speed.
     ///
     /// # Errors
     /// A speed at which the machine does not stand, or values that are not finite.
     pub fn campbell(
         &self,
         range: &Range,
-        goes_on: &mut dyn FnMut(usize) -> bool,
+        goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Campbell, Error> {
-        let mut points: Vec<Point> = Vec::with_capacity(range.speeds.len());
-        let mut lost = Vec::new();
-        for (place, &speed) in range.speeds.iter().enumerate() {
-            match self.point(range, speed, points.last().map(|own| &own.at)) {
+        let (mut points, mut lost) = (Vec::with_capacity(range.speeds.len()), Vec::new());
+        for (speed, point) in self.along(range, goes_on)? {
+            match point {
                 Ok(point) => points.push(point),
-                Err(error) if error.is_of_balance() => lost.push((speed, error)),
-                Err(error) => return Err(error),
-            }
-            if !goes_on(place) {
-                break;
+                Err(error) => lost.push((speed, error)),
             }
         }
         if let (true, Some((_, error))) = (points.is_empty(), lost.first()) {
@@ -128,7 +130,7 @@ impl LinearMachine {
         Ok(Campbell {
             speeds: points.iter().map(|own| own.speed).collect(),
             branches: kept.iter().map(take).collect(),
-            growing: points.iter().map(|own| own.modes.growing.clone()).collect(),
+            stable: points.iter().map(|own| own.modes.is_stable()).collect(),
             criticals: (criticals.into_iter())
                 .filter_map(|own| Some(Critical { branch: of(own.branch)?, ..own }))
                 .collect(),
@@ -140,12 +142,61 @@ impl LinearMachine {
         })
     }
 
+    /// The machine at the speeds, up to the first that was not done; where it does not stand, why.
+    fn along(
+        &self,
+        range: &Range,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Vec<(f64, Result<Point, Error>)>, Error> {
+        let work = |speeds: &[f64]| -> Result<Vec<(f64, Result<Point, Error>)>, Error> {
+            let mut own: Vec<(f64, Result<Point, Error>)> = Vec::with_capacity(speeds.len());
+            for &speed in speeds.iter().take_while(|_| goes_on()) {
+                let near = own.iter().rev().find_map(|(_, point)| point.as_ref().ok());
+                let point = self.point(range, speed, near.map(|own| &own.at));
+                match point {
+                    Err(error) if !error.is_of_balance() => return Err(error),
+                    point => own.push((speed, point)),
+                }
+            }
+            Ok(own)
+        };
+        // The same parts on any number of processors, so that the numbers are the same to the bit.
+        let parts: Vec<&[f64]> = range.speeds.chunks(TOGETHER).collect();
+        let done: Vec<_> = parts.iter().map(|_| Mutex::new(None)).collect();
+        let next = AtomicUsize::new(0);
+        let worker = || {
+            loop {
+                let place = next.fetch_add(1, Ordering::Relaxed);
+                let Some(speeds) = parts.get(place) else { return };
+                let own = work(speeds);
+                *done[place].lock().unwrap_or_else(PoisonError::into_inner) = Some(own);
+            }
+        };
+        let processors = thread::available_parallelism().map_or(1, NonZero::get);
+        thread::scope(|scope| {
+            for _ in 1..processors.min(parts.len()) {
+                scope.spawn(worker);
+            }
+            worker();
+        });
+        let mut all = Vec::with_capacity(range.speeds.len());
+        for (own, speeds) in done.into_iter().zip(&parts) {
+            let own = own.into_inner().unwrap_or_else(PoisonError::into_inner);
+            let own = own.expect("all parts were done")?;
+            let whole = own.len() == speeds.len();
+            all.extend(own);
+            if !whole {
+                break;
+            }
+        }
+        Ok(all)
+    }
+
     fn point(&self, range: &Range, speed: f64, near: Option<&Standstill>) -> Result<Point, Error> {
         let speeds = self.speeds(range.of, speed, &range.ratios);
         let at = self.standing(&speeds, near)?;
         let equations = self.linearised(&at);
-        let mut modes = self.modes(&equations)?;
-        modes.oscillating.truncate(range.count + BEYOND);
+        let modes = self.modes(&equations, range.count + BEYOND)?;
         Ok(Point { speed, mass: equations.mass, at, modes })
     }
 }

@@ -67,7 +67,7 @@ impl Mode {
 
     /// Re λ less what may be rounding of it (1/s).
     pub(super) fn growth(&self) -> f64 {
-        self.value.re - NEUTRAL * self.value.norm()
+        growth(self.value)
     }
 
     /// How it whirls, seen by a body that turns in the sense of `speed`.
@@ -79,6 +79,11 @@ impl Mode {
             _ => Whirl::None,
         }
     }
+}
+
+/// Re λ less what may be rounding of it.
+fn growth(value: Complex64) -> f64 {
+    value.re - NEUTRAL * value.norm()
 }
 
 /// The ellipse of a point that moves as Re(w e^{iωt}).
@@ -103,18 +108,27 @@ impl Orbit {
 /// The modes at a state.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Modes {
-    /// Those that oscillate, by their frequency.
+    /// Those that oscillate, by their frequency: the slowest ones, as many as were asked for.
     pub oscillating: Vec<Mode>,
     /// Those that do not and grow, fastest first (1/s).
     pub growing: Vec<f64>,
+    /// λ of all that oscillate and grow, whether listed or not (1/s).
+    pub unstable: Vec<Complex64>,
+}
+
+impl Modes {
+    /// Whether every motion dies out, or neither dies out nor grows.
+    pub fn is_stable(&self) -> bool {
+        self.growing.is_empty() && self.unstable.is_empty()
+    }
 }
 
 impl LinearMachine {
-    /// The modes of the equations of small motions.
+    /// The modes of the equations of small motions; of those that oscillate the slowest `count`.
     ///
     /// # Errors
     /// A mass that is not positive definite, or values that are not finite.
-    pub fn modes(&self, equations: &Linearised) -> Result<Modes, Error> {
+    pub fn modes(&self, equations: &Linearised, count: usize) -> Result<Modes, Error> {
         let Linearised { angles, mass, damping, stiffness } = equations;
         let (pairs, largest) = quadratic_eigen(mass, damping, stiffness)?;
         // Slower ones are rounding of what nothing holds.
@@ -131,18 +145,21 @@ impl LinearMachine {
         growing.sort_by(|a, b| b.total_cmp(a));
         let mut moving = moving;
         moving.sort_by(|a, b| a.value.im.total_cmp(&b.value.im));
+        let unstable = moving.iter().map(|own| own.value);
+        let unstable = unstable.filter(|value| growth(*value) > 0.0).collect();
         let mut oscillating: Vec<Mode> = Vec::with_capacity(moving.len());
         let mut rest = moving.as_slice();
-        while let Some(first) = rest.first() {
+        while let (Some(first), true) = (rest.first(), oscillating.len() < count) {
             let same = |own: &QuadraticPair| {
                 (own.value - first.value).norm() <= EQUAL * first.value.norm()
             };
-            let count = rest.iter().take_while(|own| same(own)).count();
-            let (cluster, other) = rest.split_at(count);
+            let alike = rest.iter().take_while(|own| same(own)).count();
+            let (cluster, other) = rest.split_at(alike);
             oscillating.extend(self.separated((*angles, mass), cluster)?);
             rest = other;
         }
-        Ok(Modes { oscillating, growing })
+        oscillating.truncate(count);
+        Ok(Modes { oscillating, growing, unstable })
     }
 
     /// Modes of one eigenvalue: those that circle, where there are several.
