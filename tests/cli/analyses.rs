@@ -150,6 +150,27 @@ fn critical_speeds_are_those_of_other_programs() {
     }
 }
 
+/// Also where modes leave the list between two speeds, and where those of a shaft at rest come in pairs.
+#[test]
+fn a_critical_speed_is_where_a_mode_has_the_frequency_of_its_order() {
+    let workbench = Workbench::new();
+    for (case, least) in [("overhung-disc", 3), ("two-spool", 6)] {
+        let arguments = ["campbell", case, "--orders", "1,2", "--out", "out", "--no-figures"];
+        let said = ran(&workbench, &arguments).stdout;
+        assert!(!said.contains("not clear"), "{said}");
+        let of = |name: &str| numbers(&workbench, "out/campbell.critical.csv", name);
+        let what = column(&workbench, "out/campbell.critical.csv", "what");
+        let rows =
+            what.iter().zip(of("order")).zip(of("speed_rpm").into_iter().zip(of("frequency_hz")));
+        let mut found = 0;
+        for ((_, order), (rpm, hertz)) in rows.filter(|own| own.0.0 == "critical speed") {
+            assert!((60.0 * hertz / (order * rpm) - 1.0).abs() < 1e-5, "{case}: {rpm} {hertz}");
+            found += 1;
+        }
+        assert!(found >= least, "{case}: {found}");
+    }
+}
+
 /// The built-in rotor in films begins to whirl where the closed form says, and not where nothing tells the sign of a damping
 /// that is none.
 #[test]

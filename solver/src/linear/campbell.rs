@@ -20,6 +20,8 @@ const TOGETHER: usize = 8;
 const HALVINGS: u32 = 8;
 /// Share of a speed to which critical speeds and thresholds are found.
 const FOUND: f64 = 1e-9;
+/// Share of |λ| that may be left there.
+const ROOT: f64 = 1e-6;
 /// Evaluations until then at most.
 const TRIES: usize = 40;
 
@@ -194,7 +196,7 @@ impl LinearMachine {
 
     fn point(&self, range: &Range, speed: f64, near: Option<&Standstill>) -> Result<Point, Error> {
         let speeds = self.speeds(range.of, speed, &range.ratios);
-        let at = self.standing(&speeds, near)?;
+        let at = self.standing_round(&speeds, near)?;
         let equations = self.linearised(&at);
         let modes = self.modes(&equations, range.count + BEYOND)?;
         Ok(Point { speed, mass: equations.mass, at, modes })
@@ -311,7 +313,10 @@ impl Followed<'_> {
             }
             let rises = ends[0].1 < 0.0;
             let (speed, mode) = self.root(&pair[0], ends, of)?;
-            found.push((speed, mode, rises));
+            // Where a mode ends between the speeds another one may have been followed.
+            if of(speed, &mode).abs() <= ROOT * mode.value.norm() {
+                found.push((speed, mode, rises));
+            }
         }
         Ok(found)
     }

@@ -5,6 +5,7 @@ use crate::dynamics::{Standing, standing_at};
 use crate::equations::Tangents;
 use crate::error::Error;
 use crate::linalg::{Matrix, multiply};
+use crate::machine::Machine;
 
 /// A state in which the machine stands at constant speeds, with the equations of small motions about it.
 pub struct Standstill {
@@ -38,7 +39,7 @@ pub struct Linearised {
 
 impl LinearMachine {
     /// The state in which loads that stand in space are balanced at the speeds, as [`LinearMachine::speeds`] gives them; from
-    /// one nearby, if there is one.
+    /// one nearby, if there is one. At rest bodies are as they are, round or not.
     ///
     /// # Errors
     /// There is none, or it was not found.
@@ -47,9 +48,26 @@ impl LinearMachine {
         at: &[Option<f64>],
         near: Option<&Standstill>,
     ) -> Result<Standstill, Error> {
-        let from = near.map(|own| own.found.unknowns.as_slice());
         let is_still = self.turning().all(|body| at.get(body).copied().flatten() == Some(0.0));
-        let machine = if is_still { &self.still } else { &self.machine };
+        self.standing_of(if is_still { &self.still } else { &self.machine }, at, near)
+    }
+
+    /// The same with bodies made round at rest, too, so that modes go on from there to other speeds.
+    pub(super) fn standing_round(
+        &self,
+        at: &[Option<f64>],
+        near: Option<&Standstill>,
+    ) -> Result<Standstill, Error> {
+        self.standing_of(&self.machine, at, near)
+    }
+
+    fn standing_of(
+        &self,
+        machine: &Machine,
+        at: &[Option<f64>],
+        near: Option<&Standstill>,
+    ) -> Result<Standstill, Error> {
+        let from = near.map(|own| own.found.unknowns.as_slice());
         let found = standing_at(machine, at, &self.generators, from);
         let found = found.map_err(|error| self.not_standing(at, error))?;
         let places = self.machine.places().iter();
