@@ -154,7 +154,7 @@ pub(crate) struct ModesArguments {
     /// Path of a case file, or the name of a built-in case (see `whirl list`)
     pub(crate) case: String,
     /// One speed such as "3000 rpm", or a range such as "0 rpm .. 30000 rpm, 61"; that of the case, or up to it, if left out
-    #[arg(long, value_name = "SPEEDS", alias = "speed")]
+    #[arg(long, value_name = "SPEEDS", alias = "speed", allow_hyphen_values = true)]
     pub(crate) speeds: Option<String>,
     /// The body whose speed it is; the first that turns, if left out
     #[arg(long, value_name = "BODY")]
@@ -163,7 +163,7 @@ pub(crate) struct ModesArguments {
     #[arg(long, value_name = "N", default_value_t = MODES)]
     pub(crate) count: usize,
     /// Orders of critical speeds, such as 1,2
-    #[arg(long, value_name = "ORDERS", value_delimiter = ',')]
+    #[arg(long, value_name = "ORDERS", value_delimiter = ',', allow_hyphen_values = true)]
     pub(crate) orders: Vec<f64>,
     /// Where results go
     #[command(flatten)]

@@ -386,6 +386,7 @@ fn what_has_no_modes_at_a_speed_is_refused() {
         (vec!["modes", "weight", "--speeds", "fast"], "expected"),
         (vec!["modes", "weight", "--speeds", "0 rpm .. 5 mm, 3"], "a range from"),
         (vec!["campbell", "weight", "--orders", "1,-2"], "is no order of a rotation"),
+        (vec!["modes", "weight", "--speeds", "-1 m"], "speeds are angular speeds"),
         (vec!["modes", "weight", "--count", "0"], "no modes are asked for"),
         (vec!["response", "film.toml"], "no body of `film` has an unbalance"),
         (vec!["analyse", "weight"], "`weight` has no analysis"),

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use whirl_solver::linear::{Campbell, LinearMachine, Mode, Range, Whirl};
 
-use super::found::Found;
+use super::found::{Found, nothing};
 use super::speeds::Wanted;
 use super::words;
 use crate::case::{Analysis, Case};
@@ -30,6 +30,9 @@ pub(super) fn found(
         orders: analysis.orders.clone(),
     };
     let all = linear.campbell(&range, &|| !interruption.asked())?;
+    if all.speeds.is_empty() {
+        return Err(nothing());
+    }
     let name = &analysis.name;
     let mut files = vec![
         (format!("{name}.csv"), rows(&all).into_bytes()),
@@ -130,8 +133,9 @@ fn text(case: &Case, linear: &LinearMachine, of: usize, all: &Campbell) -> Strin
         );
     }
     match all.stable.iter().filter(|stable| !**stable).count() {
-        0 => text.push_str("stable at all speeds of the range\n"),
-        some if some == all.speeds.len() => text.push_str("UNSTABLE at all speeds of the range\n"),
+        0 if all.lost.is_empty() => text.push_str("stable at all speeds of the range\n"),
+        0 => text.push_str("stable at the speeds of the range at which it stands\n"),
+        some if some == all.speeds.len() => text.push_str("UNSTABLE at all these speeds\n"),
         _ => {}
     }
     if let Some((_, error)) = all.lost.first() {

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use whirl_solver::linear::{JointCoefficients, LinearMachine, Standstill};
 
-use super::found::Found;
+use super::found::{Found, nothing};
 use super::lost::Lost;
 use super::speeds::Wanted;
 use super::words;
@@ -45,6 +45,9 @@ pub(super) fn found(
     let mut rows = vec![head.map(str::to_owned).to_vec()];
     let mut done = 0;
     for &speed in &wanted.speeds {
+        if interruption.asked() {
+            break;
+        }
         let speeds = match wanted.of {
             Some(of) => linear.speeds(of, speed, &analysis.ratios),
             None => Vec::new(),
@@ -74,11 +77,11 @@ pub(super) fn found(
             writeln!(file, "{rpm},{numbers}").expect("text can be written");
         }
         near = Some(at);
-        if interruption.asked() {
-            break;
-        }
     }
     let lost = lost.words(near.is_some())?;
+    if near.is_none() {
+        return Err(nothing());
+    }
     let name = &analysis.name;
     let mut files = vec![(format!("{name}.csv"), all.into_bytes())];
     let alone =

@@ -45,7 +45,9 @@ pub(super) fn found(
         let head = ["mode", "frequency (Hz)", "damping ratio", "log decrement", "whirl", "moves"];
         let mut rows = vec![head.map(str::to_owned).to_vec()];
         for (place, mode) in modes.oscillating.iter().take(analysis.count).enumerate() {
-            rows.push(row(linear, place, mode, speed));
+            // Where nothing turns, nothing is forward.
+            let whirl = wanted.of.map_or("-", |_| words::whirl(mode, speed));
+            rows.push(row(linear, place, mode, whirl));
             let values = [mode.hertz(), mode.damping_ratio(), mode.log_decrement()];
             let values = values.map(|value| value.to_string()).join(",");
             writeln!(
@@ -53,7 +55,7 @@ pub(super) fn found(
                 "{},{},{values},{},{},{},{}",
                 words::rpm(speed),
                 place + 1,
-                words::whirl(mode, speed),
+                whirl,
                 mode.sense,
                 mode.value.re,
                 mode.value.im
@@ -76,13 +78,13 @@ pub(super) fn found(
     Ok(Found { text, files, interrupted: false })
 }
 
-fn row(linear: &LinearMachine, place: usize, mode: &Mode, speed: f64) -> Vec<String> {
+fn row(linear: &LinearMachine, place: usize, mode: &Mode, whirl: &str) -> Vec<String> {
     vec![
         (place + 1).to_string(),
         words::hertz(mode),
         words::damping(mode),
         words::decrement(mode),
-        words::whirl(mode, speed).to_owned(),
+        whirl.to_owned(),
         words::movers(linear, mode),
     ]
 }

@@ -8,7 +8,7 @@ use whirl_solver::linear::{
 };
 use whirl_text::{rounded, shown};
 
-use super::found::Found;
+use super::found::{Found, nothing};
 use super::lost::Lost;
 use super::speeds::Wanted;
 use super::words;
@@ -67,6 +67,9 @@ pub(super) fn found(
     let mut ratios = vec![0.0; bodies.len()];
     let (mut done, mut lost) = (0, Lost::default());
     for &speed in &wanted.speeds {
+        if interruption.asked() {
+            break;
+        }
         done += 1;
         let Some(here) = lost.take(speed, at(speed, near.as_ref()))? else { continue };
         let equations = linear.linearised(&here);
@@ -80,11 +83,11 @@ pub(super) fn found(
         }
         speeds.push(speed);
         near = Some(here);
-        if interruption.asked() {
-            break;
-        }
     }
     let lost = lost.words(near.is_some())?;
+    if speeds.is_empty() {
+        return Err(nothing());
+    }
     let interrupted = done < wanted.speeds.len();
     if let ([first, .., last], false) = (speeds.as_slice(), interrupted) {
         for (source, &ratio) in sources.iter_mut().zip(&ratios).filter(|own| *own.1 > 0.0) {
