@@ -33,10 +33,14 @@ pub(crate) enum Command {
     Modes(ModesArguments),
     /// Modes over speed, with critical speeds and thresholds of stability, as table and figure
     Campbell(ModesArguments),
-    /// Response to unbalance over speed: orbits, peaks and amplification factors
+    /// Response to unbalance and to loads by the angle over speed: orbits, peaks and amplification factors
     Response(ModesArguments),
     /// Stiffness and damping of joints in their state at speed
     Coefficients(ModesArguments),
+    /// The least stable motion over speed, with thresholds of stability
+    Stability(ModesArguments),
+    /// Undamped critical speeds over the stiffness of the joints
+    Map(MapArguments),
     /// Check a case, sweep or spec file: report what it would run, or what is known of it, and every error
     Check(CheckArguments),
     /// Show what a spec defines and what follows from it: equations, shapes, costs, report, plot, code
@@ -148,7 +152,26 @@ pub(crate) struct AnalyseArguments {
     pub(crate) results: AnalysisOutput,
 }
 
-/// Arguments of `whirl modes`, `campbell`, `response` and `coefficients`.
+/// Arguments of `whirl map`.
+#[derive(Debug, Args)]
+pub(crate) struct MapArguments {
+    /// Path of a case file, or the name of a built-in case (see `whirl list`)
+    pub(crate) case: String,
+    /// Stiffness of every joint along x and y, a range such as "1e5 N/m .. 1e10 N/m, 41, log"
+    #[arg(long, value_name = "RANGE")]
+    pub(crate) stiffness: Option<String>,
+    /// The body whose speed it is; the fastest, if left out
+    #[arg(long, value_name = "BODY")]
+    pub(crate) of: Option<String>,
+    /// How many critical speeds, the slowest ones
+    #[arg(long, value_name = "N", default_value_t = MODES)]
+    pub(crate) count: usize,
+    /// Where results go
+    #[command(flatten)]
+    pub(crate) results: AnalysisOutput,
+}
+
+/// Arguments of `whirl modes`, `campbell`, `response`, `coefficients` and `stability`.
 #[derive(Debug, Args)]
 pub(crate) struct ModesArguments {
     /// Path of a case file, or the name of a built-in case (see `whirl list`)

@@ -67,6 +67,8 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
         Command::Coefficients(arguments) => {
             analysis::of_kind(AnalysisKind::Coefficients, arguments)
         }
+        Command::Stability(arguments) => analysis::of_kind(AnalysisKind::Stability, arguments),
+        Command::Map(arguments) => analysis::map_of(arguments),
         Command::Check(arguments) => check::check(arguments).and_then(|text| say(&text)),
         Command::Explain(arguments) => explain::explain(arguments).and_then(|text| say(&text)),
         Command::New(arguments) => new::new(arguments).and_then(|text| say(&text)),

@@ -64,15 +64,24 @@ pub enum Error {
     /// A file of a mesh is wrong.
     #[error("{0}")]
     Input(#[from] InputErrors),
-    /// A body that turns, and is not round.
+    /// A body that turns, of which nothing shows how.
     #[error(
-        "{body} is not round: {lack}. Seen from space its equations vary with its angle, and it has no modes at a speed: march it, or make it round"
+        "{body} cannot be seen from space: {lack}. Give a joint, a disc or an output a set of nodes around its axis, or march it"
     )]
     NotRound {
         /// Its name.
         body: String,
         /// What it lacks.
         lack: String,
+    },
+    /// Two bodies that are not round and turn at different speeds.
+    #[error(
+        "{} and {} are not round and turn at different speeds: their equations have no common period. Make one of them round, or march the machine",
+        .bodies[0], .bodies[1]
+    )]
+    TwoNotRound {
+        /// Their names.
+        bodies: [String; 2],
     },
     /// A mesh names a set that it does not have.
     #[error("{origin} has no {kind} set called {name}{}", suggestion(.nearest))]

@@ -48,6 +48,7 @@ mod sweeps_page;
 mod sweeps_resumed;
 mod ties;
 mod told;
+mod uneven;
 mod unsound;
 mod verdicts;
 mod workbench;

@@ -48,7 +48,8 @@ pub(super) fn wanted(
         return Ok(Wanted { of: Some(of), speeds: analysis.speeds.clone() });
     }
     let top = top(of);
-    if matches!(analysis.kind, AnalysisKind::Modes | AnalysisKind::Coefficients) {
+    if matches!(analysis.kind, AnalysisKind::Modes | AnalysisKind::Coefficients | AnalysisKind::Map)
+    {
         return Ok(Wanted { of: Some(of), speeds: vec![top] });
     }
     if top == 0.0 {

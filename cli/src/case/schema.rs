@@ -328,7 +328,7 @@ const ANALYSIS: &[Key] = &[
     merged(
         "kind",
         Words(AnalysisKind::WORDS),
-        "modes at a speed or followed over speeds, response to unbalance, coefficients of joints",
+        "modes at a speed or followed over speeds, response, coefficients of joints, stability, undamped critical speeds",
     ),
     key("of", Text, "the body whose speed it is over; the first that turns if left out")
         .like("\"rotor\""),
@@ -342,6 +342,8 @@ const ANALYSIS: &[Key] = &[
         .like("{ outer = -1.5 }"),
     key("count", Count(1, 200), "how many modes, the slowest ones; 10 if left out"),
     key("orders", List(&Number), "of critical speeds; 1 if left out").like("[1, 2]"),
+    key("stiffness", Text, "of the joints of a map, one or a range with a number")
+        .like("\"1e5 N/m .. 1e10 N/m, 41, log\""),
 ];
 
 const FIELDS: &[Key] = &[

@@ -44,6 +44,9 @@ pub(crate) struct Standing {
     pub(crate) displacements: Vec<[f64; 2]>,
     /// As [`Equilibrium::left`].
     pub(crate) left: f64,
+    /// By load whether it does not act on small motions, as it turns with a body, and whether it has ended.
+    pub(crate) released: Vec<bool>,
+    pub(crate) ended: Vec<bool>,
     /// Of small motions about it, in the frames of the bodies.
     pub(crate) tangents: Tangents,
 }
@@ -75,8 +78,9 @@ pub(crate) fn standing_at(
             matches!(load.action, Action::Couple { couple: [x, y, _], .. } if x == 0.0 && y == 0.0);
         load.frame == Frame::Body && !along
     };
+    let ended: Vec<bool> = machine.loads.iter().map(|load| balance.released(load)).collect();
     let released: Vec<bool> =
-        machine.loads.iter().map(|load| turns(load) || balance.released(load)).collect();
+        machine.loads.iter().zip(&ended).map(|(load, ended)| turns(load) || *ended).collect();
     let left = balance.worst();
     let (eccentricities, unknowns) = (balance.ratios(), balance.unknowns());
     let state = balance.state.clone();
@@ -84,7 +88,7 @@ pub(crate) fn standing_at(
     balance.equations.release(&released);
     balance.equations.evaluate(0.0, &state);
     let tangents = balance.equations.tangents(&state);
-    Ok(Standing { state, unknowns, eccentricities, displacements, left, tangents })
+    Ok(Standing { state, unknowns, eccentricities, displacements, left, released, ended, tangents })
 }
 
 /// The rows that an error names.
