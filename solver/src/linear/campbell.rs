@@ -273,7 +273,7 @@ impl Followed<'_> {
             let mut own = Vec::new();
             for (branch, places) in branches.iter().enumerate() {
                 let off = move |speed: f64, mode: &Mode| mode.value.im - order * speed.abs();
-                for (speed, mode, _) in self.roots(places, &off)? {
+                for (speed, mode, _) in self.roots(places, &off, &off)? {
                     own.push(Critical { order, speed, mode, branch });
                 }
             }
@@ -286,7 +286,8 @@ impl Followed<'_> {
     fn thresholds(&self, branches: &[Vec<Option<usize>>]) -> Result<Vec<Threshold>, Error> {
         let mut found = Vec::new();
         for (branch, places) in branches.iter().enumerate() {
-            for (speed, mode, grows) in self.roots(places, &|_, mode| mode.growth())? {
+            let (grows, rate) = (|_, mode: &Mode| mode.growth(), |_, mode: &Mode| mode.value.re);
+            for (speed, mode, grows) in self.roots(places, &grows, &rate)? {
                 found.push(Threshold { speed, mode, branch, grows });
             }
         }
@@ -294,11 +295,13 @@ impl Followed<'_> {
         Ok(found)
     }
 
-    /// Speeds at which something of a branch changes its sign, with the mode there and whether it rises.
+    /// Speeds at which something of a branch changes its sign, with the mode there and whether it rises. `exact`: the same
+    /// without what keeps rounding from changing it, whose zero is found where it changes its sign, too.
     fn roots(
         &self,
         places: &[Option<usize>],
         of: &dyn Fn(f64, &Mode) -> f64,
+        exact: &dyn Fn(f64, &Mode) -> f64,
     ) -> Result<Vec<(f64, Mode, bool)>, Error> {
         let mut found = Vec::new();
         for (pair, places) in self.points.windows(2).zip(places.windows(2)) {
@@ -312,6 +315,9 @@ impl Followed<'_> {
                 continue;
             }
             let rises = ends[0].1 < 0.0;
+            let nearer = ends.map(|(speed, _, mode)| (speed, exact(speed, mode), mode));
+            let changes = nearer[0].1 * nearer[1].1 < 0.0;
+            let (ends, of) = if changes { (nearer, exact) } else { (ends, of) };
             let (speed, mode) = self.root(&pair[0], ends, of)?;
             // Where a mode ends between the speeds another one may have been followed.
             if of(speed, &mode).abs() <= ROOT * mode.value.norm() {

@@ -11,7 +11,7 @@ use crate::machine::Machine;
 pub struct Standstill {
     pub(super) found: Standing,
     /// Places in q of the angles that small motions change: those of bodies whose speed was found.
-    angles: Vec<usize>,
+    pub(super) angles: Vec<usize>,
     /// θ̇ by body (rad/s); 0 of one that stands.
     pub speeds: Vec<f64>,
 }
@@ -96,12 +96,16 @@ impl LinearMachine {
         Error::NotStanding { at, rows, journals, share }
     }
 
+    /// Places in q of the coordinates of small motions.
+    pub(super) fn kept(&self, at: &Standstill) -> Vec<usize> {
+        let flexible = self.machine.rotations()..self.machine.size();
+        at.angles.iter().copied().chain(flexible).collect()
+    }
+
     /// M′ = M, C′ = C − 2MD and K′ = K − CD + MD², with D = Ω S of each body that turns.
     pub fn linearised(&self, at: &Standstill) -> Linearised {
         let first = self.machine.first_unknown();
-        let flexible = self.machine.rotations()..self.machine.size();
-        let places = at.angles.iter().copied().chain(flexible).map(|place| place - first);
-        let kept: Vec<usize> = places.collect();
+        let kept: Vec<usize> = self.kept(at).into_iter().map(|place| place - first).collect();
         let Tangents { mass, damping, stiffness, .. } = &at.found.tangents;
         let [mass, mut damping, mut stiffness] =
             [mass, damping, stiffness].map(|own| own.select(&kept, &kept));

@@ -6,7 +6,7 @@ use super::linearised::{Linearised, Standstill};
 use super::modes::Orbit;
 use super::round::LinearMachine;
 use crate::error::Error;
-use crate::linalg::solve_complex;
+use crate::linalg::{dot, solve_complex};
 use crate::output::{Motion, Wanted};
 
 /// Share of the inertia of a body below which its unbalance is rounding.
@@ -85,33 +85,55 @@ impl LinearMachine {
         body: usize,
         points: &[Point],
     ) -> Result<Vec<Vibration>, Error> {
-        let Linearised { angles, mass, damping, stiffness } = equations;
+        let Linearised { mass, damping, stiffness, .. } = equations;
         let omega = at.speeds[body];
-        let load = self.unbalance(body);
-        let Some([once, _]) = &self.generators[body] else {
-            return Ok(vec![Vibration { amplitudes: [Complex64::ZERO; 2] }; points.len()]);
-        };
-        let across = once.apply_transpose(&load);
         let n = mass.rows;
-        let mut force = vec![Complex64::ZERO; n];
-        let parts = load.iter().zip(&across);
-        for (own, (along, across)) in force[self.block(*angles, body)].iter_mut().zip(parts) {
-            *own = omega * omega * Complex64::new(*along, *across);
-        }
+        let force = self.unbalance_force(at, body);
         let entry = |m: f64, c: f64, k: f64| Complex64::new(k - omega * omega * m, omega * c);
         let entries = mass.data.iter().zip(&damping.data).zip(&stiffness.data);
         let matrix: Vec<Complex64> = entries.map(|((m, c), k)| entry(*m, *c, *k)).collect();
         let moved = solve_complex(n, &matrix, &force)?;
         let of = |point: &Point| {
-            let amplitudes = [0, 1].map(|axis| {
-                let parts = point.rows.iter().map(|(body, rows)| {
-                    let own = &moved[self.block(*angles, *body)];
-                    rows[axis].iter().zip(own).map(|(row, own)| row * own).sum::<Complex64>()
-                });
-                parts.sum()
-            });
+            let amplitudes = self
+                .rows(at, point)
+                .map(|row| row.iter().zip(&moved).map(|(row, own)| row * own).sum::<Complex64>());
             Vibration { amplitudes }
         };
         Ok(points.iter().map(of).collect())
+    }
+
+    /// f over the coordinates of [`Linearised`].
+    pub(super) fn unbalance_force(&self, at: &Standstill, body: usize) -> Vec<Complex64> {
+        let mut force = vec![Complex64::ZERO; self.kept(at).len()];
+        let load = self.unbalance(body);
+        let Some([once, _]) = &self.generators[body] else { return force };
+        let square = at.speeds[body] * at.speeds[body];
+        let across = once.apply_transpose(&load);
+        let own = self.block(at.angles.len(), body);
+        for (own, (along, across)) in force[own].iter_mut().zip(load.iter().zip(&across)) {
+            *own = square * Complex64::new(*along, *across);
+        }
+        force
+    }
+
+    /// Motion of a point along x and y of space by a unit of each coordinate of [`Linearised`]. An angle turns the displacement
+    /// in which its body stands.
+    pub(super) fn rows(&self, at: &Standstill, point: &Point) -> [Vec<f64>; 2] {
+        let mut all = [0, 1].map(|_| vec![0.0; self.kept(at).len()]);
+        for (body, rows) in &point.rows {
+            let place = &self.machine.places()[*body];
+            let block = self.block(at.angles.len(), *body);
+            for (all, row) in all.iter_mut().zip(rows) {
+                all[block.clone()].iter_mut().zip(row).for_each(|(sum, own)| *sum += own);
+            }
+            let angle = at.angles.iter().position(|own| Some(*own) == place.rotation);
+            if let Some(angle) = angle {
+                let stands = &at.found.state.q[place.flexible.clone()];
+                let [x, y] = rows.each_ref().map(|row| dot(row, stands));
+                all[0][angle] -= y;
+                all[1][angle] += x;
+            }
+        }
+        all
     }
 }
