@@ -2,6 +2,7 @@
 
 mod closed_forms;
 mod coaxial;
+mod matrices;
 
 use std::f64::consts::TAU;
 use std::fs::{File, read_to_string};

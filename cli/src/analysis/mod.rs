@@ -1,4 +1,5 @@
-//! `whirl analyse`, `modes`, `campbell`, `response` and `coefficients`: small motions about the state in which a machine stands at constant speeds.
+//! `whirl analyse`, `modes`, `campbell`, `response`, `coefficients` and `matrices`: small motions about the state in which a
+//! machine stands at constant speeds.
 //!
 //! A case → its machine → bodies made round ([`LinearMachine`]) → each analysis over its speeds → a text, tables and figures.
 
@@ -6,6 +7,7 @@ mod campbell;
 mod coefficients;
 mod found;
 mod lost;
+mod matrices;
 mod modes;
 mod response;
 mod speeds;
@@ -16,8 +18,8 @@ use std::path::{Path, PathBuf};
 use whirl_codegen::diagnostic::{Diagnostics, Located, suggest};
 use whirl_solver::linear::LinearMachine;
 
-use crate::arguments::{AnalyseArguments, AnalysisOutput, ModesArguments};
-use crate::case::{self, Analysis, AnalysisKind, Case, ORDERS, System};
+use crate::arguments::{AnalyseArguments, AnalysisOutput, MatricesArguments, ModesArguments};
+use crate::case::{self, Analysis, AnalysisKind, Case, MODES, MatrixFormat, ORDERS, System};
 use crate::errors::Failure;
 use crate::output::Output;
 use crate::progress::{self, ProgressMode};
@@ -46,9 +48,32 @@ pub(crate) fn of_kind(kind: AnalysisKind, arguments: &ModesArguments) -> Result<
     let folder = match (&arguments.results.out, kind) {
         (Some(folder), _) => Some(folder.clone()),
         (None, AnalysisKind::Modes | AnalysisKind::Coefficients) => None,
-        (None, AnalysisKind::Campbell | AnalysisKind::Response) => Some(usual(&case)),
+        (None, _) => Some(usual(&case)),
     };
     run(&case, &[analysis], folder.as_deref(), &arguments.results)
+}
+
+/// Writes the matrices of small motions.
+///
+/// # Errors
+/// As [`analyse`].
+pub(crate) fn matrices(arguments: &MatricesArguments) -> Result<(), Failure> {
+    let case = read(&arguments.case)?;
+    let (of, speeds) = asked(&case, arguments.of.as_deref(), arguments.speeds.as_deref())?;
+    let analysis = Analysis {
+        name: AnalysisKind::Matrices.word().to_owned(),
+        kind: AnalysisKind::Matrices,
+        of,
+        speeds,
+        ratios: Vec::new(),
+        count: MODES,
+        orders: ORDERS.to_vec(),
+        format: arguments.format,
+    };
+    let folder = arguments.out.clone().unwrap_or_else(|| usual(&case));
+    let (quiet, cache) = (arguments.quiet, arguments.cache.clone());
+    let results = AnalysisOutput { out: None, no_figures: true, quiet, cache };
+    run(&case, &[analysis], Some(&folder), &results)
 }
 
 fn read(name: &str) -> Result<Case, Failure> {
@@ -86,15 +111,7 @@ fn described(
     kind: AnalysisKind,
     arguments: &ModesArguments,
 ) -> Result<Analysis, Failure> {
-    let mut errors = Diagnostics::new();
-    let of = arguments.of.as_ref().and_then(|name| {
-        let System::Joined(joined) = &case.system else { return None };
-        case::turning(joined, &Located::alone("--of", name)).map_err(|own| errors.push(*own)).ok()
-    });
-    let speeds = arguments.speeds.as_ref().and_then(|text| {
-        case::speeds(&Located::alone("--speeds", text)).map_err(|own| errors.push(*own)).ok()
-    });
-    errors.into_result(())?;
+    let (of, speeds) = asked(case, arguments.of.as_deref(), arguments.speeds.as_deref())?;
     if let Some(order) = arguments.orders.iter().find(|order| !(**order > 0.0)) {
         return Err(Failure::Argument {
             message: format!("`{order}` is no order of a rotation"),
@@ -112,11 +129,29 @@ fn described(
         name: kind.word().to_owned(),
         kind,
         of,
-        speeds: speeds.unwrap_or_default(),
+        speeds,
         ratios: Vec::new(),
         count: arguments.count,
         orders: if orders.is_empty() { ORDERS.to_vec() } else { orders },
+        format: MatrixFormat::default(),
     })
+}
+
+/// The body and the speeds that arguments name.
+fn asked(
+    case: &Case,
+    of: Option<&str>,
+    speeds: Option<&str>,
+) -> Result<(Option<usize>, Vec<f64>), Failure> {
+    let mut errors = Diagnostics::new();
+    let of = of.and_then(|name| {
+        let System::Joined(joined) = &case.system else { return None };
+        case::turning(joined, &Located::alone("--of", name)).map_err(|own| errors.push(*own)).ok()
+    });
+    let speeds = speeds.and_then(|text| {
+        case::speeds(&Located::alone("--speeds", text)).map_err(|own| errors.push(*own)).ok()
+    });
+    errors.into_result((of, speeds.unwrap_or_default())).map_err(Failure::from)
 }
 
 /// Does analyses one after the other, and writes what they come to into a folder, if there is one.
@@ -152,6 +187,7 @@ fn run(
                 response::found(case, &linear, wanted, &interruption, figures)
             }
             AnalysisKind::Coefficients => coefficients::found(case, &linear, wanted, &interruption),
+            AnalysisKind::Matrices => matrices::found(case, &linear, wanted, &interruption),
         };
         let found = progress::during(show, "analysing", work)?;
         if !arguments.quiet {

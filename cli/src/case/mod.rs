@@ -41,7 +41,7 @@ use whirl_codegen::diagnostic::Source;
 
 use crate::errors::Failure;
 
-pub(crate) use analyses::{Analysis, AnalysisKind, MODES, ORDERS, speeds, turning};
+pub(crate) use analyses::{Analysis, AnalysisKind, MODES, MatrixFormat, ORDERS, speeds, turning};
 pub(crate) use columns::Columns;
 pub(crate) use cycle::TWO_REVOLUTIONS;
 pub(crate) use embedded::embedded_cases;

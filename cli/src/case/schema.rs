@@ -7,7 +7,7 @@ use whirl_codegen::document::schema::Shape::{
 use whirl_codegen::document::schema::{Key, Shape, key, merged, needed};
 
 use super::Case;
-use super::analyses::AnalysisKind;
+use super::analyses::{AnalysisKind, MatrixFormat};
 use super::joined::schema as joined;
 use super::march::{AUTOMATIC, ESTIMATE, GENERALIZED_ALPHA, MOST_STEPS, NEWMARK, ONE_CYCLE};
 use super::shapes::{
@@ -328,10 +328,9 @@ const ANALYSIS: &[Key] = &[
     merged(
         "kind",
         Words(AnalysisKind::WORDS),
-        "modes at a speed or followed over speeds, response to unbalance, coefficients of joints",
+        "modes at a speed or followed over speeds, response to unbalance, coefficients of joints, matrices for other programs",
     ),
-    key("of", Text, "the body whose speed it is over; the first that turns if left out")
-        .like("\"rotor\""),
+    key("of", Text, "the body whose speed it is over; the fastest if left out").like("\"rotor\""),
     key(
         "speeds",
         Text,
@@ -342,6 +341,7 @@ const ANALYSIS: &[Key] = &[
         .like("{ outer = -1.5 }"),
     key("count", Count(1, 200), "how many modes, the slowest ones; 10 if left out"),
     key("orders", List(&Number), "of critical speeds; 1 if left out").like("[1, 2]"),
+    key("format", Words(MatrixFormat::WORDS), "of the files of matrices; npz if left out"),
 ];
 
 const FIELDS: &[Key] = &[
