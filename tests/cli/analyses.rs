@@ -2,6 +2,7 @@
 
 mod closed_forms;
 mod coaxial;
+mod invariance;
 mod matrices;
 
 use std::f64::consts::TAU;
