@@ -234,7 +234,9 @@ mod tests {
             .zip(said)
             .map(|((_, content), said)| {
                 let start = 10 + number(content, 8, 2);
-                assert!(start % 64 == 0 && content[10..start].starts_with(said.as_bytes()));
+                assert!(
+                    start.is_multiple_of(64) && content[10..start].starts_with(said.as_bytes())
+                );
                 &content[start..]
             })
             .collect();

@@ -61,7 +61,7 @@ pub(super) fn drive(own: &JoinedDrive, place: &Place) -> Option<LoadModel> {
     let (action, onset, frame) =
         (LoadAction::Couple([0.0, 0.0, torque]), Onset::Start, Frame::Body);
     let place = place.clone();
-    own.acts.then(|| LoadModel { name, body, place, action, time_function, onset, frame })
+    own.acts.then_some(LoadModel { name, body, place, action, time_function, onset, frame })
 }
 
 fn curve(columns: &Columns) -> TimeFunction {

@@ -63,10 +63,10 @@ fn a_shaft_without_mass_in_films_is_unstable_where_the_closed_form_says() {
         2 => 1e8 * along[i][j],
         _ => bending * shape[i] * shape[j],
     });
-    // A thousandth of a kilogram where the journals are, as no mass may be without inertia.
+    // A milligram where the journals are, as no coordinate may be without inertia.
     let workbench = Workbench::new()
         .file("K.mtx", &stiffness)
-        .file("M.mtx", &of_masses(&[1e-3, 40.0, 1e-3]))
+        .file("M.mtx", &of_masses(&[1e-6, 40.0, 1e-6]))
         .file("dofs.csv", &dofs(&[0.0, 0.4, 0.8]))
         .file("case.toml", include_str!("massless-jeffcott.toml"));
     let [speed, _] = threshold(&workbench, "case.toml", "3500 rpm .. 4500 rpm, 5");
