@@ -354,6 +354,27 @@ for known in -634.941272 + 3741.73328j, -871.948524 + 1086.75385j:
     assert!(said.status.success(), "{}", String::from_utf8_lossy(&said.stderr));
 }
 
+/// Nothing acts and nothing is seen: matrices without columns or rows, in every format.
+#[test]
+fn a_machine_without_inputs_and_outputs_has_its_matrices() {
+    let case = "title = \"a mass\"\n[body.mass]\nturns = \"no\"\nmass = \"2 kg\"\n\
+                stiffness = { x = \"800 N/m\", y = \"200 N/m\" }\n";
+    let workbench = Workbench::new().file("case.toml", case);
+    for format in ["mtx", "npz", "mat"] {
+        let said = ran(&workbench, &["matrices", "case.toml", "--format", format, "--out", "out"]);
+        assert!(said.stdout.contains("2 coordinates, 0 inputs, 0 outputs"), "{}", said.stdout);
+    }
+    // Its coordinates are modes of mass 1.
+    for (name, known) in [("mass", [1.0, 0.0, 0.0, 1.0]), ("stiffness", [400.0, 0.0, 0.0, 100.0])] {
+        assert_eq!(market(&workbench, &format!("out/matrices.{name}.mtx")).values, known);
+    }
+    for (name, size) in [("B", "4 0 0"), ("C", "0 4 0"), ("D", "0 0 0")] {
+        let text = fs::read_to_string(workbench.path(&format!("out/matrices.{name}.mtx")));
+        let known = format!("%%MatrixMarket matrix coordinate real general\n{size}\n");
+        assert_eq!(text.expect("a matrix"), known);
+    }
+}
+
 #[test]
 fn what_is_no_format_is_refused() {
     let table = "[analysis.plant]\nkind = \"matrices\"\nformat = \"csv\"\n";
