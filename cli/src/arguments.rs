@@ -7,7 +7,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use whirl_solver::cache::Cache;
 
-use crate::case::MODES;
+use crate::case::{MODES, MatrixFormat};
 use crate::schema;
 use crate::sweep::Order;
 
@@ -41,6 +41,8 @@ pub(crate) enum Command {
     Stability(ModesArguments),
     /// Undamped critical speeds over the stiffness of the joints
     Map(MapArguments),
+    /// Mass, damping and stiffness of small motions, with inputs and outputs, and the same as a state space, in files for other programs
+    Matrices(MatricesArguments),
     /// Check a case, sweep or spec file: report what it would run, or what is known of it, and every error
     Check(CheckArguments),
     /// Show what a spec defines and what follows from it: equations, shapes, costs, report, plot, code
@@ -179,7 +181,7 @@ pub(crate) struct ModesArguments {
     /// One speed such as "3000 rpm", or a range such as "0 rpm .. 30000 rpm, 61"; that of the case, or up to it, if left out
     #[arg(long, value_name = "SPEEDS", alias = "speed", allow_hyphen_values = true)]
     pub(crate) speeds: Option<String>,
-    /// The body whose speed it is; the first that turns, if left out
+    /// The body whose speed it is; the fastest, if left out
     #[arg(long, value_name = "BODY")]
     pub(crate) of: Option<String>,
     /// How many modes, the slowest ones
@@ -191,6 +193,31 @@ pub(crate) struct ModesArguments {
     /// Where results go
     #[command(flatten)]
     pub(crate) results: AnalysisOutput,
+}
+
+/// Arguments of `whirl matrices`.
+#[derive(Debug, Args)]
+pub(crate) struct MatricesArguments {
+    /// Path of a case file, or the name of a built-in case (see `whirl list`)
+    pub(crate) case: String,
+    /// One speed such as "3000 rpm", or a range such as "0 rpm .. 30000 rpm, 61"; that of the case, if left out
+    #[arg(long, value_name = "SPEEDS", alias = "speed", allow_hyphen_values = true)]
+    pub(crate) speeds: Option<String>,
+    /// The body whose speed it is; the fastest, if left out
+    #[arg(long, value_name = "BODY")]
+    pub(crate) of: Option<String>,
+    /// What the files are
+    #[arg(long, value_name = "FORMAT", value_enum, default_value_t)]
+    pub(crate) format: MatrixFormat,
+    /// Folder for the files (`results` and the name of the case, if left out)
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Print only warnings and errors
+    #[arg(long)]
+    pub(crate) quiet: bool,
+    /// Where reduced machines are kept
+    #[command(flatten)]
+    pub(crate) cache: CacheArguments,
 }
 
 /// Where the results of analyses go.
@@ -283,7 +310,7 @@ fn schema_kinds() -> PossibleValuesParser {
 }
 
 /// Where reduced machines are kept between runs.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub(crate) struct CacheArguments {
     /// Folder in which reduced machines are kept [default: the platform's cache folder]
     #[arg(long, value_name = "DIR", conflicts_with = "no_cache")]

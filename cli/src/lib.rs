@@ -1,6 +1,7 @@
 //! The `whirl` command: case files, progress, results, figures.
 
 mod analysis;
+mod archive;
 pub mod arguments;
 mod case;
 mod check;
@@ -69,6 +70,7 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
         }
         Command::Stability(arguments) => analysis::of_kind(AnalysisKind::Stability, arguments),
         Command::Map(arguments) => analysis::map_of(arguments),
+        Command::Matrices(arguments) => analysis::matrices(arguments),
         Command::Check(arguments) => check::check(arguments).and_then(|text| say(&text)),
         Command::Explain(arguments) => explain::explain(arguments).and_then(|text| say(&text)),
         Command::New(arguments) => new::new(arguments).and_then(|text| say(&text)),

@@ -1,5 +1,10 @@
 //! `whirl modes`, `campbell` and `analyse`: against other programs and closed forms, from case files.
 
+mod closed_forms;
+mod coaxial;
+mod invariance;
+mod matrices;
+
 use std::f64::consts::TAU;
 use std::fs::{File, read_to_string};
 use std::io::Read;

@@ -8,6 +8,7 @@ mod coefficients;
 mod found;
 mod lost;
 mod map;
+mod matrices;
 mod modes;
 mod response;
 mod speeds;
@@ -19,8 +20,10 @@ use std::path::{Path, PathBuf};
 use whirl_codegen::diagnostic::{Diagnostics, Located, suggest};
 use whirl_solver::linear::LinearMachine;
 
-use crate::arguments::{AnalyseArguments, AnalysisOutput, MapArguments, ModesArguments};
-use crate::case::{self, Analysis, AnalysisKind, Case, ORDERS, System};
+use crate::arguments::{
+    AnalyseArguments, AnalysisOutput, MapArguments, MatricesArguments, ModesArguments,
+};
+use crate::case::{self, Analysis, AnalysisKind, Case, MODES, MatrixFormat, ORDERS, System};
 use crate::errors::Failure;
 use crate::output::Output;
 use crate::progress::{self, ProgressMode};
@@ -76,6 +79,30 @@ pub(crate) fn map_of(arguments: &MapArguments) -> Result<(), Failure> {
     run(&case, &[analysis], Some(&folder), &arguments.results)
 }
 
+/// Writes the matrices of small motions.
+///
+/// # Errors
+/// As [`analyse`].
+pub(crate) fn matrices(arguments: &MatricesArguments) -> Result<(), Failure> {
+    let case = read(&arguments.case)?;
+    let (of, speeds) = asked(&case, arguments.of.as_deref(), arguments.speeds.as_deref())?;
+    let analysis = Analysis {
+        name: AnalysisKind::Matrices.word().to_owned(),
+        kind: AnalysisKind::Matrices,
+        of,
+        speeds,
+        ratios: Vec::new(),
+        count: MODES,
+        orders: ORDERS.to_vec(),
+        stiffness: Vec::new(),
+        format: arguments.format,
+    };
+    let folder = arguments.out.clone().unwrap_or_else(|| usual(&case));
+    let (quiet, cache) = (arguments.quiet, arguments.cache.clone());
+    let results = AnalysisOutput { out: None, no_figures: true, quiet, cache };
+    run(&case, &[analysis], Some(&folder), &results)
+}
+
 fn read(name: &str) -> Result<Case, Failure> {
     streams::warned(|warnings| machine::read_to_analyse(name, warnings))
 }
@@ -112,15 +139,7 @@ fn described(
     (of, speeds): (Option<&str>, Option<&str>),
     (count, orders): (usize, &[f64]),
 ) -> Result<Analysis, Failure> {
-    let mut errors = Diagnostics::new();
-    let of = of.and_then(|name| {
-        let System::Joined(joined) = &case.system else { return None };
-        case::turning(joined, &Located::alone("--of", name)).map_err(|own| errors.push(*own)).ok()
-    });
-    let speeds = speeds.and_then(|text| {
-        case::speeds(&Located::alone("--speeds", text)).map_err(|own| errors.push(*own)).ok()
-    });
-    errors.into_result(())?;
+    let (of, speeds) = asked(case, of, speeds)?;
     if let Some(order) = orders.iter().find(|order| !(**order > 0.0)) {
         return Err(Failure::Argument {
             message: format!("`{order}` is no order of a rotation"),
@@ -137,12 +156,30 @@ fn described(
         name: kind.word().to_owned(),
         kind,
         of,
-        speeds: speeds.unwrap_or_default(),
+        speeds,
         ratios: Vec::new(),
         count,
         orders: if orders.is_empty() { ORDERS.to_vec() } else { orders.to_vec() },
         stiffness: Vec::new(),
+        format: MatrixFormat::default(),
     })
+}
+
+/// The body and the speeds that arguments name.
+fn asked(
+    case: &Case,
+    of: Option<&str>,
+    speeds: Option<&str>,
+) -> Result<(Option<usize>, Vec<f64>), Failure> {
+    let mut errors = Diagnostics::new();
+    let of = of.and_then(|name| {
+        let System::Joined(joined) = &case.system else { return None };
+        case::turning(joined, &Located::alone("--of", name)).map_err(|own| errors.push(*own)).ok()
+    });
+    let speeds = speeds.and_then(|text| {
+        case::speeds(&Located::alone("--speeds", text)).map_err(|own| errors.push(*own)).ok()
+    });
+    errors.into_result((of, speeds.unwrap_or_default())).map_err(Failure::from)
 }
 
 /// Does analyses one after the other, and writes what they come to into a folder, if there is one.
@@ -182,6 +219,7 @@ fn run(
                 stability::found(case, &linear, wanted, &interruption, figures)
             }
             AnalysisKind::Map => map::found(case, &linear, wanted, &interruption, figures),
+            AnalysisKind::Matrices => matrices::found(case, &linear, wanted, &interruption),
         };
         let found = progress::during(show, "analysing", work)?;
         if !arguments.quiet {

@@ -1,5 +1,6 @@
 //! The tables `[analysis.NAME]`: small motions about the state in which the machine stands at constant speeds.
 
+use clap::ValueEnum;
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, suggest};
 use whirl_codegen::document::Table;
 use whirl_codegen::document::tree::Place;
@@ -33,6 +34,8 @@ pub(crate) struct Analysis {
     pub(crate) orders: Vec<f64>,
     /// Stiffnesses of the joints of a map (N/m), ascending; the usual ones where there are none.
     pub(crate) stiffness: Vec<f64>,
+    /// Of matrices.
+    pub(crate) format: MatrixFormat,
 }
 
 /// What an analysis finds.
@@ -50,18 +53,44 @@ pub(crate) enum AnalysisKind {
     Stability,
     /// Undamped critical speeds over the stiffness of the joints.
     Map,
+    /// Matrices of small motions at one speed or a few.
+    Matrices,
+}
+
+/// A format in which matrices are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub(crate) enum MatrixFormat {
+    /// One archive, for NumPy
+    #[default]
+    Npz,
+    /// Matrix Market: a text file for each matrix
+    #[value(name = "mtx")]
+    Market,
+    /// One file of MATLAB 5
+    Mat,
+}
+
+impl MatrixFormat {
+    pub(super) const WORDS: &'static [&'static str] = &["npz", "mtx", "mat"];
+    const ALL: [MatrixFormat; 3] = [MatrixFormat::Npz, MatrixFormat::Market, MatrixFormat::Mat];
+
+    fn of(word: &str) -> Option<Self> {
+        let place = MatrixFormat::WORDS.iter().position(|own| *own == word)?;
+        Some(MatrixFormat::ALL[place])
+    }
 }
 
 impl AnalysisKind {
     pub(super) const WORDS: &'static [&'static str] =
-        &["modes", "campbell", "response", "coefficients", "stability", "map"];
-    const ALL: [AnalysisKind; 6] = [
+        &["modes", "campbell", "response", "coefficients", "stability", "map", "matrices"];
+    const ALL: [AnalysisKind; 7] = [
         AnalysisKind::Modes,
         AnalysisKind::Campbell,
         AnalysisKind::Response,
         AnalysisKind::Coefficients,
         AnalysisKind::Stability,
         AnalysisKind::Map,
+        AnalysisKind::Matrices,
     ];
 
     /// As a case names it.
@@ -94,6 +123,7 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
     let ratios = table.named_values("ratios");
     let count = table.optional_count("count").unwrap_or(MODES);
     let orders = table.positive_numbers("orders");
+    let format = table.optional_word("format").and_then(MatrixFormat::of);
     let mut analysis = Analysis {
         name: name.to_owned(),
         kind: kind?,
@@ -103,6 +133,7 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
         count,
         orders: if orders.is_empty() { ORDERS.to_vec() } else { orders },
         stiffness: Vec::new(),
+        format: format.unwrap_or_default(),
     };
     let mut errors = Diagnostics::new();
     if let Some(speeds) = &speeds {

@@ -41,13 +41,15 @@ use whirl_codegen::diagnostic::Source;
 
 use crate::errors::Failure;
 
-pub(crate) use analyses::{Analysis, AnalysisKind, MODES, ORDERS, speeds, stiffness, turning};
+pub(crate) use analyses::{
+    Analysis, AnalysisKind, MODES, MatrixFormat, ORDERS, speeds, stiffness, turning,
+};
 pub(crate) use columns::Columns;
 pub(crate) use cycle::TWO_REVOLUTIONS;
 pub(crate) use embedded::embedded_cases;
 pub(crate) use fields::Fields;
 pub(crate) use gravity::Gravity;
-pub(crate) use joined_machine::{JoinedMachine, Load as JoinedLoad};
+pub(crate) use joined_machine::{Drive as JoinedDrive, JoinedMachine, Load as JoinedLoad};
 pub(crate) use joint::{Joint, JointKind, OtherLaw, Side as JointSide};
 pub(crate) use law::{LawSource, NamedLaw};
 pub(crate) use library::{FileStore, refused};

@@ -7,7 +7,7 @@ use whirl_codegen::document::schema::Shape::{
 use whirl_codegen::document::schema::{Key, Shape, key, merged, needed};
 
 use super::Case;
-use super::analyses::AnalysisKind;
+use super::analyses::{AnalysisKind, MatrixFormat};
 use super::joined::schema as joined;
 use super::march::{AUTOMATIC, ESTIMATE, GENERALIZED_ALPHA, MOST_STEPS, NEWMARK, ONE_CYCLE};
 use super::shapes::{
@@ -328,10 +328,9 @@ const ANALYSIS: &[Key] = &[
     merged(
         "kind",
         Words(AnalysisKind::WORDS),
-        "modes at a speed or followed over speeds, response, coefficients of joints, stability, undamped critical speeds",
+        "modes at a speed or followed over speeds, response, coefficients of joints, stability, undamped critical speeds, matrices for other programs",
     ),
-    key("of", Text, "the body whose speed it is over; the first that turns if left out")
-        .like("\"rotor\""),
+    key("of", Text, "the body whose speed it is over; the fastest if left out").like("\"rotor\""),
     key(
         "speeds",
         Text,
@@ -344,6 +343,7 @@ const ANALYSIS: &[Key] = &[
     key("orders", List(&Number), "of critical speeds; 1 if left out").like("[1, 2]"),
     key("stiffness", Text, "of the joints of a map, one or a range with a number")
         .like("\"1e5 N/m .. 1e10 N/m, 41, log\""),
+    key("format", Words(MatrixFormat::WORDS), "of the files of matrices; npz if left out"),
 ];
 
 const FIELDS: &[Key] = &[

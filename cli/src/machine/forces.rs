@@ -8,16 +8,18 @@ use whirl_solver::curve::Curve;
 use whirl_solver::loads::{Frame, Onset, Target, TimeFunction};
 use whirl_solver::model::{LoadAction, LoadModel, Place};
 
-use crate::case::{self, Acting, Columns, Gravity, Variation};
+use crate::case::{self, Acting, Columns, Gravity, JoinedDrive, JoinedLoad, Variation};
 
 /// A load of a case.
-pub(super) fn load(own: &case::Load, body: usize, place: &Place) -> LoadModel {
+pub(super) fn load(own: &JoinedLoad, place: &Place) -> LoadModel {
+    let JoinedLoad { name, body, load: own, .. } = own;
+    let (name, body) = (format!("load.{}", name.text()), *body);
     let action = match own.acting {
         Acting::Force(parts) => LoadAction::Force(parts),
         Acting::Couple(parts) => LoadAction::Couple(parts),
     };
     let (place, time_function) = (place.clone(), time_function(own, body));
-    LoadModel { body, place, action, time_function, onset: own.onset, frame: own.frame }
+    LoadModel { name, body, place, action, time_function, onset: own.onset, frame: own.frame }
 }
 
 fn time_function(own: &case::Load, body: usize) -> TimeFunction {
@@ -45,7 +47,9 @@ fn time_function(own: &case::Load, body: usize) -> TimeFunction {
 const CHECKED: &str = "rows that rise and close";
 
 /// The couple of a drive, if it acts.
-pub(super) fn drive(own: &case::Drive, body: usize, place: &Place) -> Option<LoadModel> {
+pub(super) fn drive(own: &JoinedDrive, place: &Place) -> Option<LoadModel> {
+    let JoinedDrive { name, body, couple: own, .. } = own;
+    let (name, body) = (format!("drive.{}", name.text()), *body);
     let (torque, time_function) = match &own.table {
         Some(columns) => (1.0, curve(columns)),
         None => {
@@ -56,7 +60,8 @@ pub(super) fn drive(own: &case::Drive, body: usize, place: &Place) -> Option<Loa
     };
     let (action, onset, frame) =
         (LoadAction::Couple([0.0, 0.0, torque]), Onset::Start, Frame::Body);
-    own.acts.then(|| LoadModel { body, place: place.clone(), action, time_function, onset, frame })
+    let place = place.clone();
+    own.acts.then_some(LoadModel { name, body, place, action, time_function, onset, frame })
 }
 
 fn curve(columns: &Columns) -> TimeFunction {

@@ -50,7 +50,8 @@ pub(super) fn describe<'a>(
             law: laws.place(&stop.law)?,
         });
     }
-    let load = |force: [f64; 2], time_function: TimeFunction| LoadModel {
+    let load = |name: &str, force: [f64; 2], time_function: TimeFunction| LoadModel {
+        name: name.to_owned(),
         body: MASS,
         place: Place::Nodes(vec![0]),
         action: LoadAction::Force([force[0], force[1], 0.0]),
@@ -60,13 +61,13 @@ pub(super) fn describe<'a>(
     };
     let mut loads = Vec::new();
     if lumped.force != 0.0 {
-        loads.push(load([lumped.force, 0.0], TimeFunction::Constant));
+        loads.push(load("force", [lumped.force, 0.0], TimeFunction::Constant));
     }
     if let Some(Unbalance { eccentricity, speed }) = lumped.unbalance {
         let force = lumped.mass * eccentricity * speed * speed;
         let turning = |phase: f64| TimeFunction::Sine { frequency: speed / TAU, phase };
-        loads.push(load([force, 0.0], turning(0.5 * PI)));
-        loads.push(load([0.0, force], turning(0.0)));
+        loads.push(load("unbalance.x", [force, 0.0], turning(0.5 * PI)));
+        loads.push(load("unbalance.y", [0.0, force], turning(0.0)));
     }
     let rotation = match lumped.unbalance {
         Some(Unbalance { speed, .. }) => Rotation::Spinning { speed },

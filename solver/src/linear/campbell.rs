@@ -220,7 +220,7 @@ impl Followed<'_> {
             let mut own = Vec::new();
             for (branch, places) in branches.iter().enumerate() {
                 let off = move |speed: f64, mode: &Mode| mode.value.im - order * speed.abs();
-                for Root { speed, mode, .. } in self.roots.of_branch(places, &off)? {
+                for Root { speed, mode, .. } in self.roots.of_branch(places, &off, &off)? {
                     own.push(Critical { order, speed, mode, branch });
                 }
             }
@@ -239,9 +239,8 @@ impl Followed<'_> {
         let is_uneven = self.roots.points.iter().any(|own| own.is_uneven);
         // Modes that lock to the rotation are two with one frequency, of which either may be followed.
         for (branch, places) in branches.iter().enumerate().filter(|_| !is_uneven) {
-            for Root { speed, mode, rises } in
-                self.roots.of_branch(places, &|_, mode| mode.growth())?
-            {
+            let (grows, rate) = (|_, mode: &Mode| mode.growth(), |_, mode: &Mode| mode.value.re);
+            for Root { speed, mode, rises } in self.roots.of_branch(places, &grows, &rate)? {
                 let (mode, branch) = (Some(mode), Some(branch));
                 found.push(Threshold { speed, mode, branch, grows: rises });
             }

@@ -102,6 +102,12 @@ impl LinearMachine {
         Error::NotStanding { at, rows, journals, share }
     }
 
+    /// Places in q of the coordinates of small motions.
+    pub(super) fn kept(&self, at: &Standstill) -> Vec<usize> {
+        let flexible = self.machine.rotations()..self.machine.size();
+        at.angles.iter().copied().chain(flexible).collect()
+    }
+
     /// The equations of small motions: seen from space, where all bodies that turn are round. With one that is not, in its frame
     /// if nothing varies there, or with what varies with its angle seen from space.
     ///

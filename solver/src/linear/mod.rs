@@ -2,7 +2,8 @@
 //!
 //! A [`Machine`] with bodies that are made exactly round ([`LinearMachine`]) → the balance of forces at the speeds
 //! ([`LinearMachine::standing`]) → M, C′ and K′ of small motions seen from space ([`Linearised`]) → modes ([`Modes`]) → modes
-//! followed over speeds ([`Campbell`]) → critical speeds and thresholds of stability.
+//! followed over speeds ([`Campbell`]) → critical speeds and thresholds of stability; or → what acts on them and is seen of them
+//! ([`StateSpace`]), for other programs.
 //!
 //! In the frames of bodies that turn the machine of section 5 varies with their angles. Round ones, whose tensors a turn
 //! exp(αS) leaves as they are, do not if their coordinates are turned back: with q = exp(−Dt) z, D = Ω S for each body, the
@@ -25,6 +26,7 @@ mod roots;
 mod round;
 mod shapes;
 mod slow;
+mod state_space;
 mod track;
 mod varying;
 
@@ -37,6 +39,7 @@ pub use modes::{Mode, Modes, Orbit, Whirl};
 pub use peaks::{Peak, peak};
 pub use response::{Point, Vibration};
 pub use round::LinearMachine;
+pub use state_space::StateSpace;
 
 #[cfg(doc)]
 use crate::machine::Machine;

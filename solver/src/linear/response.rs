@@ -9,7 +9,7 @@ use super::modes::Orbit;
 use super::round::LinearMachine;
 use crate::equations::Equations;
 use crate::error::Error;
-use crate::linalg::solve_complex;
+use crate::linalg::{dot, solve_complex};
 use crate::output::{Motion, Wanted};
 
 /// Turns over which forces are sampled, as those of engines come again after two.
@@ -127,13 +127,9 @@ impl LinearMachine {
             }
         }
         let of = |point: &Point, moved: &[Complex64]| {
-            let amplitudes = [0, 1].map(|axis| {
-                let parts = point.rows.iter().map(|(body, rows)| {
-                    let own = &moved[self.block(angles, *body)];
-                    rows[axis].iter().zip(own).map(|(row, own)| row * own).sum::<Complex64>()
-                });
-                parts.sum()
-            });
+            let amplitudes = self
+                .rows(at, point)
+                .map(|row| row.iter().zip(moved).map(|(row, own)| row * own).sum::<Complex64>());
             Vibration { amplitudes }
         };
         moved.sort_by_key(|own| own.0);
@@ -165,11 +161,7 @@ impl LinearMachine {
     /// What acts by harmonics of half the angle of a body beside what stands: (2/N) Σ e^{−inθ/2} R⁻ᵀ r, r sampled over two
     /// turns.
     fn forces(&self, at: &Standstill, body: usize) -> Vec<(i32, Vec<Complex64>)> {
-        let first = self.machine.first_unknown();
-        let angles = at.angles.len();
-        let flexible = self.machine.rotations()..self.machine.size();
-        let kept: Vec<usize> = at.angles.iter().copied().chain(flexible).collect();
-        debug_assert!(kept.iter().all(|place| *place >= first));
+        let (angles, kept) = (at.angles.len(), self.kept(at));
         let loads = self.loaded.loads.iter().zip(&at.found.released).zip(&at.found.ended);
         let released: Vec<bool> = loads
             .map(|((load, released), ended)| if load.body == body { *ended } else { *released })
@@ -227,5 +219,45 @@ impl LinearMachine {
         let most = all.iter().map(|own| size(&own.1)).fold(0.0, f64::max);
         let bound = (NOTHING * most).max(ROUNDING * scale);
         all.into_iter().filter(|own| size(&own.1) > bound).collect()
+    }
+
+    /// Bodies that have unbalance, by their places.
+    pub(super) fn unbalanced(&self) -> impl Iterator<Item = usize> {
+        self.turning().filter(|&body| self.unbalance(body).iter().any(|own| *own != 0.0))
+    }
+
+    /// f of the unbalance of a body, Ω² (y + iSᵀy), over the coordinates of [`Linearised`].
+    pub(super) fn unbalance_force(&self, at: &Standstill, body: usize) -> Vec<Complex64> {
+        let mut force = vec![Complex64::ZERO; self.kept(at).len()];
+        let load = self.unbalance(body);
+        let Some([once, _]) = &self.generators[body] else { return force };
+        let square = at.speeds[body] * at.speeds[body];
+        let across = once.apply_transpose(&load);
+        let own = self.block(at.angles.len(), body);
+        for (own, (along, across)) in force[own].iter_mut().zip(load.iter().zip(&across)) {
+            *own = square * Complex64::new(*along, *across);
+        }
+        force
+    }
+
+    /// Motion of a point along x and y of space by a unit of each coordinate of [`Linearised`]. An angle turns the displacement
+    /// in which its body stands.
+    pub(super) fn rows(&self, at: &Standstill, point: &Point) -> [Vec<f64>; 2] {
+        let mut all = [0, 1].map(|_| vec![0.0; self.kept(at).len()]);
+        for (body, rows) in &point.rows {
+            let place = &self.machine.places()[*body];
+            let block = self.block(at.angles.len(), *body);
+            for (all, row) in all.iter_mut().zip(rows) {
+                all[block.clone()].iter_mut().zip(row).for_each(|(sum, own)| *sum += own);
+            }
+            let angle = at.angles.iter().position(|own| Some(*own) == place.rotation);
+            if let Some(angle) = angle {
+                let stands = &at.found.state.q[place.flexible.clone()];
+                let [x, y] = rows.each_ref().map(|row| dot(row, stands));
+                all[0][angle] -= y;
+                all[1][angle] += x;
+            }
+        }
+        all
     }
 }

@@ -48,11 +48,13 @@ pub(super) struct Roots<'a> {
 
 impl Roots<'_> {
     /// Speeds at which something of a branch changes its sign. Of a machine that is not round it may be zero over whole
-    /// intervals: their ends.
+    /// intervals: their ends. `exact`: the same without what keeps rounding from changing it, whose zero is found where it changes
+    /// its sign, too.
     pub(super) fn of_branch(
         &self,
         places: &[Option<usize>],
         of: &dyn Fn(f64, &Mode) -> f64,
+        exact: &dyn Fn(f64, &Mode) -> f64,
     ) -> Result<Vec<Root>, Error> {
         let mut found: Vec<Root> = Vec::new();
         for (pair, places) in self.points.windows(2).zip(places.windows(2)) {
@@ -71,7 +73,17 @@ impl Roots<'_> {
             if sign(a.value) == sign(b.value) || a.value == 0.0 && !is_uneven {
                 continue;
             }
-            self.between(&pair[0], [a, b], &value, &mut found)?;
+            let rises = a.value < b.value;
+            let nearer =
+                [&a, &b].map(|own| End { value: exact(own.speed, &own.mode), ..own.clone() });
+            let changes = !is_uneven && nearer[0].value * nearer[1].value < 0.0;
+            let before = found.len();
+            if changes {
+                self.between(&pair[0], nearer, exact, &mut found)?;
+            } else {
+                self.between(&pair[0], [a, b], &value, &mut found)?;
+            }
+            found[before..].iter_mut().for_each(|own| own.rises = rises);
         }
         found.dedup_by(|b, a| (b.speed - a.speed).abs() <= ONE * a.speed.abs());
         Ok(found)

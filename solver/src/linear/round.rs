@@ -123,6 +123,14 @@ impl LinearMachine {
         speeds.collect()
     }
 
+    /// What turns with a body of its y0; none of one that stands.
+    pub(super) fn unbalance(&self, body: usize) -> Vec<f64> {
+        match (self.still.bodies[body].shaft(), &self.generators[body]) {
+            (Some(shaft), Some([_, square])) => unbalance(shaft, square),
+            _ => Vec::new(),
+        }
+    }
+
     /// Bodies whose frames turn, by their places.
     pub fn turning(&self) -> impl Iterator<Item = usize> {
         let bodies = self.machine.bodies.iter().enumerate();

@@ -34,6 +34,7 @@
 //!     laws: Vec::new(),
 //!     bearings: Vec::new(),
 //!     loads: vec![LoadModel {
+//!         name: "load.spin".to_owned(),
 //!         body: 0,
 //!         place: Place::Mean(0),
 //!         action: LoadAction::Couple([0.0, 0.0, 2.0]),

@@ -221,10 +221,9 @@ pub(super) fn describe<'a>(
         });
     }
     let loads = joined.loads.iter().zip(&plan.loads);
-    let loads = loads.map(|(load, place)| forces::load(&load.load, load.body, place));
+    let loads = loads.map(|(load, place)| forces::load(load, place));
     let drives = joined.drives.iter().zip(&plan.drives);
-    let drives =
-        drives.filter_map(|(drive, place)| forces::drive(&drive.couple, drive.body, place));
+    let drives = drives.filter_map(|(drive, place)| forces::drive(drive, place));
     let initial = joined.bodies.iter().map(|body| BodyStart {
         speed: match body.turning {
             Some(Turning::Free { initial_speed }) => initial_speed.unwrap_or(0.0),
