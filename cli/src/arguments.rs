@@ -195,6 +195,9 @@ pub(crate) struct CheckArguments {
     /// Say how far the bores of reduced bodies yield less than those of the meshes
     #[arg(long)]
     pub(crate) contacts: bool,
+    /// Print the full report on every law: range, trends, breaks
+    #[arg(long)]
+    pub(crate) laws: bool,
     /// Where reduced machines are kept
     #[command(flatten)]
     pub(crate) cache: CacheArguments,
