@@ -116,8 +116,7 @@ pub(crate) fn of_case(
 fn laws_of(case: &Case, plan: Option<&JoinedPlan>, built: &Built) -> Vec<LawSource> {
     match (&case.system, plan) {
         (System::Joined(joined), Some(plan)) => {
-            let chosen =
-                |joint: &Joint| matches!(joint.kind, JointKind::Bearing | JointKind::Stop);
+            let chosen = |joint: &Joint| matches!(joint.kind, JointKind::Bearing | JointKind::Stop);
             let laws = joined.joints.iter().zip(&plan.laws).filter(|(joint, _)| chosen(joint));
             laws.map(|(_, law)| law.clone()).collect()
         }

@@ -112,7 +112,7 @@ impl Results {
 pub(crate) fn held(locked: Locked, folder: &Path, warnings: &mut Vec<String>) -> Option<Lock> {
     let Locked::Ours(lock) = locked else {
         warnings.push(format!(
-            "the file system of `{}` has no locks: it would not be noticed if another run wrote its results there, too",
+            "the file system of `{}` does not support locks: another run that writes there would not be noticed",
             folder.display()
         ));
         return None;

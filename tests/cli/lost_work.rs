@@ -147,7 +147,7 @@ fn a_killed_run_with_chosen_steps_is_resumed_with_the_same_bytes() {
     assert!(facts["automatic"]["rejected_steps"].as_u64().expect("a count") > 10, "{facts}");
     let outcome = bench.whirl(&["run", "case.toml", "--out", "again", "--no-figures"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-    let words = "more done again in halves";
+    let words = "more repeated in halves";
     assert!(outcome.stdout.contains(words), "{}", outcome.stdout);
     let both = ["whole", "again"].map(|folder| read(bench.path(folder).join("history.csv")));
     assert!(both[0] == both[1], "other bytes");

@@ -6,7 +6,7 @@ use whirl_solver::assembly::mass_properties;
 use whirl_text::rounded;
 
 use super::frequencies::rpm;
-use crate::case::{Attached, Carried, Case, JoinedMachine, Start, Turning};
+use crate::case::{Attached, Carried, Case, JoinedMachine, NamedBody, Start, Turning};
 use crate::errors::Failure;
 use crate::machine::{JoinedPlan, PlannedBody};
 use crate::report::table;
@@ -23,20 +23,28 @@ pub(super) fn say(
     line!(text, "\nBodies\n{}", masses(joined, plan)?.trim_end());
     for body in &joined.bodies {
         for own in &body.attached {
-            let (name, z) = (own.name.text(), rounded(1e3 * own.z, 6));
-            let what = match own.what {
-                Carried::Disc { mass, polar_inertia, transverse_inertia } => format!(
-                    "disc {name}, {mass} kg, polar inertia {polar_inertia} kg m², transverse inertia \
-                     {transverse_inertia} kg m²"
-                ),
+            let (kind, what) = match own.what {
+                Carried::Disc { mass, polar_inertia, transverse_inertia } => {
+                    let inertias = format!(
+                        "polar inertia {polar_inertia} kg m², transverse {transverse_inertia} kg m²"
+                    );
+                    ("disc", format!("{mass} kg, {inertias}"))
+                }
                 Carried::Mass { mass, place: [x, y] } => {
-                    let [x, y] = [x, y].map(|own| rounded(1e3 * own, 6));
-                    format!("mass {name}, {mass} kg at x = {x} mm, y = {y} mm")
+                    let radius = rounded(1e3 * x.hypot(y), 6);
+                    let angle = rounded(y.atan2(x).to_degrees(), 6);
+                    ("mass", format!("{mass} kg at radius {radius} mm, {angle}°"))
                 }
                 // It is a load, and adds to no inertia.
                 Carried::Unbalance(_) => continue,
             };
-            line!(text, "{} carries at z = {z} mm: {what}", body.name.text());
+            let z = rounded(1e3 * own.z, 6);
+            line!(
+                text,
+                "{} carries {kind} {} at z = {z} mm: {what}",
+                body.name.text(),
+                own.name.text()
+            );
         }
     }
     Ok(())
@@ -64,9 +72,16 @@ pub(super) fn say_speeds(text: &mut String, joined: &JoinedMachine, case: &Case)
             _ => "free, from rest".to_owned(),
         },
     };
-    let turning = joined.bodies.iter().filter_map(|body| Some((body, body.turning.as_ref()?)));
-    let lines: Vec<String> =
-        turning.map(|(body, turning)| format!("{}: {}", body.name.text(), of(turning))).collect();
+    let aim = |place: usize| {
+        let own = joined.drives.iter().find(|own| own.body == place && own.couple.acts)?;
+        let target = rpm(own.couple.target_speed);
+        own.couple.table.is_none().then(|| format!("; its drive acts until {target} rpm"))
+    };
+    let line = |(place, body): (usize, &NamedBody)| {
+        let turning = of(body.turning.as_ref()?);
+        Some(format!("{}: {turning}{}", body.name.text(), aim(place).unwrap_or_default()))
+    };
+    let lines: Vec<String> = joined.bodies.iter().enumerate().filter_map(line).collect();
     if !lines.is_empty() {
         line!(text, "\nSpeeds\n{}", lines.join("\n"));
     }
@@ -74,13 +89,8 @@ pub(super) fn say_speeds(text: &mut String, joined: &JoinedMachine, case: &Case)
 
 /// The table of masses and inertias, all that bodies carry included.
 fn masses(joined: &JoinedMachine, plan: &JoinedPlan) -> Result<String, Failure> {
-    let heads = [
-        "",
-        "mass (kg)",
-        "centre z (mm)",
-        "polar inertia (kg m²)",
-        "transverse inertia (kg m²)",
-    ];
+    let heads =
+        ["", "mass (kg)", "centre z (mm)", "polar inertia (kg m²)", "transverse inertia (kg m²)"];
     let mut rows = vec![heads.map(str::to_string).to_vec()];
     for (body, own) in joined.bodies.iter().zip(&plan.bodies) {
         let [mass, z, polar, transverse] = match own {

@@ -85,5 +85,5 @@ fn sizes(plan: &JoinedPlan, joined: &JoinedMachine, built: &Built) -> String {
         row.extend(numbers.iter().map(ToString::to_string));
         rows.push(row);
     }
-    if rows.len() == 1 { String::new() } else { table(&rows) + "\n" }
+    if rows.len() == 1 { String::new() } else { table(&rows) }
 }

@@ -14,7 +14,7 @@ use crate::history::ReadHistory;
 
 /// What phases mean.
 const REFERENCE: &str =
-    "x = A cos(n θ + φ): A from 0 to the peak in the unit of the signal, θ the column `angle`";
+    "x = A cos(n θ + φ): A zero to peak in the unit of the signal, θ the column `angle`";
 /// Orders that are fitted beside the constant; the last two over two revolutions or more.
 const ORDERS: [f64; 5] = [1.0, 2.0, 3.0, 0.5, 1.5];
 /// Rows for one unknown, at least.

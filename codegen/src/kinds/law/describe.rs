@@ -107,7 +107,9 @@ impl OutputReport {
         let jumps = self.breaks.iter().filter(|found| found.jumps());
         all.extend(jumps.map(|found| found.words(name, unit)));
         let poles = self.poles.iter();
-        all.extend(poles.map(|(input, at)| format!("`{name}` has a pole at {input} = {}", short(*at))));
+        all.extend(
+            poles.map(|(input, at)| format!("`{name}` has a pole at {input} = {}", short(*at))),
+        );
         if self.undefined.is_some() {
             all.push(format!("`{name}` has no finite value in places"));
         }
