@@ -84,7 +84,7 @@ fn axes_that_are_apart_are_reported() {
         &bench_of(&shaft, &moved(&support, [3e-3, -4e-3])),
         &[
             "hu2003.machine.toml:",
-            "the nodes of `BORE1_LEFT` stand on a circle about x = 3 mm, y = -4 mm: 5 mm off the axis",
+            "the nodes of `BORE1_LEFT` are on a circle about x = 3 mm, y = -4 mm: 5 mm off the axis",
             "`BORE4_RIGHT`",
         ],
     );
