@@ -115,7 +115,8 @@ impl Failure {
             }
             Failure::Output { .. } => {
                 format!(
-                    "error: {self}\n = help: choose another location: `--out DIR`, for `new` `--dir DIR`, for `explain` `--plot FILE`\n"
+                    "error: {self}\n = help: choose another location: `--out DIR`, for `new` `--dir DIR`, for \
+                     `explain` `--plot FILE`\n"
                 )
             }
             Failure::StandardOutput { .. } => format!(
@@ -129,13 +130,15 @@ impl Failure {
                 )
             }
             Failure::OtherRun { .. } | Failure::OtherSweep { .. } => format!(
-                "error: {self}\n = help: undo these changes, or start again without `--resume`; `--out DIR` keeps the existing results\n"
+                "error: {self}\n = help: undo these changes, or start again without `--resume`; `--out DIR` keeps \
+                 the existing results\n"
             ),
             Failure::NothingToResume { .. } => format!(
                 "error: {self}\n = help: start again without `--resume`; `--out DIR` keeps the existing results\n"
             ),
             Failure::NoState { .. } => format!(
-                "error: {self}\n = help: give the folder of a finished run of the same bodies in `[start]`, or leave out `from`\n"
+                "error: {self}\n = help: give the folder of a finished run of the same bodies in `[start]`, or \
+                 leave out `from`\n"
             ),
             Failure::Unfinished { kept, help, .. } => {
                 let note = kept.as_ref().map_or(String::new(), |kept| {

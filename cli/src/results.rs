@@ -197,7 +197,10 @@ mod tests {
         assert!(lock.is_none());
         assert_eq!(warnings.len(), 1);
         let name = folder.path().display().to_string();
-        assert!(warnings[0].contains(&name) && warnings[0].contains("no locks"), "{warnings:?}");
+        assert!(
+            warnings[0].contains(&name) && warnings[0].contains("does not support locks"),
+            "{warnings:?}"
+        );
         let Locked::Ours(lock) = Lock::take(folder.path()).unwrap() else { panic!("it is free") };
         assert!(held(Locked::Ours(lock), folder.path(), &mut warnings).is_some());
         assert_eq!(warnings.len(), 1);

@@ -179,7 +179,8 @@ pub enum Error {
     },
     /// A ring of a bore that cannot carry springs: no spline goes through its nodes.
     #[error(
-        "{bearing}: the bore's {} nodes on the {} must be at different angles about the axis, and at least three", nodes, ["left", "middle", "right"][*ring]
+        "{bearing}: the bore's {} nodes on the {} must be at different angles about the axis, and at least three",
+        nodes, ["left", "middle", "right"][*ring]
     )]
     Bore {
         /// Name of the bearing.
@@ -199,7 +200,9 @@ pub enum Error {
     Machine(String),
     /// A law that has no value where a time step leads.
     #[error(
-        "step {step} (t = {time:.6e} s) leads to a point at which the law `{law}` has no value, at bearing or stop {bearing}: its formula gives no number there. Give the law a value wherever the journal may go, or find out what drives it there"
+        "step {step} (t = {time:.6e} s) leads to a point at which the law `{law}` has no value, at bearing or stop \
+         {bearing}: its formula gives no number there. Give the law a value wherever the journal may go, or find \
+         out what drives it there"
     )]
     NoForce {
         /// The step, counted from 1.
@@ -245,7 +248,8 @@ pub enum Error {
         share: f64,
     },
     /// Constant speeds at which no state was found in which the machine stands.
-    #[error("no equilibrium was found with {at}: {}. Lower the loads to what the bearings carry at this speed, or start at a higher one", out_of_balance(.rows, .journals, *.share))]
+    #[error("no equilibrium was found with {at}: {}. Lower the loads to what the bearings carry at this speed, or \
+         start at a higher one", out_of_balance(.rows, .journals, *.share))]
     NotStanding {
         /// The bodies with their speeds.
         at: String,
@@ -258,7 +262,9 @@ pub enum Error {
     },
     /// A balance at t = 0 that is none: nothing holds the machine in it.
     #[error(
-        "the start at equilibrium is not determined: nothing holds the {}. An unloaded journal floats in its clearance, and a film carries only at speed: add a load, such as the weight, or give the speed, or start at rest",
+        "the start at equilibrium is not determined: nothing holds the {}. An unloaded journal floats in its \
+         clearance, and a film carries only at speed: add a load, such as the weight, or give the speed, or start \
+         at rest",
         .coordinates.join(", the ")
     )]
     Floating {
@@ -275,7 +281,9 @@ pub enum Error {
     OtherBodies(Vec<String>),
     /// A rotation that is prescribed otherwise than a state has it.
     #[error(
-        "the rotation of {body} is prescribed to be at {angle:.6e} rad and {speed:.6e} rad/s at t = {time:.6e} s, but the state from which it starts has {had_angle:.6e} rad and {had_speed:.6e} rad/s: prescribe a rotation that continues from there, or let it turn freely"
+        "the rotation of {body} is prescribed to be at {angle:.6e} rad and {speed:.6e} rad/s at t = {time:.6e} s, \
+         but the state from which it starts has {had_angle:.6e} rad and {had_speed:.6e} rad/s: prescribe a rotation \
+         that continues from there, or let it turn freely"
     )]
     OtherRotation {
         /// Name of the body.

@@ -72,7 +72,8 @@ fn the_clearance_is_that_of_the_meshes() {
     let outcome = bench.whirl(&["check", "case.toml"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
     for wanted in [
-        "bearing front: journal rotor, bore housing, law hu2003-nonlinear (c0 = 0.05 mm), c = 50 µm from mesh, 3 rings of 24 springs at z = 0, 10, 20 mm",
+        "bearing front: journal rotor, bore housing, law hu2003-nonlinear (c0 = 0.05 mm), c = 50 µm from mesh, 3 \
+         rings of 24 springs at z = 0, 10, 20 mm",
         "measured on the meshes: journal of radius 10 mm (out of round by 0 µm), bore of radius 10.05 mm (out of round by 0 µm)",
     ] {
         assert!(outcome.stdout.contains(wanted), "{wanted}\nin\n{}", outcome.stdout);

@@ -240,7 +240,8 @@ fn has_a_steady_state(march: &Table, settings: &MarchSettings, has_cycle: bool) 
         refuse(march, "stop_when_steady", message, write.to_owned());
     } else if settings.no_common_cycle {
         let message = format!(
-            "loads and rotation have no common period of up to {MOST_PERIODS} of the slowest: the motion does not repeat, and no steady state can be detected"
+            "loads and rotation have no common period of up to {MOST_PERIODS} of the slowest: the motion does not \
+             repeat, and no steady state can be detected"
         );
         refuse(march, "stop_when_steady", message, write.to_owned());
     } else if settings.steady_cycle().is_none() {

@@ -85,7 +85,8 @@ pub(super) fn say_loads(
         if most > MUCH {
             line!(
                 text,
-                "remove `static_correction = false` from `[{name}]` to keep the answers to these loads in addition to the {} modes",
+                "remove `static_correction = false` from `[{name}]` to keep the answers to these loads in addition \
+                 to the {} modes",
                 body.spec.modes
             );
         }
@@ -121,7 +122,8 @@ pub(super) fn say(
 fn say_body(text: &mut String, name: &str, body: &BodyPlan, found: &[[f64; HARMONICS]]) {
     line!(
         text,
-        "\npart of the static compliance of its bores that the reduced {name} lacks, under loads cos nψ (retained nodes held)"
+        "\npart of the static compliance of its bores that the reduced {name} lacks, under loads cos nψ (retained \
+         nodes held)"
     );
     let heads = std::iter::once(String::new()).chain((0..HARMONICS).map(|n| format!("n = {n}")));
     let mut rows = vec![heads.collect::<Vec<String>>()];
@@ -135,7 +137,8 @@ fn say_body(text: &mut String, name: &str, body: &BodyPlan, found: &[[f64; HARMO
     if worst > MUCH {
         line!(
             text,
-            "`static_correction = true` in `[{name}]` keeps the answers to these loads in addition to the {} modes; more `modes` also help, but slowly",
+            "`static_correction = true` in `[{name}]` keeps the answers to these loads in addition to the {} modes; \
+             more `modes` also help, but slowly",
             body.spec.modes
         );
     }

@@ -64,7 +64,8 @@ pub(crate) fn of_orders(facts: Option<&OrderFacts>) -> String {
     let fewest_rows = rows_each.fold(f64::INFINITY, f64::min);
     let few = match fewest_rows < FEW_ROWS {
         true => format!(
-            "few rows: {:.0} a revolution; components at {:.0} times the speed or more may alias to 1X or 2X; compare with a shorter `output_step` or `time_step`\n",
+            "few rows: {:.0} a revolution; components at {:.0} times the speed or more may alias to 1X or 2X; \
+             compare with a shorter `output_step` or `time_step`\n",
             fewest_rows,
             fewest_rows.round() - 2.0
         ),

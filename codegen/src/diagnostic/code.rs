@@ -92,7 +92,8 @@ impl Code {
             "Compare the declared term with the derived one that the help shows."
         SHAPE_FUNCTION "E050" "Shape functions that do not sum to one, interpolate the nodes or reproduce the coordinates."
             "Correct the function or the node that the message names."
-        QUADRATURE "E051" "A quadrature rule for another cell, with weights that are not positive, or of a lower degree than declared."
+        QUADRATURE "E051" "A quadrature rule for another cell, with weights that are not positive, or of a lower \
+             degree than declared."
             "Use a rule of this cell with enough points, or declare its actual degree."
         PATCH_TEST "E052" "Enhanced modes that do work against a constant stress."
             "Write `jacobian = \"centre\"` and `scale = 'det0/det'`, and use modes whose gradients integrate to zero."

@@ -93,7 +93,8 @@ pub fn findings(
             resolved,
         ),
         (
-            "false inertia forces of a body that turns, whose motion is constant or slow in space, that one step in twenty exceeds, as a fraction of its largest elastic force",
+            "false inertia forces of a body that turns, whose motion is constant or slow in space, that one step in \
+             twenty exceeds, as a fraction of its largest elastic force",
             (None, quality.inertia_error_of),
             quality.inertia_error,
             INERTIA_ERROR,
@@ -175,7 +176,8 @@ fn rings(ringing: &Ringing, time_step: f64, automatic: Option<AutomaticStep>) ->
         remedy: match ringing.damped {
             true => format!("set a smaller `spectral_radius` in [march], or {shorter}"),
             false => format!(
-                "set `integrator = \"generalized-alpha\"` in [march], which damps motion far faster than the step, or {shorter}"
+                "set `integrator = \"generalized-alpha\"` in [march], which damps motion far faster than the step, \
+                 or {shorter}"
             ),
         },
     })

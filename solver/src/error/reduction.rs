@@ -78,7 +78,9 @@ pub enum ReductionError {
     },
     /// The block Lanczos iteration stopped before all modes had converged.
     #[error(
-        "only {converged} of {asked} modes converged in {slices} slices of the spectrum: they lie closer together than rounding can resolve; ask for fewer modes, or leave out cells that are much smaller or stiffer than the others"
+        "only {converged} of {asked} modes converged in {slices} slices of the spectrum: they lie closer together \
+         than rounding can resolve; ask for fewer modes, or leave out cells that are much smaller or stiffer than \
+         the others"
     )]
     NotConverged {
         /// Modes that converged.

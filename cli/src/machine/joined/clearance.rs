@@ -114,7 +114,8 @@ pub(super) fn measure(
     for (key, places) in [("run_out", &joint.run_out), ("offset", &joint.offset)] {
         if let Some(far) = places.iter().find_map(|place| far(*place)) {
             let message = format!(
-                "this `{key}` is {}, more than the radial clearance of {} that the meshes leave: the journal would be inside the wall",
+                "this `{key}` is {}, more than the radial clearance of {} that the meshes leave: the journal would \
+                 be inside the wall",
                 mm(far),
                 mm(c)
             );

@@ -158,7 +158,8 @@ pub(super) fn compare(
         && (bore - journal - c).abs() > GAP * c + DIGITS * bore
     {
         warnings.push(format!(
-            "{}: the meshes leave {} between the surfaces of the joint `{}` (radii {} and {}), but the case gives a clearance of {}, which is used",
+            "{}: the meshes leave {} between the surfaces of the joint `{}` (radii {} and {}), but the case gives a \
+             clearance of {}, which is used",
             joint.name.source().path.display(),
             mm(bore - journal),
             joint.name.text(),
