@@ -1,4 +1,4 @@
-//! `whirl check`: what a case would run, without marching; what was found about a spec.
+//! `whirl check`: the machine of a case, without marching; what was found about a spec.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -7,10 +7,10 @@ use whirl_solver::cache::Cache;
 use whirl_solver::dynamics::AutomaticStep;
 
 use crate::arguments::CheckArguments;
-use crate::case::{Case, Joint, JointKind, LawSource, Lumped, Side, System, Unbalance};
+use crate::case::{Case, Joint, JointKind, LawSource, System};
 use crate::errors::Failure;
 use crate::explain;
-use crate::machine;
+use crate::machine::{self, Built, JoinedPlan};
 use crate::progress::{self, ProgressMode};
 use crate::{spec_file, start, streams, sweep};
 
@@ -21,13 +21,28 @@ macro_rules! line {
     };
 }
 
+mod bodies;
 mod contacts;
-mod joined;
+mod frequencies;
+mod joints;
+mod laws;
+mod loads;
+mod lumped;
+mod meshes;
 mod round;
 mod sets;
 
-/// Reads a case and builds its machine; says counts, masses, sets, laws and what would be marched. Of a spec
-/// file, says its report; of a sweep, its points.
+/// What is reported only where it is asked for.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Wanted {
+    /// How much of the compliance of its mesh each reduced body lacks.
+    pub(crate) contacts: bool,
+    /// All that is known of the laws.
+    pub(crate) laws: bool,
+}
+
+/// Reads a case and builds its machine; describes it, and what would be marched. Of a spec file, says its report; of a
+/// sweep, its points.
 ///
 /// # Errors
 /// Whatever keeps the case from being marched, or is wrong with the spec.
@@ -42,16 +57,17 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     }
     let case = streams::warned(|warnings| machine::read(name, warnings))?;
     let show = ProgressMode::on_terminal();
-    streams::warned(|warnings| of_case(&case, (cache.as_ref(), arguments.contacts), show, warnings))
+    let wanted = Wanted { contacts: arguments.contacts, laws: arguments.laws };
+    streams::warned(|warnings| of_case(&case, (cache.as_ref(), wanted), show, warnings))
 }
 
-/// What is said of a case, of the contacts of its bores, too, if they are wanted. `warnings` are added to.
+/// What is said of a case: what an engineer asks of a machine first, then how it is computed. `warnings` are added to.
 ///
 /// # Errors
 /// Whatever keeps it from being marched.
 pub(crate) fn of_case(
     case: &Case,
-    (cache, contacts): (Option<&Cache>, bool),
+    (cache, wanted): (Option<&Cache>, Wanted),
     show: ProgressMode,
     warnings: &mut Vec<String>,
 ) -> Result<String, Failure> {
@@ -59,76 +75,52 @@ pub(crate) fn of_case(
     if !case.origin.is_empty() {
         line!(text, "source: {}", case.origin);
     }
-    text.push('\n');
     // Meshes are read once, and warned of once.
     let plan = machine::plan(case, warnings)?;
-    let laws = match (&case.system, &plan) {
-        (System::Joined(joined), Some(plan)) => {
-            plan.verify()?;
-            // What a bushing or a coupling is stands beside its joint.
-            let reported =
-                |joint: &Joint| matches!(joint.kind, JointKind::Bearing | JointKind::Stop);
-            let laws = joined.joints.iter().zip(&plan.laws).filter(|(joint, _)| reported(joint));
-            laws.map(|(_, law)| law.clone()).collect()
-        }
-        (System::Lumped(lumped), _) => say_lumped(&mut text, lumped),
-        (System::Joined(_), None) => Vec::new(),
-    };
+    if let Some(plan) = &plan {
+        plan.verify()?;
+    }
     // What only shows when the bodies are reduced and the springs placed.
     let build = || machine::build(case, plan.as_ref(), cache, warnings);
     let built = progress::during(show, case.reducing(), build)?;
-    if let (System::Joined(joined), Some(plan)) = (&case.system, &plan) {
-        joined::say(&mut text, joined, plan, &built, case.run())?;
+    match (&case.system, &plan) {
+        (System::Joined(joined), Some(plan)) => {
+            bodies::say(&mut text, joined, plan)?;
+            frequencies::say(&mut text, joined, &built, case.run())?;
+            round::say(&mut text, case, &built)?;
+            bodies::say_speeds(&mut text, joined, case);
+            joints::say(&mut text, joined, plan);
+            loads::say(&mut text, joined);
+        }
+        (System::Lumped(lumped), _) => lumped::say(&mut text, lumped),
+        (System::Joined(_), None) => {}
     }
-    contacts::say_loads(&mut text, case, (plan.as_ref(), contacts), cache)?;
-    round::say(&mut text, case, &built)?;
-    if contacts {
-        contacts::say(&mut text, case, plan.as_ref(), cache)?;
+    if let Some(words) = start::described(case, &built)? {
+        line!(text, "\nStart\n{words}");
     }
-    say_laws(&mut text, &laws);
     if case.march.is_some() {
         say_march(&mut text, case);
     }
-    if let Some(words) = start::described(case, &built)? {
-        line!(text, "{words}");
+    if let (System::Joined(joined), Some(plan)) = (&case.system, &plan) {
+        meshes::say(&mut text, joined, plan, &built)?;
+        contacts::say_loads(&mut text, case, (Some(plan), wanted.contacts), cache)?;
+        if wanted.contacts {
+            contacts::say(&mut text, case, Some(plan), cache)?;
+        }
     }
+    laws::say(&mut text, &laws_of(case, plan.as_ref(), &built), wanted.laws);
     Ok(text)
 }
 
-fn say_lumped(text: &mut String, lumped: &Lumped) -> Vec<LawSource> {
-    let Lumped { mass, stiffness, damping, displacement, velocity, force, .. } = lumped;
-    line!(
-        text,
-        "mass {mass} kg, stiffness {stiffness} N/m, damping {damping} N s/m, force {force} N"
-    );
-    line!(text, "starts at {displacement} m with {velocity} m/s");
-    if let Some(unbalance) = lumped.unbalance {
-        let Unbalance { eccentricity, speed } = unbalance;
-        line!(text, "unbalance: {eccentricity} m off the axis at {speed} rad/s");
-    }
-    for stop in &lumped.stops {
-        let side = format!("{:?}", stop.side).to_lowercase();
-        // A law of a ring that does not say which of its parameters is the gap has it in itself.
-        let gap = match stop.side {
-            Side::Around if stop.gap == 0.0 => String::new(),
-            _ => format!(", gap {} m", stop.gap),
-        };
-        line!(text, "stop {side}{gap}, law {}", stop.law.name());
-    }
-    lumped.stops.iter().map(|stop| stop.law.clone()).collect()
-}
-
-/// Each law once, in the order in which the case first names them.
-fn say_laws(text: &mut String, laws: &[LawSource]) {
-    let mut listed: Vec<String> = Vec::new();
-    for law in laws {
-        if listed.contains(&law.name()) {
-            continue;
+/// The laws that a reader of the case has chosen: what a bushing or a coupling is stands beside its joint.
+fn laws_of(case: &Case, plan: Option<&JoinedPlan>, built: &Built) -> Vec<LawSource> {
+    match (&case.system, plan) {
+        (System::Joined(joined), Some(plan)) => {
+            let chosen = |joint: &Joint| matches!(joint.kind, JointKind::Bearing | JointKind::Stop);
+            let laws = joined.joints.iter().zip(&plan.laws).filter(|(joint, _)| chosen(joint));
+            laws.map(|(_, law)| law.clone()).collect()
         }
-        listed.push(law.name());
-        let spec = law.spec();
-        line!(text, "\nlaw {}: {}", law.name(), spec.title);
-        text.push_str(&spec.report.to_string());
+        _ => built.laws.clone(),
     }
 }
 
@@ -137,7 +129,7 @@ fn say_march(text: &mut String, case: &Case) {
     let what = if march.automatic.is_some() { "rows, one every" } else { "steps of" };
     line!(
         text,
-        "\n{} {what} {:e} s: {:.6} s; a cycle is {:.6} s",
+        "\nTime\n{} {what} {:e} s: {:.6} s; a cycle is {:.6} s",
         march.steps,
         march.time_step,
         march.duration(),
@@ -146,23 +138,23 @@ fn say_march(text: &mut String, case: &Case) {
     if let Some(AutomaticStep { tolerance, longest }) = march.automatic {
         line!(
             text,
-            "steps are chosen by the program, {:e} s at most, for a local error of {tolerance:e}",
+            "the program chooses the steps, at most {:e} s, for a local error of {tolerance:e}",
             longest.min(march.time_step)
         );
     }
     if let Some(radius) = march.spectral_radius {
-        line!(text, "integrated by generalized-α, spectral radius {radius}");
+        line!(text, "integrated by generalized-α with spectral radius {radius}");
     }
     line!(text, "the cycle is {}", march.cycle_called);
     if march.no_common_cycle {
         line!(
             text,
-            "rotation and loads have no common period: with `cycle_frequency`, write the one after which the motion \
-             repeats"
+            "rotation and loads have no common period: give the frequency at which the motion repeats as \
+             `cycle_frequency`"
         );
     }
     if march.stop_when_steady {
-        line!(text, "stops at its steady state");
+        line!(text, "the run stops at its steady state");
     }
     if march.steady_cycle().is_none() {
         line!(text, "shorter than {}: not checked for a steady state", march.steady_cycles());

@@ -113,7 +113,12 @@ pub fn check_case(
     cache: Option<&Cache>,
     warnings: &mut Vec<String>,
 ) -> Result<String, Failure> {
-    check::of_case(case, (cache, false), progress::ProgressMode::Nothing, warnings)
+    check::of_case(
+        case,
+        (cache, check::Wanted::default()),
+        progress::ProgressMode::Nothing,
+        warnings,
+    )
 }
 
 /// What `whirl explain` says of a spec: the name of a built-in one, or the path of a file.

@@ -205,7 +205,7 @@ fn speeds_at_which_the_machine_does_not_stand_are_left_out() {
     for command in ["campbell", "modes", "coefficients"] {
         let speeds = ["--speeds", "0 rpm .. 3000 rpm, 3", "--out", "out"];
         let said = ran(&workbench, &[&[command, "film.toml"][..], &speeds].concat()).stdout;
-        assert!(said.contains("left out: 0 rpm, as no state"), "{command}: {said}");
+        assert!(said.contains("left out: 0 rpm, as no equilibrium"), "{command}: {said}");
         let file = format!("out/{command}.csv");
         let least = numbers(&workbench, &file, "speed_rpm").into_iter().fold(f64::MAX, f64::min);
         assert!((least - 1500.0).abs() < 1e-6, "{command}: {least}");
@@ -396,7 +396,7 @@ fn what_has_no_modes_at_a_speed_is_refused() {
         (vec!["analyse", "weight"], "`weight` has no analysis"),
         (
             vec!["modes", "film.toml", "--speeds", "0 rpm"],
-            "machine stands was found with rotor at 0 rpm",
+            "no equilibrium was found with rotor at 0 rpm",
         ),
     ] {
         let outcome = workbench.whirl(&arguments);

@@ -38,6 +38,7 @@ mod readme;
 mod rubs;
 mod schema;
 mod set_places;
+mod stability_map;
 mod standing;
 mod starts;
 mod streams;

@@ -77,7 +77,7 @@ pub(crate) use units::mesh_units;
 pub struct Case {
     /// Name under which results are kept: that of the file without its ending.
     pub(crate) name: String,
-    /// One line for people.
+    /// One-line description.
     pub(crate) title: String,
     /// Paper, standard or book; empty if the case does not say.
     pub(crate) origin: String,
@@ -130,7 +130,7 @@ impl Case {
         &self.name
     }
 
-    /// One line for people.
+    /// One-line description.
     pub fn title(&self) -> &str {
         &self.title
     }

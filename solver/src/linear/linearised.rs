@@ -42,6 +42,13 @@ pub struct Linearised {
     pub(crate) varying: Option<Periodic>,
 }
 
+impl Linearised {
+    /// Whether they are constant as space sees them.
+    pub fn stands_in_space(&self) -> bool {
+        self.frame == 0.0 && self.varying.is_none()
+    }
+}
+
 impl LinearMachine {
     /// The state in which loads that stand in space are balanced at the speeds, as [`LinearMachine::speeds`] gives them; from
     /// one nearby, if there is one. At rest bodies are as they are, round or not.

@@ -44,6 +44,17 @@ pub(super) fn found(
         done += 1;
         let Some(at) = lost.take(speed, linear.standing(&speeds, near.as_ref()))? else { continue };
         let equations = linear.linearised(&at)?;
+        if !equations.stands_in_space() {
+            let names = linear.not_round().map(|body| linear.machine().bodies[body].name());
+            return Err(Failure::Argument {
+                message: format!(
+                    "seen from space, the matrices of `{}` vary with the angle of {}, which is not round",
+                    case.name,
+                    names.collect::<Vec<_>>().join(" and ")
+                ),
+                help: "make it round, or ask for them at rest, `--speeds \"0 rpm\"`".to_owned(),
+            });
+        }
         let size = equations.mass.rows;
         if size > MOST {
             return Err(Failure::Argument {

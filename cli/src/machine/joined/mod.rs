@@ -149,9 +149,12 @@ impl JoinedPlan {
         (own.bearing.radial_clearance, own.circles)
     }
 
-    /// Rings of springs of a joint.
-    pub(crate) fn rings(&self, joint: usize) -> usize {
-        self.joints[joint].bearing.rings()
+    /// z of the rings of springs of a joint, or of the planes in which its law acts (m).
+    pub(crate) fn stations(&self, joint: usize) -> Vec<f64> {
+        let own = &self.joints[joint];
+        let [left, _, right] = own.z;
+        let along = joints::stations(&own.bearing, [left, right]);
+        along.into_iter().map(|part| left + part * (right - left)).collect()
     }
 
     /// Checks for what would keep the bodies from being reduced, without reducing them.
