@@ -40,7 +40,7 @@ fn critical_speeds_of_a_rigid_rotor_are_those_of_closed_forms() {
         )
     };
     let case = format!(
-        "title = \"a rigid rotor\"\n[body.rotor]\nturns = \"prescribed\"\nspeed = \"3000 rpm\"\nmass = \"{m} kg\"\n\
+        "title = \"a rigid rotor\"\n[body.rotor]\nturns = \"prescribed\"\nspeed = \"3000 rpm\"\nmass = \"{m} kg\"\nz = \"0 m\"\n\
          polar_inertia = \"{polar} kg*m^2\"\ntransverse_inertia = \"{transverse} kg*m^2\"\n{}{}",
         joint("left", "-0.3 m"),
         joint("right", "0.3 m")

@@ -34,7 +34,7 @@ fn point_mass(stiffness: [f64; 2], ground: &str, head: &str, speed: &str) -> Wor
          units = \"m, N, kg\"\nmodes = 0\nstiffening = false\naxial_restraint = \"NODE_2\"\n\
          matrices = {{ stiffness = \"K.mtx\", mass = \"M.mtx\", dofs = \"dofs.csv\" }}\n\
          [joint.hub]\nkind = \"bushing\"\nfirst = {{ body = \"mass\", sets = \"NODE_2\" }}\n\
-         stiffness = {{ xx = \"1e13 N/m\", yy = \"1e13 N/m\" }}\n\
+         stiffness = {{ xx = \"2e12 N/m\", yy = \"2e12 N/m\" }}\n\
          [joint.ground]\nkind = \"bushing\"\nfirst = {{ body = \"mass\", sets = \"NODE_1\" }}\n{ground}\n\
          [output.mass]\nquantity = \"displacement\"\nbody = \"mass\"\nset = \"NODE_1\"\n"
     );

@@ -20,6 +20,9 @@ use crate::signals::Interruption;
 
 /// Points that a figure shows.
 const SHOWN: usize = 4;
+/// Share of the largest amplitude from which on an order is shown to people, and how many of them figures show.
+const MAIN: f64 = 0.01;
+const DRAWN: usize = 4;
 /// Peaks nearer than this share of their speed are one.
 const SAME: f64 = 1e-5;
 
@@ -136,7 +139,7 @@ pub(super) fn found(
         files.extend(png(&drawing).map(|image| (format!("{name}.png"), image)));
         files.push((format!("{name}.svg"), drawing.into_bytes()));
     }
-    let text = text(case, linear, &points, &sources) + &lost;
+    let text = text(case, linear, &points, (&speeds, &sources)) + &lost;
     Ok(Found { text, files, interrupted })
 }
 
@@ -225,31 +228,76 @@ fn peak_rows(linear: &LinearMachine, points: &[Point], sources: &[Source]) -> St
     text
 }
 
-fn text(case: &Case, linear: &LinearMachine, points: &[Point], sources: &[Source]) -> String {
+fn text(
+    case: &Case,
+    linear: &LinearMachine,
+    points: &[Point],
+    (speeds, sources): (&[f64], &[Source]),
+) -> String {
     let mut text = format!("{}: {}\n", case.name, case.title);
-    for source in sources {
+    let main: Vec<&Source> = main(sources);
+    for source in &main {
         let body = linear.machine().bodies[source.body].name();
-        let _ = writeln!(text, "order {} of {body}, zero to peak\n", source.order);
-        let head = ["point", "peak (rpm)", "major semi-axis (um)", "amplification factor"];
-        let mut rows = vec![head.map(str::to_owned).to_vec()];
-        for (point, peaks) in points.iter().zip(&source.peaks) {
-            for own in peaks {
-                rows.push(vec![
-                    point.name.clone(),
-                    words::speed(own.speed),
-                    shown(1e6 * own.height, 5, 1e-4..1e7),
-                    own.amplification().map_or("-".to_owned(), |own| rounded(own, 4).to_string()),
-                ]);
-            }
-        }
-        match rows.len() {
-            _ if source.order == 0.0 => text.push_str("the mean position\n"),
-            1 => text.push_str("no peak in this range\n"),
-            _ => text.push_str(&table(&rows)),
-        }
+        let order = source.order;
+        let _ = match order == 0.0 {
+            true => writeln!(text, "mean position of {body} and what it moves\n"),
+            false => writeln!(text, "order {order} of {body}, zero to peak\n"),
+        };
+        text.push_str(&match speeds.len() {
+            1 => orbits(points, source),
+            _ if order == 0.0 => String::new(),
+            _ => peak_table(points, source),
+        });
         text.push('\n');
     }
+    if main.len() < sources.len() {
+        let _ = writeln!(
+            text,
+            "orders with less than {} % of the largest amplitude are in the files only",
+            100.0 * MAIN
+        );
+    }
     text
+}
+
+/// The orders that move anything by a share of what the largest does.
+fn main(sources: &[Source]) -> Vec<&Source> {
+    let size = |own: &Source| {
+        let all = own.motions.iter().flatten().map(|own| own.orbit().major);
+        all.fold(0.0, f64::max)
+    };
+    let most = sources.iter().map(size).fold(0.0, f64::max);
+    sources.iter().filter(|own| size(own) >= MAIN * most).collect()
+}
+
+/// What the points do at the only speed.
+fn orbits(points: &[Point], source: &Source) -> String {
+    let head = ["point", "major semi-axis (um)", "minor", "phase along x (deg)"];
+    let mut rows = vec![head.map(str::to_owned).to_vec()];
+    for (point, own) in points.iter().zip(source.motions.iter().flatten()) {
+        let orbit = own.orbit();
+        let axis = |value: f64| shown(1e6 * value, 5, 1e-4..1e7);
+        let phase = rounded(own.amplitudes[0].arg().to_degrees(), 4).to_string();
+        rows.push(vec![point.name.clone(), axis(orbit.major), axis(orbit.minor), phase]);
+    }
+    table(&rows)
+}
+
+/// Where the points have peaks.
+fn peak_table(points: &[Point], source: &Source) -> String {
+    let head = ["point", "peak (rpm)", "major semi-axis (um)", "amplification factor"];
+    let mut rows = vec![head.map(str::to_owned).to_vec()];
+    for (point, peaks) in points.iter().zip(&source.peaks) {
+        for own in peaks {
+            rows.push(vec![
+                point.name.clone(),
+                words::speed(own.speed),
+                shown(1e6 * own.height, 5, 1e-4..1e7),
+                own.amplification().map_or("-".to_owned(), |own| rounded(own, 4).to_string()),
+            ]);
+        }
+    }
+    if rows.len() == 1 { "no peak in this range\n".to_owned() } else { table(&rows) }
 }
 
 /// Major semi-axes of the first points, and phases along x.
@@ -263,7 +311,7 @@ fn figure(
     let x = format!("speed of {} (rpm)", linear.machine().bodies[of].name());
     let styles = [Style::First, Style::Second, Style::Third, Style::Fourth];
     let mut panels = Vec::new();
-    for source in sources {
+    for source in main(sources).into_iter().take(DRAWN) {
         let body = linear.machine().bodies[source.body].name();
         let lines = |value: &dyn Fn(&Vibration) -> f64| -> Vec<Line> {
             let shown = points.iter().enumerate().take(SHOWN).zip(styles);

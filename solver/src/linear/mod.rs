@@ -27,6 +27,8 @@ mod round;
 mod shapes;
 mod slow;
 mod state_space;
+#[cfg(test)]
+mod tests;
 mod track;
 mod varying;
 

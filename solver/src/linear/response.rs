@@ -19,7 +19,7 @@ const SAMPLES: usize = 96;
 /// Harmonics on both sides, in steps of the equations, of a machine with a body that is not round.
 const HARMONICS: i32 = 3;
 /// What is smaller than this share of the largest is nothing.
-const NOTHING: f64 = 1e-9;
+const NOTHING: f64 = 1e-6;
 /// Share of the forces that act that is rounding of them.
 const ROUNDING: f64 = 1e-9;
 

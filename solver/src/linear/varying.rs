@@ -139,7 +139,7 @@ impl LinearMachine {
 
     /// M′, C′ and K′ with a body at an angle, bodies at its speed at the same, and others turned by another one beside what
     /// their speeds make of it; seen from space or in the frame of the body.
-    fn sample(
+    pub(super) fn sample(
         &self,
         (at, machine, body): (&Standstill, &Machine, usize),
         [angle, others]: [f64; 2],

@@ -1,0 +1,75 @@
+//! Frames: what is constant, and that all of them have the same motions.
+
+use whirl_specs::{CLEARANCES, LAWS, MOTIONS};
+
+use super::linearised::Linearised;
+use super::round::LinearMachine;
+use crate::bearing::{Bearing, Sides};
+use crate::gravity::weights;
+use crate::machine::{Body, Machine, MachineParts, Rotation};
+use crate::roundness::tests::Prism;
+use crate::support::Support;
+
+/// rad/s.
+const SPEED: f64 = 700.0;
+
+/// A shaft of eight sides in two bushings on the ground, under its weight or not.
+fn machine(gravity: f64) -> Machine {
+    let mut shaft = Prism::solid(8).shaft();
+    shaft.nodes = shaft.measures.iter().map(|own| own.node_at([0.0, 0.0, own.centre[2]])).collect();
+    let bodies = vec![
+        Body::turning("rotor", shaft, Rotation::Prescribed { speed: SPEED, acceleration: 0.0 }),
+        Body::standing("ground", Support::rigid(&[])),
+    ];
+    let loads = weights(&bodies, [-gravity, 0.0, 0.0]);
+    let law = LAWS.iter().find(|law| law.origin.name == "bushing").expect("is shipped");
+    let at = |name: &str, node: usize| Bearing {
+        others: Vec::new(),
+        name: name.to_owned(),
+        label: None,
+        sides: Sides { bodies: [0, 1], ..Sides::default() },
+        journal: [node; 3],
+        bore: [Vec::new(), Vec::new(), Vec::new()],
+        clearance: 0.0,
+        journal_radius: None,
+        stations: vec![0.5],
+        angles: (0..24).map(|k| std::f64::consts::TAU * f64::from(k) / 24.0).collect(),
+        law: 0,
+    };
+    Machine::new(MachineParts {
+        bodies,
+        motion: MOTIONS.iter().find(|own| own.origin.name == "consistent").expect("is shipped"),
+        clearance: &CLEARANCES[0],
+        laws: vec![Box::new(law)],
+        bearings: vec![at("near", 0), at("far", 2)],
+        loads,
+    })
+    .expect("a machine")
+}
+
+/// At times of which no symmetry knows, seen from space.
+#[test]
+fn equations_of_round_bodies_do_not_vary() {
+    let linear = LinearMachine::new(machine(9.81)).expect("round");
+    let at = linear.standing(&[Some(SPEED), None], None).expect("stands");
+    let varies = linear.varies(&at);
+    assert!(varies < 1e-11, "{varies:e}");
+}
+
+/// Also of forward and backward motions, of which the one has its frequency less Ω there and the other with Ω.
+#[test]
+fn the_frame_of_the_rotor_has_the_motions_of_space() {
+    let linear = LinearMachine::new(machine(0.0)).expect("round");
+    let at = linear.standing(&[Some(SPEED), None], None).expect("stands");
+    let space = linear.linearised(&at).expect("round");
+    let [mass, damping, stiffness] = linear.sample((&at, linear.machine(), 0), [0.0, 0.0], true);
+    let rotor = Linearised { mass, damping, stiffness, frame: SPEED, ..space.clone() };
+    let [space, rotor] = [space, rotor].map(|own| linear.modes(&own, 12).expect("modes"));
+    assert_eq!(space.oscillating.len(), 12);
+    for own in &space.oscillating {
+        let apart = |other: &super::Mode| (other.value - own.value).norm() / own.value.norm();
+        let nearest = rotor.oscillating.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
+        let nearest = nearest.expect("a mode");
+        assert!(apart(nearest) < 1e-9, "{}: {}", own.value, nearest.value);
+    }
+}
