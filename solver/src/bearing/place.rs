@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use whirl_specs::{BoreMotion, Clearance};
+use whirl_specs::{BoreMotion, Clearance, Contact, ContactPlace};
 
 use super::Bearing;
 use super::apart::Apart;
@@ -14,6 +14,7 @@ use super::other::{MotionKind, OtherMotion};
 use super::part::Part;
 use super::placed_law::PlacedLaw;
 use super::plane::Plane;
+use super::section::SectionMotion;
 use super::springs::Springs;
 use super::valid::Measures;
 use crate::bodies::{Body, BodyPlace};
@@ -85,8 +86,8 @@ struct Placing<'a> {
     errors: Vec<Error>,
 }
 
-/// The bodies on whose coordinates a row of T_b is: that of the bore, and that of the journal where its section turns with
-/// its torque.
+/// The bodies on whose coordinates a row of T_b is: that of the bore, and that of the journal where its section moves in its
+/// frame.
 #[derive(Clone, Copy, PartialEq)]
 struct Joined {
     bore: usize,
@@ -96,7 +97,9 @@ struct Joined {
 impl Joined {
     fn of(part: &Part) -> Self {
         let [journal, bore] = part.bearing.sides.bodies;
-        let twists = part.other.is_none() && part.bearing.sides.torque_section.is_some();
+        let sides = &part.bearing.sides;
+        let twists = part.other.is_none()
+            && (sides.torque_section.is_some() || sides.whole_sections[0].is_some());
         Joined { bore, twisted: twists.then_some(journal) }
     }
 
@@ -177,17 +180,12 @@ impl Placing<'_> {
         let mut motions = vec![MotionRows::default(); kind.bore.len()];
         let mut angles = Vec::new();
         for &Part { number, bearing, other, .. } in users {
+            if let Some((what, help)) = misplaced(kind, bearing, other, self.bodies) {
+                let (law, bearing) = (law.law.name().to_owned(), Some(number));
+                self.errors.push(Error::Law { law, bearing, what, help });
+                continue;
+            }
             if let Some(other) = other {
-                if kind.each_spring {
-                    self.errors.push(Error::Law {
-                        law: law.law.name().to_owned(),
-                        bearing: Some(number),
-                        what: "acts at springs, but tilts and displacements along z have none"
-                            .to_owned(),
-                        help: "give it the forces of a ring, F_x and F_y".to_owned(),
-                    });
-                    continue;
-                }
                 for ((motion, needed), own) in kind.bore.iter().zip(&needed).zip(&mut motions) {
                     if *needed {
                         own.rows.push(wide(other.of_second(&self.bodies[body], *motion), body));
@@ -211,17 +209,17 @@ impl Placing<'_> {
                     continue;
                 }
             };
-            let count = if kind.each_spring { bearing.angles.len() } else { 1 };
+            let each_spring = kind.place == ContactPlace::Spring;
+            let count = if each_spring { bearing.angles.len() } else { 1 };
             for (place, &station) in bearing.stations.iter().enumerate() {
                 for ((motion, needed), own) in kind.bore.iter().zip(&needed).zip(&mut motions) {
                     if *needed {
-                        let (rows, of, offset) = match motion {
-                            BoreMotion::SectionTurn => {
-                                let journal = bearing.sides.bodies[0];
-                                let row = section_turn(bearing, &self.bodies[journal]);
-                                (vec![row], journal, vec![0.0])
+                        let (rows, of, offset) = match SectionMotion::of(*motion) {
+                            Some(own) => {
+                                let of = bearing.sides.bodies[own.side];
+                                (vec![own.row(bearing, &self.bodies[of])], of, vec![0.0])
                             }
-                            _ => {
+                            None => {
                                 let rows = bore.rows(place, *motion);
                                 (rows, body, bore.offset(station, *motion))
                             }
@@ -244,12 +242,13 @@ impl Placing<'_> {
         (kind.prepare)(&angles, &mut table);
         let bores = self.bores_of(joined);
         let own = &mut self.bores[bores];
-        let turn =
-            |motion: &BoreMotion| matches!(motion, BoreMotion::MeanTurn | BoreMotion::SectionTurn);
+        let may_be_none = |motion: &BoreMotion| {
+            *motion == BoreMotion::MeanTurn || SectionMotion::of(*motion).is_some()
+        };
         let motions = motions.into_iter().zip(&needed).zip(kind.bore);
         let motions = motions.map(|((motion, needed), kind)| {
-            // What is rigid has no turn of its own.
-            if !needed || turn(kind) && motion.are_zero() {
+            // What is rigid has no turn of its own, and the ground has no motion.
+            if !needed || may_be_none(kind) && motion.are_zero() {
                 return None;
             }
             let first = own.rows.len();
@@ -370,15 +369,34 @@ impl Placing<'_> {
     }
 }
 
-/// The turn of the journal's section against the frame of its body, as a row over the coordinates of the body.
-fn section_turn(bearing: &Bearing, body: &Body) -> Vec<f64> {
-    match bearing.sides.torque_section {
-        Some(section) => {
-            let rotation = &body.measures()[section].rotation;
-            (0..rotation.cols).map(|j| rotation[(2, j)]).collect()
+/// Why a law cannot act where a bearing names it, and what to do.
+fn misplaced(
+    kind: &Contact,
+    bearing: &Bearing,
+    other: Option<&OtherMotion>,
+    bodies: &[Body],
+) -> Option<(String, String)> {
+    let sides = &bearing.sides;
+    let spins = bodies[sides.bodies[0]].rotation().and_then(|own| own.spin()).is_some();
+    let (what, help) = match (kind.place, other) {
+        (ContactPlace::Spring, Some(_)) => (
+            "acts at springs, but tilts and displacements along z have none",
+            "give it the forces of a ring, F_x and F_y",
+        ),
+        (ContactPlace::Joint, Some(_)) => (
+            "acts on a whole joint, but is to act on its tilts or along z alone",
+            "give it the forces of a ring, F_x and F_y",
+        ),
+        (ContactPlace::Joint, None) if bearing.stations.len() != 1 => {
+            ("acts once a joint, but is to act in several planes", "give the bearing one station")
         }
-        None => Vec::new(),
-    }
+        (ContactPlace::Joint, None) if spins => (
+            "acts on tilts of the journal's section, but the journal spins in a frame at rest and has none",
+            "take a body whose frame turns, or a law of a ring",
+        ),
+        _ => return None,
+    };
+    Some((what.to_owned(), help.to_owned()))
 }
 
 /// ε(z) = Σ A_i(z) ε_i, eqs. (11) to (13), as rows over the journal's body, whose coordinates stand at `place`.

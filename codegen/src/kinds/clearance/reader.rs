@@ -103,6 +103,28 @@ impl<'d> Reader<'d> {
         if root.has(table) { self.coordinates(root, table, units) } else { Some(Vec::new()) }
     }
 
+    /// The coordinates of an optional table: as many as `part`, or with `more` behind them.
+    pub(super) fn whole_or_part(
+        &mut self,
+        root: &Table<'d>,
+        table: &str,
+        part: &[Dimension],
+        more: &[Dimension],
+    ) -> Option<Vec<Coordinate>> {
+        let place = table;
+        if !root.has(place) {
+            return Some(Vec::new());
+        }
+        let list = self.some_coordinates(root, place, &[part, more].concat(), part.len())?;
+        let (least, most) = (part.len(), part.len() + more.len());
+        if !self.document.has_errors() && list.len() != least && list.len() != most {
+            let message =
+                format!("`{place}` must declare {least} names or {most}, not {}", list.len());
+            root.error(Code::BAD_VALUE, root.place(place), message);
+        }
+        Some(list)
+    }
+
     fn declare(
         &mut self,
         name: String,
