@@ -202,6 +202,25 @@ pub(super) fn read(store: FileStore, table: &Table) -> Option<NamedLaw> {
     find(store, table, &name).map(|source| NamedLaw { source, name })
 }
 
+/// Whether a table names a law that gives a force along z; a law that cannot be read does not, and nothing is noted.
+pub(super) fn acts_along(store: FileStore, table: &Table) -> bool {
+    if !table.gives("law") {
+        return false;
+    }
+    let written = table.written("law");
+    let name = written.text().trim_matches(['"', '\'']);
+    let source = if name.ends_with(".toml") {
+        let file = store.read_beside(written.source(), name).ok();
+        let spec = file.and_then(|file| {
+            LawSpec::read_with(&file, &|name| store.read_beside(&file, name)).ok()
+        });
+        spec.map(|spec| LawSource::File(Arc::new(spec)))
+    } else {
+        LAWS.iter().find(|law| law.origin.name == name).map(LawSource::BuiltIn)
+    };
+    source.is_some_and(|law| law.acts_on(MotionKind::Along))
+}
+
 /// The law called `name`; what is wrong with it is noted in `table`.
 pub(super) fn find(store: FileStore, table: &Table, name: &Located) -> Option<LawSource> {
     if name.text().ends_with(".toml") {

@@ -12,6 +12,7 @@ mod surfaces;
 mod turning_nodes;
 mod twisting;
 mod weight;
+mod whole_joints;
 
 use whirl_tests::History;
 

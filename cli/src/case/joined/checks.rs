@@ -81,7 +81,7 @@ impl Checks<'_, '_> {
             self.note(table, message, "write `stiffness` and `damping` in its place");
         }
         for own in &joint.others {
-            if !joint.sides.iter().any(|side| self.has_motion(side, own.kind)) {
+            if !joint.sides.iter().any(|side| self.machine.side_has(side, own.kind)) {
                 let (what, help) = match own.kind {
                     MotionKind::Tilts => (
                         "tilts",
@@ -104,17 +104,6 @@ impl Checks<'_, '_> {
                 false => "name a body that turns",
             };
             self.note(&of_first, message, help);
-        }
-    }
-
-    /// Whether the body of a side has tilts, or moves along z.
-    fn has_motion(&self, side: &Side, kind: MotionKind) -> bool {
-        let Some(body) = side.body else { return false };
-        match (&self.machine.bodies[body].form, kind) {
-            (Form::Rigid(own), MotionKind::Tilts) => own.transverse_inertia.is_some(),
-            (Form::Rigid(own), MotionKind::Along) => own.moves_along_z,
-            (Form::Meshed(own), MotionKind::Along) => !own.rigid || own.moves_along_z,
-            (Form::Meshed(_), MotionKind::Tilts) => true,
         }
     }
 

@@ -7,7 +7,7 @@ use whirl_solver::mesh::MeanComponent;
 
 use super::planned_body::PlannedBody;
 use super::section::nodes_at;
-use crate::case::{Joint, LawSource};
+use crate::case::{JoinedMachine, Joint, LawSource};
 use crate::machine::plan::BodyPlan;
 
 /// A law on another motion than the displacement in the plane, on its bodies.
@@ -68,6 +68,28 @@ pub(super) fn whole_sections(
         }
         PlannedBody::Rigid(_) => Some(0),
     })
+}
+
+/// Warnings of forces that the law of a whole joint gives, and neither of its sides can follow.
+pub(super) fn on_nothing(joint: &Joint, joined: &JoinedMachine) -> Vec<String> {
+    if joint.bearing.law.source.acts() != Acts::Joint {
+        return Vec::new();
+    }
+    let moves = |motion: MotionKind| joint.sides.iter().any(|side| joined.side_has(side, motion));
+    let kinds = [
+        (MotionKind::Tilts, "tilts", "moments about x and y", "a `transverse_inertia`"),
+        (MotionKind::Along, "moves along z", "force along z", "`moves_along_z = true`"),
+    ];
+    let held = kinds.into_iter().filter(|(motion, ..)| joint.acts_on(*motion) && !moves(*motion));
+    held.map(|(_, does, gives, key)| {
+        format!(
+            "{}: neither side of `{}` {does}: the {gives} of its law move nothing; give a rigid body of it {key}, or take a law \
+             without them",
+            joint.name.source().path.display(),
+            joint.name.text()
+        )
+    })
+    .collect()
 }
 
 /// A section as a place among the means, its motions retained: all nodes of the sets, or all at the z of the only one.

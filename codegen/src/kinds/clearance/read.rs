@@ -20,7 +20,7 @@ impl<'d> Reader<'d> {
     fn spec(mut self, file: &Arc<Source>, root: Table<'d>, head: Head) -> Option<ClearanceSpec> {
         let spring = self.coordinates(&root, "spring", &[Dimension::ANGLE]);
         // The second, if there is one, is the journal's radius.
-        let constants = self.some_coordinates(&root, "constants", &[Dimension::LENGTH; 2], 1);
+        let constants = self.some_coordinates(&root, "constants", &[Dimension::LENGTH; 2], &[1, 2]);
         let ring_units = [Dimension::ANGLE, Dimension::LENGTH, Dimension::LENGTH];
         let ring = self.coordinates(&root, "ring", &ring_units);
         let radial = self.coordinates(&root, "radial", &[Dimension::LENGTH]);

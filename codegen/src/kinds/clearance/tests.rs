@@ -131,8 +131,8 @@ fn errors_name_the_place() {
     assert!(error("[ring.theta]", "[ring.x_dot]").contains("that of a rate"));
     assert!(error("[ring.theta]", "[ring.dT_dh]").contains("that of a slope"));
     let part = error("[section.a_y]", "[bore.a_y]");
-    assert!(part.contains("`section` must declare 1 names or 4, not 3"), "{part}");
-    assert!(part.contains("`bore` must declare 3 to 6 names, not 7"), "{part}");
+    assert!(part.contains("`section` must declare 1 or 4 names, not 3"), "{part}");
+    assert!(part.contains("`bore` must declare 3 or 6 names, not 7"), "{part}");
 }
 
 /// A name of a quantity that is changed in the clearance alone is wrong there and in every law that has it.
