@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use whirl_specs::{BoreMotion, Clearance, Contact, ContactPlace};
+use whirl_specs::{BoreMotion, Clearance, ContactPlace};
 
 use super::Bearing;
 use super::apart::Apart;
@@ -179,8 +179,9 @@ impl Placing<'_> {
         let needed = law.motions();
         let mut motions = vec![MotionRows::default(); kind.bore.len()];
         let mut angles = Vec::new();
-        for &Part { number, bearing, other, .. } in users {
-            if let Some((what, help)) = misplaced(kind, bearing, other, self.bodies) {
+        for part in users {
+            let &Part { number, bearing, other, .. } = part;
+            if let Some((what, help)) = part.misplaced(kind, self.bodies) {
                 let (law, bearing) = (law.law.name().to_owned(), Some(number));
                 self.errors.push(Error::Law { law, bearing, what, help });
                 continue;
@@ -367,36 +368,6 @@ impl Placing<'_> {
             _ => Ok(radius),
         }
     }
-}
-
-/// Why a law cannot act where a bearing names it, and what to do.
-fn misplaced(
-    kind: &Contact,
-    bearing: &Bearing,
-    other: Option<&OtherMotion>,
-    bodies: &[Body],
-) -> Option<(String, String)> {
-    let sides = &bearing.sides;
-    let spins = bodies[sides.bodies[0]].rotation().and_then(|own| own.spin()).is_some();
-    let (what, help) = match (kind.place, other) {
-        (ContactPlace::Spring, Some(_)) => (
-            "acts at springs, but tilts and displacements along z have none",
-            "give it the forces of a ring, F_x and F_y",
-        ),
-        (ContactPlace::Joint, Some(_)) => (
-            "acts on a whole joint, but is to act on its tilts or along z alone",
-            "give it the forces of a ring, F_x and F_y",
-        ),
-        (ContactPlace::Joint, None) if bearing.stations.len() != 1 => {
-            ("acts once a joint, but is to act in several planes", "give the bearing one station")
-        }
-        (ContactPlace::Joint, None) if spins => (
-            "acts on tilts of the journal's section, but the journal spins in a frame at rest and has none",
-            "take a body whose frame turns, or a law of a ring",
-        ),
-        _ => return None,
-    };
-    Some((what.to_owned(), help.to_owned()))
 }
 
 /// ε(z) = Σ A_i(z) ε_i, eqs. (11) to (13), as rows over the journal's body, whose coordinates stand at `place`.

@@ -31,7 +31,7 @@ force = ["300 N", "-120 N", "900 N"]
 
 [loads.tilt]
 body = "rotor"
-couple = ["4 N*m", "-2.5 N*m", "0 N*m"]
+couple = ["1 N*m", "-0.6 N*m", "0 N*m"]
 
 [output.f]
 quantity = "force"
@@ -55,7 +55,7 @@ joint = "b"
     )
 }
 
-const LOAD: [f64; 5] = [300.0, -120.0, 900.0, 4.0, -2.5];
+const LOAD: [f64; 5] = [300.0, -120.0, 900.0, 1.0, -0.6];
 const TURNING: &str =
     "turns = \"prescribed\"\nspeed = \"3000 rpm\"\npolar_inertia = \"0.01 kg*m^2\"";
 const START: &str = "[start]\nkind = \"equilibrium\"\n";
@@ -99,7 +99,7 @@ fn solve(mut a: [[f64; 5]; 5], mut b: [f64; 5]) -> [f64; 5] {
 /// The bearing as shipped, SI: gradient and Hessian of its potential 0.4 K Σ δ^2.5.
 fn balls(u: [f64; 5]) -> ([f64; 5], [[f64; 5]; 5]) {
     let (count, k, alpha, a, radius, preload) =
-        (16, 4.5e5 * 1e3_f64.powf(1.5), 0.4363323_f64, 0.6e-3, 30e-3, 15e-6);
+        (10, 2.9e5 * 1e3_f64.powf(1.5), 0.4363323_f64, 0.27e-3, 14.25e-3, 10e-6);
     let (mut gradient, mut hessian) = ([0.0; 5], [[0.0; 5]; 5]);
     for ball in 1..=count {
         let (sin, cos) = (TAU * f64::from(ball) / f64::from(count)).sin_cos();
@@ -395,14 +395,14 @@ kind = "bearing"
 journal = { body = "shaft", sets = ["JOURNAL1_LEFT", "JOURNAL1_MIDDLE", "JOURNAL1_RIGHT"] }
 bore = { body = "casing", sets = ["BORE1_LEFT", "BORE1_MIDDLE", "BORE1_RIGHT"] }
 law = "angular-contact-ball"
-parameters = { R_p = "23 mm" }
+parameters = { R_p = "23 mm", Z = 16 }
 
 [joint.rear]
 kind = "bearing"
 journal = { body = "shaft", sets = "JOURNAL2_MIDDLE" }
 bore = { body = "sleeve" }
 law = "angular-contact-ball"
-parameters = { R_p = "23 mm", alpha_0 = "-25 deg", z_0 = "-15 um" }
+parameters = { R_p = "23 mm", Z = 16, alpha_0 = "-25 deg", z_0 = "-10 um" }
 
 [joint.mount]
 kind = "bushing"

@@ -3,17 +3,17 @@
 use super::kernel::Kernel;
 
 /// The bearing as shipped, SI.
-const BALLS: usize = 16;
+const BALLS: usize = 10;
 const ALPHA: f64 = 0.4363323;
-const APART: f64 = 0.6e-3;
-const RADIUS: f64 = 30e-3;
-const PRELOAD: f64 = 15e-6;
+const APART: f64 = 0.27e-3;
+const RADIUS: f64 = 14.25e-3;
+const PRELOAD: f64 = 10e-6;
 
 const MOTIONS: [&str; 5] = ["e_x", "e_y", "e_z", "alpha_x", "alpha_y"];
 const FORCES: [&str; 5] = ["F_x", "F_y", "F_z", "M_x", "M_y"];
 
 fn stiffness() -> f64 {
-    4.5e5 * 1e3_f64.powf(1.5)
+    2.9e5 * 1e3_f64.powf(1.5)
 }
 
 /// 0.4 K Σ δ^2.5.
