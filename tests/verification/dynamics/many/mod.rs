@@ -264,7 +264,7 @@ fn bearings() -> Vec<Bearing> {
             sides: Sides { bore_axis: CASING_AXIS, ..crooked(base(10, 6, [0, 2]).sides) },
             ..ends(3, base(10, 6, [0, 2]))
         }),
-        whole(apart(ends(5, in_second(base(11, 6, [0, 3]))), [-2e-4, 1e-4])),
+        whole(apart(ends(2, in_second(base(11, 6, [0, 3]))), [-2e-4, 1e-4])),
     ]
 }
 
