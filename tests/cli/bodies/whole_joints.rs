@@ -460,6 +460,100 @@ fn a_shaft_on_a_pair_of_bearings_back_to_back_is_sound_and_goes_on() {
     assert!(summary.contains("\"sound\": true"), "{summary}");
 }
 
+/// The short form of a machine: two bearings face the weight in the middle, and each other along z.
+const SHORT: &str = r#"title = "x"
+[material]
+steel = { youngs_modulus = "200 GPa", poissons_ratio = 0.3, density = "7860 kg/m^3" }
+
+[shaft]
+material = "steel"
+modes = 6
+damping = "5e-6 s"
+axial_restraint = "JOURNAL1_MIDDLE"
+
+[shaft.dimensions]
+length = "400 mm"
+diameter = "30 mm"
+supports = ["50 mm", "350 mm"]
+support_length = "16 mm"
+layers_in_support = 2
+layers_between = 4
+loads = ["200 mm"]
+cells = { sectors = 8, rings = 2, order = 1 }
+
+[support]
+material = "steel"
+modes = 6
+damping = "5e-5 s"
+mounts = "MOUNTS"
+
+[support.dimensions]
+start = "30 mm"
+length = "340 mm"
+height = "40 mm"
+width = "90 mm"
+pedestal_height = "10 mm"
+rings = ["50 mm", "350 mm"]
+ring_length = "16 mm"
+ring_thickness = "20 mm"
+bore_radius = "31 mm"
+layers_in_ring = 2
+layers_between = 4
+cells = { order = 1 }
+
+[[support.ground_spring]]
+set = "GROUND_SPRINGS"
+direction = "y"
+stiffness = "1e8 N/m"
+
+[springs]
+law = "angular-contact-ball"
+number = 24
+radial_clearance = "50 um"
+
+[[bearing]]
+journal = ["JOURNAL1_LEFT", "JOURNAL1_MIDDLE", "JOURNAL1_RIGHT"]
+bore = ["BORE1_LEFT", "BORE1_MIDDLE", "BORE1_RIGHT"]
+
+[[bearing]]
+journal = ["JOURNAL2_LEFT", "JOURNAL2_MIDDLE", "JOURNAL2_RIGHT"]
+bore = ["BORE2_LEFT", "BORE2_MIDDLE", "BORE2_RIGHT"]
+parameters = { alpha_0 = "-25 deg", z_0 = "-10 um" }
+
+[[load]]
+sets = ["LOAD1"]
+force = "-500 N"
+
+[drive]
+top = "DRIVE_TOP"
+bottom = "DRIVE_BOTTOM"
+torque = "1 N*m"
+target_speed = "3000 rpm"
+acts = false
+
+[start]
+kind = "equilibrium"
+speed = "3000 rpm"
+
+[march]
+time_step = "2e-5 s"
+steps = 50
+"#;
+
+#[test]
+fn the_short_form_of_a_machine_takes_laws_of_joints() {
+    let done = run(SHORT, &[]);
+    let both = |column: &str| [1, 2].map(|k| done.last(&format!("{column}{k}_N")));
+    let [one, other] = both("RX");
+    assert!((one + other - 500.0).abs() < 1e-3, "{one} and {other}");
+    assert!((one - other).abs() < 0.1, "{one} and {other}");
+    // What the preload leaves beside its balance is held by the `axial_restraint`.
+    let [one, other] = both("RZ");
+    assert!(one < -100.0 && other > 100.0, "{one} and {other}");
+    let [one, other] = [1, 2].map(|k| done.last(&format!("MY{k}_Nm")));
+    assert!(one < -1.0 && other > 1.0 && (one + other).abs() < 0.01, "{one} and {other}");
+}
+
 /// What is wrong around laws of joints, each with its place and its remedy.
 #[test]
 fn errors_of_laws_of_joints_say_what_to_do() {
