@@ -1,6 +1,7 @@
 //! Machines of named bodies, run by the binary: what they do, and what is said of them.
 
 mod bushings;
+mod joint_laws;
 mod joints;
 mod matrices;
 pub(crate) mod meshes;
