@@ -11,9 +11,9 @@ pub struct JointColumns<'a> {
     pub label: &'a str,
     /// Whether its law gives a torque.
     pub torque: bool,
-    /// Whether it has a law on tilts.
+    /// Whether a law gives moments about x and y.
     pub tilts: bool,
-    /// Whether it has a law along z.
+    /// Whether a law gives a force along z.
     pub along: bool,
 }
 

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use whirl_specs::{Clearance, Motion};
+use whirl_specs::{BoreMotion, Clearance, Motion};
 
 pub use crate::bodies::{Body, BodyPlace, Rotation};
 
@@ -70,7 +70,8 @@ pub(crate) struct Monitor {
     pub(crate) label: String,
     /// Its planes of springs.
     pub(crate) planes: Vec<usize>,
-    /// The plane in which its law on tilts acts, and that of its law along z.
+    /// The planes in which a law on tilts, or on the whole joint, gives moments about x and y, and in which one gives a force
+    /// along z.
     pub(crate) tilts: Option<usize>,
     pub(crate) along: Option<usize>,
     /// Whether its laws turn or brake the journal.
@@ -259,14 +260,22 @@ fn monitor(number: usize, bearing: &Bearing, bodies: &[Body], springs: &Springs)
         own.map(|(place, _)| place).collect()
     };
     let planes = planes_of(None);
-    let other = |kind: MotionKind| planes_of(Some(kind)).first().copied();
+    let other = |kind: MotionKind, motions: &[BoreMotion]| {
+        let acts = |plane: &usize| motions.iter().any(|own| springs.acts_on(*plane, *own));
+        let whole = planes.iter().copied().find(acts);
+        planes_of(Some(kind)).first().copied().or(whole)
+    };
+    let (tilts, along) = (
+        other(MotionKind::Tilts, &[BoreMotion::SectionTiltX, BoreMotion::SectionTiltY]),
+        other(MotionKind::Along, &[BoreMotion::SectionZ]),
+    );
     Monitor {
         name: bearing.name.clone(),
         label: bearing.label.clone().unwrap_or_else(|| (number + 1).to_string()),
         torque: planes.iter().any(|&plane| springs.gives_torque(plane)),
         planes,
-        tilts: other(MotionKind::Tilts),
-        along: other(MotionKind::Along),
+        tilts,
+        along,
         bodies: sides.bodies,
         journal: [0, 1].map(|axis| (0..journal.size()).map(|j| node.shapes[(axis, j)]).collect()),
         bore: axis_motion(bearing, bore),
@@ -277,9 +286,18 @@ fn monitor(number: usize, bearing: &Bearing, bodies: &[Body], springs: &Springs)
 }
 
 impl Monitor {
+    /// The plane of a law of the whole joint.
+    pub(crate) fn whole(&self) -> Option<usize> {
+        let others = [self.tilts, self.along].into_iter().flatten();
+        others.into_iter().find(|plane| self.planes.contains(plane))
+    }
+
     /// Its planes of all kinds.
     pub(crate) fn all_planes(&self) -> impl Iterator<Item = usize> {
-        self.planes.iter().copied().chain(self.tilts).chain(self.along)
+        let others = self.tilts.into_iter().chain(self.along);
+        // A law of the whole joint does all in one plane.
+        let others = others.filter(|plane| !self.planes.contains(plane));
+        self.planes.iter().copied().chain(others)
     }
 
     /// Displacement of the journal in the frame of its body, and of the bore's axis in that of its own (m).

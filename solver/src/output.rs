@@ -35,11 +35,11 @@ pub enum Wanted<P = BodyNode> {
         /// Axes, a column each.
         components: Vec<usize>,
     },
-    /// What a joint does in the plane of its middle: two columns, or one about its axis.
+    /// What a joint does in the plane of its middle: two columns, or one about or along its axis.
     Joint {
         /// The joint, by its place among the bearings.
         joint: usize,
-        /// Force, deformation or its rate.
+        /// Which of what it does.
         quantity: JointQuantity,
         /// Space, or the frame of the body of the journal.
         frame: Frame,
@@ -88,6 +88,14 @@ pub enum JointQuantity {
     Twist,
     /// Its rate (rad/s).
     TwistRate,
+    /// Moments on the section of the journal about x and y (N·m).
+    Moment,
+    /// Tilts of the section of the journal against that of the bore about x and y (rad).
+    Tilt,
+    /// On the section of the journal along z (N).
+    AxialForce,
+    /// Displacement of the section of the journal against that of the bore along z (µm).
+    AxialDeformation,
 }
 
 impl Output<usize> {
@@ -117,12 +125,19 @@ impl Output {
     /// Its columns.
     pub(crate) fn described(&self) -> Vec<Column> {
         let name = &self.name;
-        let plane = |letter: &str, suffix: &str, unit: &'static str, what: &str| -> Vec<Column> {
-            let of_axis = |axis: &&str| {
-                let meaning = format!("{what} along {axis}, {name}");
-                Column::new(format!("{letter}{axis}_{name}_{suffix}"), unit, meaning)
+        let in_plane =
+            |letter: &str, suffix: &str, unit: &'static str, what: &str| -> Vec<Column> {
+                let of_axis = |axis: &&str| {
+                    let meaning = format!("{what} {axis}, {name}");
+                    Column::new(format!("{letter}{axis}_{name}_{suffix}"), unit, meaning)
+                };
+                AXES[..2].iter().map(of_axis).collect()
             };
-            AXES[..2].iter().map(of_axis).collect()
+        let plane = |letter: &str, suffix: &str, unit: &'static str, what: &str| {
+            in_plane(letter, suffix, unit, &format!("{what} along"))
+        };
+        let about = |letter: &str, suffix: &str, unit: &'static str, what: &str| {
+            in_plane(letter, suffix, unit, &format!("{what} about"))
         };
         let one = |column: String, unit: &'static str, what: &str| {
             Column::new(column, unit, format!("{what}, {name}"))
@@ -164,6 +179,18 @@ impl Output {
                 JointQuantity::TwistRate => {
                     vec![one(format!("twist_rate_{name}_rad_s"), "rad/s", "rate of twist")]
                 }
+                JointQuantity::Moment => about("m", "Nm", "N*m", "moment on the journal"),
+                JointQuantity::Tilt => {
+                    about("tilt_", "rad", "rad", "tilt of the journal against the bore")
+                }
+                JointQuantity::AxialForce => {
+                    vec![one(format!("fz_{name}_N"), "N", "force on the journal along z")]
+                }
+                JointQuantity::AxialDeformation => vec![one(
+                    format!("dz_{name}_um"),
+                    "um",
+                    "displacement of the journal against the bore along z",
+                )],
             },
             Wanted::Energy { .. } => ["kinetic", "strain"]
                 .map(|kind| one(format!("{kind}_{name}_J"), "J", &format!("{kind} energy")))

@@ -146,8 +146,31 @@ pub enum BoreMotion {
     MeanY,
     /// Mean rotation of the ring of nodes about z (rad).
     MeanTurn,
+    /// Mean of the bore's section along z (m).
+    MeanZ,
+    /// Mean rotation of the bore's section about x (rad).
+    MeanTiltX,
+    /// Mean rotation of the bore's section about y (rad).
+    MeanTiltY,
     /// None of the bore: mean rotation of the journal's section against the frame of its body (rad).
     SectionTurn,
+    /// Mean of the journal's section along z (m).
+    SectionZ,
+    /// Mean rotation of the journal's section about x of its body (rad).
+    SectionTiltX,
+    /// Mean rotation of the journal's section about y of its body (rad).
+    SectionTiltY,
+}
+
+/// How often a law of a kind acts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ContactPlace {
+    /// At every spring.
+    Spring,
+    /// Once a ring.
+    Ring,
+    /// Once a joint, on whole sections.
+    Joint,
 }
 
 /// An input or a force of a kind of law.
@@ -166,15 +189,15 @@ pub struct ContactVariable {
     pub rate: bool,
 }
 
-/// A kind of law, acting at every spring or once a ring, and what follows from the measures on which its
+/// A kind of law, acting at every spring, once a ring or once a joint, and what follows from the measures on which its
 /// forces work. Coordinates are those of the ring (θ, ε_x, ε_y), then the motions of the bore. Rows have `count`
 /// values, springs of a plane or 1, and stand [`ContactState::stride`] apart: planes of one law can lie side by side.
 #[derive(Debug, Clone, Copy)]
 pub struct Contact {
     /// Name in the spec; `normal` for laws Q(h, ḣ).
     pub name: &'static str,
-    /// Whether such a law acts at every spring, or once a ring.
-    pub each_spring: bool,
+    /// Where such a law acts.
+    pub place: ContactPlace,
     /// What a law may take.
     pub inputs: &'static [ContactVariable],
     /// What a law may give.

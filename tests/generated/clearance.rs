@@ -11,7 +11,12 @@ fn the_first_measure_is_the_clearance() {
     let u = [cos * eps_x - sin * eps_y, sin * eps_x + cos * eps_y];
     let exact = c - psi.cos() * u[0] - psi.sin() * u[1] + delta;
     assert!((h - exact).abs() <= 8.0 * f64::EPSILON * c);
-    let all = measures(psi, theta, eps_x, eps_y, delta, 1e-6, 2e-6, 3e-6, 0.1, 0.2, c, 0.03);
+    let [b_x, b_y, beta, b_z, g_x, g_y] = [2e-6, 3e-6, 0.1, 4e-6, 0.01, 0.02];
+    let [gamma, s_z, a_x, a_y] = [0.2, 5e-6, 0.03, 0.04];
+    let all = measures(
+        psi, theta, eps_x, eps_y, delta, 1e-6, b_x, b_y, beta, b_z, g_x, g_y, gamma, s_z, a_x, a_y,
+        c, 0.03,
+    );
     assert_eq!(all[0], h);
 }
 

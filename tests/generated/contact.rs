@@ -1,7 +1,9 @@
 //! Kinds of laws, at springs and on whole rings: what their kernels take, give and linearise, against hyper-dual evaluation of the measures and against central differences.
 
 use whirl_specs::clearances::journal::measures;
-use whirl_specs::{BoreMotion, CLEARANCES, Contact, ContactState, ContactTangent, Ring};
+use whirl_specs::{
+    BoreMotion, CLEARANCES, Contact, ContactPlace, ContactState, ContactTangent, Ring,
+};
 
 use crate::hyper::Hyper;
 use crate::random::Random;
@@ -39,7 +41,7 @@ enum Meaning {
     Psi,
 }
 
-/// Places of the measures: h, s, α, e_x, e_y.
+/// Places of the measures: h, s, α, e_x, e_y, e_z, α_x, α_y.
 fn meaning(input: &str) -> Meaning {
     match input {
         "h" => Meaning::Value(0),
@@ -50,6 +52,12 @@ fn meaning(input: &str) -> Meaning {
         "e_y" => Meaning::Value(4),
         "e_x_dot" => Meaning::Rate(3),
         "e_y_dot" => Meaning::Rate(4),
+        "e_z" => Meaning::Value(5),
+        "alpha_x" => Meaning::Value(6),
+        "alpha_y" => Meaning::Value(7),
+        "e_z_dot" => Meaning::Rate(5),
+        "alpha_x_dot" => Meaning::Rate(6),
+        "alpha_y_dot" => Meaning::Rate(7),
         "theta" => Meaning::Angle,
         "psi" => Meaning::Psi,
         _ => panic!("{input}: a meaning is needed"),
@@ -57,7 +65,8 @@ fn meaning(input: &str) -> Meaning {
 }
 
 fn measure_of(force: &str) -> usize {
-    ["Q", "T", "M_z", "F_x", "F_y"].iter().position(|own| *own == force).expect("known")
+    let forces = ["Q", "T", "M_z", "F_x", "F_y", "F_z", "M_x", "M_y"];
+    forces.iter().position(|own| *own == force).expect("known")
 }
 
 /// How large an input is.
@@ -70,19 +79,24 @@ fn size(unit: &str) -> f64 {
     }
 }
 
+fn is_turn(motion: BoreMotion) -> bool {
+    use BoreMotion::{MeanTiltX, MeanTiltY, MeanTurn, SectionTiltX, SectionTiltY, SectionTurn};
+    matches!(motion, MeanTurn | MeanTiltX | MeanTiltY | SectionTurn | SectionTiltX | SectionTiltY)
+}
+
 impl Bench {
     fn all() -> Vec<Bench> {
         let kinds = CLEARANCES[0].contacts.iter();
         let benches: Vec<Bench> = kinds
             .map(|kind| {
-                let count = if kind.each_spring { SPRINGS } else { 1 };
+                let count = if kind.place == ContactPlace::Spring { SPRINGS } else { 1 };
                 let angles: Vec<f64> = (0..count).map(psi).collect();
                 let mut table = vec![0.0; kind.table * count];
                 (kind.prepare)(&angles, &mut table);
                 Bench { kind, count, table }
             })
             .collect();
-        assert_eq!(benches.len(), 3, "normal forces, springs and rings");
+        assert_eq!(benches.len(), 4, "normal forces, springs, rings and joints");
         benches
     }
 
@@ -102,10 +116,7 @@ impl Bench {
     fn is_angle(&self, place: usize) -> bool {
         match place.checked_sub(3) {
             None => place == 0,
-            Some(own) => matches!(
-                self.kind.bore[own / self.count],
-                BoreMotion::MeanTurn | BoreMotion::SectionTurn
-            ),
+            Some(own) => is_turn(self.kind.bore[own / self.count]),
         }
     }
 
@@ -220,7 +231,7 @@ impl Bench {
     }
 
     /// All measures of spring j in numbers that carry derivatives along two directions.
-    fn hyper(&self, state: &State, j: usize, first: &[f64], second: &[f64]) -> [Hyper; 5] {
+    fn hyper(&self, state: &State, j: usize, first: &[f64], second: &[f64]) -> [Hyper; 8] {
         let at = |i: usize| Hyper::new(state.q[i], first[i], second[i]);
         let constant = |value: f64| Hyper::new(value, 0.0, 0.0);
         let motion = |wanted: BoreMotion| {
@@ -237,7 +248,13 @@ impl Bench {
             motion(BoreMotion::MeanX),
             motion(BoreMotion::MeanY),
             motion(BoreMotion::MeanTurn),
+            motion(BoreMotion::MeanZ),
+            motion(BoreMotion::MeanTiltX),
+            motion(BoreMotion::MeanTiltY),
             motion(BoreMotion::SectionTurn),
+            motion(BoreMotion::SectionZ),
+            motion(BoreMotion::SectionTiltX),
+            motion(BoreMotion::SectionTiltY),
             constant(C),
             constant(R),
         )
@@ -393,10 +410,34 @@ fn reactions_on_shaft_and_bore_are_equal_and_opposite() {
                         BoreMotion::Tangential => psi(j).cos() * y - psi(j).sin() * x,
                         BoreMotion::MeanX => x,
                         BoreMotion::MeanY => y,
-                        BoreMotion::MeanTurn | BoreMotion::SectionTurn => 0.0,
+                        _ => 0.0,
                     }));
                 }
                 let work: f64 = force.iter().zip(&motion).map(|(f, m)| f * m).sum();
+                assert!(work.abs() <= 64.0 * f64::EPSILON * scale, "{}: {work}", bench.kind.name);
+            }
+            // Along z, and tilts of both sections alike.
+            let [a_x, a_y] = [[cos, -sin], [sin, cos]];
+            for together in [
+                [(BoreMotion::SectionZ, 1.0), (BoreMotion::MeanZ, 1.0)].to_vec(),
+                [
+                    (BoreMotion::SectionTiltX, a_x[0]),
+                    (BoreMotion::SectionTiltY, a_x[1]),
+                    (BoreMotion::MeanTiltX, 1.0),
+                ]
+                .to_vec(),
+                [
+                    (BoreMotion::SectionTiltX, a_y[0]),
+                    (BoreMotion::SectionTiltY, a_y[1]),
+                    (BoreMotion::MeanTiltY, 1.0),
+                ]
+                .to_vec(),
+            ] {
+                let at = |wanted: BoreMotion| bench.kind.bore.iter().position(|own| *own == wanted);
+                let terms = together
+                    .iter()
+                    .filter_map(|&(motion, part)| Some(part * force[bench.place(at(motion)?, 0)]));
+                let work: f64 = terms.sum();
                 assert!(work.abs() <= 64.0 * f64::EPSILON * scale, "{}: {work}", bench.kind.name);
             }
             // A turn about the axis, wherever both stand: the moment e × F that the forces leave is a couple on the bore.
@@ -409,6 +450,12 @@ fn reactions_on_shaft_and_bore_are_equal_and_opposite() {
                 let mut motion = vec![0.0; bench.coordinates()];
                 (motion[0], motion[turn]) = (1.0, 1.0);
                 (motion[x], motion[y]) = (-state.q[y], state.q[x]);
+                // The tilts of a bore that turns are about axes that turn with it.
+                if let [Some(x), Some(y)] =
+                    [BoreMotion::MeanTiltX, BoreMotion::MeanTiltY].map(place)
+                {
+                    (motion[x], motion[y]) = (-state.q[y], state.q[x]);
+                }
                 let terms = force.iter().zip(&motion).map(|(f, m)| f * m);
                 let (work, size) =
                     terms.fold((0.0, 0.0), |(sum, size), own| (sum + own, size + f64::abs(own)));
@@ -418,7 +465,8 @@ fn reactions_on_shaft_and_bore_are_equal_and_opposite() {
             }
             // A turn about the centre of a journal that stands there, in a bore as close as touching.
             (state.q[1], state.q[2]) = (0.0, 0.0);
-            let means = [BoreMotion::MeanX, BoreMotion::MeanY].map(place);
+            use BoreMotion::{MeanTiltX, MeanTiltY, MeanX, MeanY};
+            let means = [MeanX, MeanY, MeanTiltX, MeanTiltY].map(place);
             means.into_iter().flatten().for_each(|place| state.q[place] = 0.0);
             let force = bench.force(&state);
             let mut motion = vec![1.0, 0.0, 0.0];
@@ -463,7 +511,7 @@ fn every_force_has_the_row_of_its_measure() {
 #[test]
 fn planes_of_a_law_lie_side_by_side() {
     let mut random = Random::new(15);
-    for bench in Bench::all().into_iter().filter(|bench| bench.kind.each_spring) {
+    for bench in Bench::all().into_iter().filter(|bench| bench.kind.place == ContactPlace::Spring) {
         let state = bench.random(&mut random);
         let (n, whole) = (bench.count, bench.force(&state));
         let (inputs, (forces, slopes)) = (bench.inputs(&state), bench.laws(&state));

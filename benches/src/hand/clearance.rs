@@ -5,7 +5,8 @@
 //! h_j = c + s_j·u + δ_j, ∂h_j/∂(θ, ε) = Jᵀs_j, ∂ḣ_j/∂(θ, ε) = Wᵀs_j.
 
 use whirl_specs::{
-    BoreMotion, Clearance, Contact, ContactState, ContactTangent, ContactVariable, Origin, Ring,
+    BoreMotion, Clearance, Contact, ContactPlace, ContactState, ContactTangent, ContactVariable,
+    Origin, Ring,
 };
 
 /// The clearance of eqs. (14) and (24) with the shaft's displacement turned into the fixed frame.
@@ -26,7 +27,7 @@ pub static CLEARANCE: Clearance = Clearance {
 /// Laws Q(h, ḣ).
 const NORMAL: Contact = Contact {
     name: "normal",
-    each_spring: true,
+    place: ContactPlace::Spring,
     inputs: &[
         ContactVariable { name: "h", ..RADIAL },
         ContactVariable { name: "h_dot", unit: "m/s", rate: true, ..RADIAL },

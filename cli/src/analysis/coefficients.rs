@@ -30,6 +30,7 @@ pub(super) fn found(
         "speed_rpm,joint,eccentricity_ratio,e_x_um,e_y_um,force_x_N,force_y_N,k_xx_N_m,k_xy_N_m,k_yx_N_m,k_yy_N_m,c_xx_Ns_m,c_xy_Ns_m,c_yx_Ns_m,c_yy_Ns_m\n",
     );
     let mut single: Vec<(String, String)> = Vec::new();
+    let mut whole = String::new();
     let head = [
         "joint",
         "speed (rpm)",
@@ -67,6 +68,14 @@ pub(super) fn found(
             let [f_x, f_y] = own.force;
             writeln!(all, "{rpm},{label},{ratio},{x},{y},{f_x},{f_y},{numbers}")
                 .expect("text can be written");
+            if let Some(matrices) = &own.whole {
+                if whole.is_empty() {
+                    whole = format!("speed_rpm,joint,{}\n", whole_columns().join(","));
+                }
+                let values = matrices.iter().flatten().flatten();
+                let numbers = values.map(f64::to_string).collect::<Vec<_>>().join(",");
+                writeln!(whole, "{rpm},{label},{numbers}").expect("text can be written");
+            }
             let mut cells = vec![
                 label.clone(),
                 words::speed(speed),
@@ -93,11 +102,32 @@ pub(super) fn found(
     let alone =
         |(label, text): (String, String)| (format!("{name}.{label}.csv"), text.into_bytes());
     files.extend(single.into_iter().map(alone));
-    let text = format!("{}: {}\n\n{}{lost}", case.name, case.title, table(&rows));
+    let mut text = format!("{}: {}\n\n{}{lost}", case.name, case.title, table(&rows));
+    if !whole.is_empty() {
+        let file = format!("{name}.5x5.csv");
+        writeln!(text, "\nMoments, forces along z and what tilts do beside this: {file}")
+            .expect("text can be written");
+        files.push((file, whole.into_bytes()));
+    }
     Ok(Found { text, files, interrupted: done < wanted.speeds.len() })
 }
 
 fn values(own: &JointCoefficients) -> [f64; 8] {
     let [k, c] = [own.stiffness, own.damping];
     [k[0][0], k[0][1], k[1][0], k[1][1], c[0][0], c[0][1], c[1][0], c[1][1]]
+}
+
+/// Columns of K and C of a law of the whole joint, called as the parameters of `linear-5x5` are.
+fn whole_columns() -> Vec<String> {
+    let motions = [("x", "m"), ("y", "m"), ("z", "m"), ("ax", "rad"), ("ay", "rad")];
+    let column = |letter: &str, time: &str, row: &str, (column, unit): (&str, &str)| {
+        let force = if row.starts_with('a') { "Nm" } else { "N" };
+        format!("{letter}_{row}_{column}_{force}{time}_{unit}")
+    };
+    let all = [("k", ""), ("c", "s")].into_iter().flat_map(|(letter, time)| {
+        motions.into_iter().flat_map(move |(row, _)| {
+            motions.into_iter().map(move |own| column(letter, time, row, own))
+        })
+    });
+    all.collect()
 }

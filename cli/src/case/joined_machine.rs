@@ -1,11 +1,12 @@
 //! A machine of bodies by name, and of what joins, drives and loads them, as a case describes it.
 
 use whirl_codegen::diagnostic::Located;
+use whirl_solver::bearing::MotionKind;
 use whirl_specs::Motion;
 
 use super::gravity::Gravity;
-use super::joint::Joint;
-use super::named_body::{NamedBody, Turning};
+use super::joint::{Joint, Side};
+use super::named_body::{Form, NamedBody, Turning};
 use super::run::Run;
 use super::{loads, rotor};
 
@@ -95,6 +96,17 @@ impl JoinedMachine {
                 aims().or_else(|| initial_speed.filter(|_| !run.goes_on && !self.is_turned(body)))
             }
             _ => aims(),
+        }
+    }
+
+    /// Whether the body of a side has tilts, or moves along z.
+    pub(crate) fn side_has(&self, side: &Side, motion: MotionKind) -> bool {
+        let Some(body) = side.body else { return false };
+        match (&self.bodies[body].form, motion) {
+            (Form::Rigid(own), MotionKind::Tilts) => own.transverse_inertia.is_some(),
+            (Form::Rigid(own), MotionKind::Along) => own.moves_along_z,
+            (Form::Meshed(own), MotionKind::Along) => !own.rigid || own.moves_along_z,
+            (Form::Meshed(_), MotionKind::Tilts) => true,
         }
     }
 

@@ -36,6 +36,13 @@ pub(crate) struct Joint {
     pub(crate) offset: [[f64; 2]; 3],
 }
 
+impl Joint {
+    /// Whether it acts on a motion beside those in the plane: by a law for that alone, or by that of the whole joint.
+    pub(crate) fn acts_on(&self, motion: MotionKind) -> bool {
+        self.others.iter().any(|own| own.kind == motion) || self.bearing.law.source.acts_on(motion)
+    }
+}
+
 /// The law of a bushing on the tilts of its sides, or on their displacement along z.
 #[derive(Debug, Clone)]
 pub(crate) struct OtherLaw {

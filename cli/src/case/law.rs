@@ -6,6 +6,7 @@ use std::sync::Arc;
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
 use whirl_codegen::document::Table;
 use whirl_codegen::kinds::law::{Acts, Given, LawSpec, Parameter};
+use whirl_solver::bearing::MotionKind;
 use whirl_specs::{LAWS, Law, TABLES};
 
 use super::library::FileStore;
@@ -52,15 +53,16 @@ impl LawSource {
         }
     }
 
-    /// Whether the law is one of springs or of rings.
+    /// Whether the law is one of springs, of rings or of joints.
     pub(crate) fn acts(&self) -> Acts {
         match self {
             LawSource::BuiltIn(law) => {
-                let gives = |acts: &Acts| {
-                    let forces = acts.outputs().iter();
-                    law.outputs.iter().any(|own| forces.clone().any(|force| force.name == own.name))
+                let all = law.inputs.iter().chain(law.outputs);
+                let has = |acts: &Acts| {
+                    let known = || acts.inputs().iter().chain(acts.outputs());
+                    all.clone().all(|own| known().any(|known| known.name == own.name))
                 };
-                Acts::ALL.into_iter().find(gives).unwrap_or(Acts::Spring)
+                Acts::ALL.into_iter().find(has).unwrap_or(Acts::Spring)
             }
             LawSource::File(spec) => spec.acts,
             LawSource::Given(law) => law.spec.acts,
@@ -86,6 +88,24 @@ impl LawSource {
     /// Whether the law turns or brakes the journal: by a moment, or by a force at its surface.
     pub(crate) fn gives_torque(&self) -> bool {
         self.names().iter().any(|name| name == "M_z" || name == "T")
+    }
+
+    /// Whether the law gives a force on a motion beside those in the plane.
+    pub(crate) fn acts_on(&self, motion: MotionKind) -> bool {
+        let forces: &[&str] = match motion {
+            MotionKind::Tilts => &["M_x", "M_y"],
+            MotionKind::Along => &["F_z"],
+        };
+        self.names().iter().any(|name| forces.contains(&name.as_str()))
+    }
+
+    /// Whether it gives such a force, or takes such a motion.
+    pub(crate) fn needs(&self, motion: MotionKind) -> bool {
+        let taken: &[&str] = match motion {
+            MotionKind::Tilts => &["alpha_x", "alpha_y", "alpha_x_dot", "alpha_y_dot"],
+            MotionKind::Along => &["e_z", "e_z_dot"],
+        };
+        self.acts_on(motion) || self.names().iter().any(|name| taken.contains(&name.as_str()))
     }
 
     /// Whether the law takes rates of the journal but no speed: in a bore that turns it damps against the bore.
@@ -180,6 +200,25 @@ fn built_in_table(law: &Law, name: &str) -> Result<Arc<Source>, String> {
 pub(super) fn read(store: FileStore, table: &Table) -> Option<NamedLaw> {
     let name = table.optional_string("law")?;
     find(store, table, &name).map(|source| NamedLaw { source, name })
+}
+
+/// Whether a table names a law that gives a force along z; a law that cannot be read does not, and nothing is noted.
+pub(super) fn acts_along(store: FileStore, table: &Table) -> bool {
+    if !table.gives("law") {
+        return false;
+    }
+    let written = table.written("law");
+    let name = written.text().trim_matches(['"', '\'']);
+    let source = if name.ends_with(".toml") {
+        let file = store.read_beside(written.source(), name).ok();
+        let spec = file.and_then(|file| {
+            LawSpec::read_with(&file, &|name| store.read_beside(&file, name)).ok()
+        });
+        spec.map(|spec| LawSource::File(Arc::new(spec)))
+    } else {
+        LAWS.iter().find(|law| law.origin.name == name).map(LawSource::BuiltIn)
+    };
+    source.is_some_and(|law| law.acts_on(MotionKind::Along))
 }
 
 /// The law called `name`; what is wrong with it is noted in `table`.

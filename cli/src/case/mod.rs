@@ -50,7 +50,7 @@ pub(crate) use embedded::embedded_cases;
 pub(crate) use fields::Fields;
 pub(crate) use gravity::Gravity;
 pub(crate) use joined_machine::{Drive as JoinedDrive, JoinedMachine, Load as JoinedLoad};
-pub(crate) use joint::{Joint, JointKind, OtherLaw, Side as JointSide};
+pub(crate) use joint::{Joint, JointKind, Side as JointSide};
 pub(crate) use law::{LawSource, NamedLaw};
 pub(crate) use library::{FileStore, refused};
 pub(crate) use loads::{Acting, Load, Spread, Variation};

@@ -2,6 +2,7 @@
 
 use whirl_codegen::diagnostic::{Code, Located, suggest};
 use whirl_codegen::document::Table;
+use whirl_solver::bearing::MotionKind;
 use whirl_solver::loads::Frame;
 use whirl_solver::output::{JointQuantity, Motion};
 
@@ -41,7 +42,7 @@ pub(crate) enum Wanted {
     Joint {
         /// The joint, by its place.
         joint: usize,
-        /// Force, deformation or its rate.
+        /// Which of what it does.
         quantity: JointQuantity,
         /// Whose components.
         frame: Frame,
@@ -63,16 +64,28 @@ pub(crate) enum Wanted {
     },
 }
 
-/// What outputs may be of: names of bodies and whether they have meshes, names of joints and whether they are couplings.
+/// What outputs may be of: names of bodies and whether they have meshes, names of joints and what these are.
 struct Known {
     bodies: Vec<(String, bool)>,
-    joints: Vec<(String, bool)>,
+    joints: Vec<(String, KnownJoint)>,
+}
+
+/// What a joint gives.
+#[derive(Clone, Copy, Default)]
+struct KnownJoint {
+    /// A torque alone.
+    coupling: bool,
+    /// Moments on tilts.
+    tilts: bool,
+    /// A force along z.
+    along: bool,
 }
 
 impl Known {
     /// Of what a case says; none where too much of it is wrong.
     fn of(system: &SystemDraft) -> Option<Known> {
-        let numbered = |count: usize| (1..=count).map(|k| (k.to_string(), false)).collect();
+        let numbered =
+            |count: usize| (1..=count).map(|k| (k.to_string(), KnownJoint::default())).collect();
         let named =
             |names: &[&str], mesh| names.iter().map(|own| (own.to_string(), mesh)).collect();
         Some(match system {
@@ -89,7 +102,14 @@ impl Known {
                         .map(|own| (own.name.text().into(), matches!(own.form, Form::Meshed(_))))
                         .collect(),
                     joints: joints
-                        .map(|own| (own.name.text().into(), own.kind == JointKind::Coupling))
+                        .map(|own| {
+                            let known = KnownJoint {
+                                coupling: own.kind == JointKind::Coupling,
+                                tilts: own.acts_on(MotionKind::Tilts),
+                                along: own.acts_on(MotionKind::Along),
+                            };
+                            (own.name.text().into(), known)
+                        })
                         .collect(),
                 }
             }
@@ -124,7 +144,8 @@ fn read_one(table: &Table, known: Option<&Known>) -> Option<Wanted> {
     let quantity = table.optional_word("quantity")?;
     let (used, of_body, of_joint): (&[&str], bool, bool) = match quantity {
         "displacement" | "velocity" | "acceleration" => (&OF_SOME, true, false),
-        "force" | "deformation" | "rate" => (&["frame"], false, true),
+        "force" | "deformation" | "rate" | "moment" | "tilt" => (&["frame"], false, true),
+        "axial_force" | "axial_deformation" => (&[], false, true),
         "energy" => (&[], true, false),
         _ => (&[], true, true),
     };
@@ -155,9 +176,24 @@ fn read_one(table: &Table, known: Option<&Known>) -> Option<Wanted> {
             return wrong(own, "of a body, not of a joint", "write `body = \"NAME\"` instead");
         }
         let joint = place(table, own, ("joint", &known.joints))?;
-        let coupling = known.joints[joint].1;
+        let KnownJoint { coupling, tilts, along } = known.joints[joint].1;
+        let lacks = match quantity {
+            "moment" | "tilt" if !tilts => Some("on tilts, such as M_x"),
+            "axial_force" | "axial_deformation" if !along => Some("along z, F_z"),
+            _ => None,
+        };
+        if let Some(lacks) = lacks {
+            let message = format!("the joint `{}` gives no force {lacks}", own.text());
+            let help = "take a law of a joint that gives one, or a bushing with its stiffness";
+            table.push(own.error_here(Code::BAD_VALUE, message).help(help));
+            return None;
+        }
         let quantity = match (quantity, coupling) {
             ("power", _) => return Some(Wanted::JointPower { joint }),
+            ("moment", _) => JointQuantity::Moment,
+            ("tilt", _) => JointQuantity::Tilt,
+            ("axial_force", _) => JointQuantity::AxialForce,
+            ("axial_deformation", _) => JointQuantity::AxialDeformation,
             ("force", false) => JointQuantity::Force,
             ("force", true) => JointQuantity::Torque,
             ("deformation", false) => JointQuantity::Deformation,
@@ -227,7 +263,7 @@ fn components(table: &Table) -> Vec<usize> {
 }
 
 /// The place of a body or joint among those that the case has; one that it has not is noted.
-fn place(table: &Table, name: &Located, (what, all): (&str, &[(String, bool)])) -> Option<usize> {
+fn place<T>(table: &Table, name: &Located, (what, all): (&str, &[(String, T)])) -> Option<usize> {
     let found = all.iter().position(|(own, _)| own == name.text());
     if found.is_none() {
         let names: Vec<&str> = all.iter().map(|(own, _)| own.as_str()).collect();

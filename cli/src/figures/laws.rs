@@ -76,6 +76,9 @@ fn held(law: &LawSpec, output: usize, input: usize) -> Option<Vec<f64>> {
     const SHARES: [f64; 4] = [0.25, 0.75, 0.05, 0.95];
     /// Points at which a curve is compared with a constant.
     const PROBES: usize = 24;
+    if !law.depends(output, input) {
+        return None;
+    }
     let [least, most] = law.report.outputs[output].extent;
     // Rounding is no change.
     let level = 1e-6 * (most - least);

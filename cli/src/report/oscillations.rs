@@ -55,6 +55,10 @@ pub(crate) fn oscillations(case: &Case, machine: &Machine) -> Vec<Oscillation> {
                     JointQuantity::Torque => ("torque", "N·m", &["z"]),
                     JointQuantity::Twist => ("twist", "rad", &["z"]),
                     JointQuantity::TwistRate => ("twist rate", "rad/s", &["z"]),
+                    JointQuantity::Moment => ("moment", "N·m", &["x", "y"]),
+                    JointQuantity::Tilt => ("tilt", "rad", &["x", "y"]),
+                    JointQuantity::AxialForce => ("axial force", "N", &["z"]),
+                    JointQuantity::AxialDeformation => ("axial deformation", "µm", &["z"]),
                 };
                 (journal(case, *joint), quantity, unit, labels)
             }

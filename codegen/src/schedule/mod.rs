@@ -32,19 +32,39 @@ pub fn schedule(graph: &mut Graph, request: &Request) -> Result<Program, Schedul
     Ok(program)
 }
 
+/// The program that computes the outputs as they are written: for what runs seldom, and has too many products to try
+/// other ways.
+pub(crate) fn schedule_as_written(
+    graph: &mut Graph,
+    request: &Request,
+) -> Result<Program, ScheduleError> {
+    only_scalars(graph, request)?;
+    let program = cheapest(graph, request, &[Way::written(request)])?;
+    if graph.exceeded() {
+        return Err(ScheduleError::Exceeded);
+    }
+    Ok(program)
+}
+
 /// One way to write all outputs, with the names that then belong to values inside.
 struct Way {
     outputs: Vec<Id>,
     names: Vec<(Id, String)>,
 }
 
+impl Way {
+    fn written(request: &Request) -> Self {
+        Way {
+            outputs: request.outputs.iter().map(|output| output.expression).collect(),
+            names: request.names.clone(),
+        }
+    }
+}
+
 /// As written; factored; where rules apply, simplified, and that factored; and, where there are stages to
 /// hoist to, multiplied out and factored anew.
 fn ways(graph: &mut Graph, request: &Request) -> Result<Vec<Way>, ScheduleError> {
-    let written = Way {
-        outputs: request.outputs.iter().map(|output| output.expression).collect(),
-        names: request.names.clone(),
-    };
+    let written = Way::written(request);
     let mut ways = vec![factored(graph, request, &written)?];
     let simple = simplify(graph, &written.outputs);
     same_meaning(graph, request, &simple)?;

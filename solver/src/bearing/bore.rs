@@ -134,10 +134,10 @@ impl<'a> Bore<'a> {
         match motion {
             BoreMotion::MeanX => vec![x],
             BoreMotion::MeanY => vec![y],
-            BoreMotion::MeanTurn | BoreMotion::SectionTurn => vec![0.0],
             BoreMotion::Radial | BoreMotion::Tangential => {
                 self.bearing.angles.iter().map(|&angle| at(direction(motion, angle))).collect()
             }
+            _ => vec![0.0],
         }
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use whirl_specs::{Contact, ContactVariable, Law};
 use whirl_text::nearest_in_any_case;
 
-/// A law that can be evaluated over rows of springs, or of rings. Two kinds exist: compiled ones of the
+/// A law that can be evaluated over rows of springs, of rings, or of whole joints. Two kinds exist: compiled ones of the
 /// registry, and those of a law file, evaluated without a compiler.
 pub trait SpringLaw: Send + Sync {
     /// Name, as the case says it.
@@ -91,7 +91,8 @@ pub(crate) struct WrongLaw {
 fn mismatch(law: &dyn SpringLaw, kinds: &'static [Contact]) -> WrongLaw {
     let has = |list: &[ContactVariable], name: &str| list.iter().any(|own| own.name == name);
     let within = |kind: &Contact, other: &Contact| {
-        kind.inputs.iter().all(|own| has(other.inputs, own.name))
+        kind.place == other.place
+            && kind.inputs.iter().all(|own| has(other.inputs, own.name))
             && kind.forces.iter().all(|own| has(other.forces, own.name))
     };
     // A kind that another has whole says nothing of its own.
@@ -119,17 +120,25 @@ fn mismatch(law: &dyn SpringLaw, kinds: &'static [Contact]) -> WrongLaw {
     };
     for name in &outputs {
         if !kinds.iter().any(|kind| has(kind.forces, name)) {
-            let what = format!("gives {name}, which is not a force of a spring or of a ring");
+            let what =
+                format!("gives {name}, which is not a force of a spring, of a ring or of a joint");
             return WrongLaw { what, help: known(name, all(|kind| kind.forces)) };
         }
     }
     for name in &inputs {
         if !kinds.iter().any(|kind| has(kind.inputs, name)) {
-            let what = format!("takes the input {name}, which neither springs nor rings have");
+            let what =
+                format!("takes the input {name}, which neither springs, rings nor joints have");
             return WrongLaw { what, help: known(name, all(|kind| kind.inputs)) };
         }
     }
-    let kind = kinds.iter().find(|kind| has(kind.forces, first)).expect("found above");
+    // Of the kinds that have the first, the one that has most.
+    let lacks = |kind: &&&Contact| {
+        outputs.iter().filter(|name| !has(kind.forces, name)).count()
+            + inputs.iter().filter(|name| !has(kind.inputs, name)).count()
+    };
+    let of_first = kinds.iter().filter(|kind| has(kind.forces, first));
+    let kind = of_first.min_by_key(lacks).expect("found above");
     let foreign = outputs.iter().find(|name| !has(kind.forces, name));
     let wrong_input = inputs.iter().find(|name| !has(kind.inputs, name));
     let mixed = match (foreign, wrong_input) {

@@ -8,6 +8,7 @@ mod mark;
 mod measured;
 mod mirrors;
 mod observed;
+mod on_section;
 mod other;
 mod part;
 mod place;
@@ -15,6 +16,7 @@ mod placed_law;
 mod plane;
 mod projected;
 mod rounding;
+mod section;
 mod spin;
 mod spline;
 mod springs;
@@ -32,6 +34,7 @@ pub use valid::{Measure, Worst};
 pub(crate) use bore::axis_motion;
 pub(crate) use bores::Bores;
 pub(crate) use mirrors::BlockMemory;
+pub(crate) use on_section::OnJournal;
 pub(crate) use plane::Plane;
 pub(crate) use rounding::SpringRounding;
 pub(crate) use state::TurnedRows;
@@ -55,7 +58,8 @@ pub struct Bearing {
     /// Radius of the journal (m), for laws that need it; without one the mean distance of the bore's nodes
     /// from the axis less c.
     pub journal_radius: Option<f64>,
-    /// Planes of springs by their distance from the left end over the length L_b; 0, ½ and 1 are the three.
+    /// Planes of springs by their distance from the left end over the length L_b; 0, ½ and 1 are the three. One of a law of
+    /// the whole joint.
     pub stations: Vec<f64>,
     /// Fixed angles ψ_j of the springs of each plane (rad); of no effect on a law that acts once a plane.
     pub angles: Vec<f64>,
@@ -81,6 +85,9 @@ pub struct Sides {
     /// Sections of both bodies whose turn against the frame of their body adds to the angle between them, as places in the
     /// measures of the bodies; the frames alone count where there is none.
     pub sections: [Option<usize>; 2],
+    /// Sections of both bodies whose displacement along z and whose tilts a law of the whole joint sees, as places in the
+    /// measures of the bodies; none of a body that has no such motion.
+    pub whole_sections: [Option<usize>; 2],
     /// Section of the journal that turns with the torque on it, as a place in the measures of its body; the frame alone does
     /// where there is none.
     pub torque_section: Option<usize>,
@@ -111,6 +118,7 @@ impl Default for Sides {
             run_out: [[0.0; 2]; 3],
             offset: [[0.0; 2]; 3],
             sections: [None; 2],
+            whole_sections: [None; 2],
             torque_section: None,
             surface: None,
         }

@@ -1,7 +1,10 @@
 //! The laws of bearings, one by one.
 
+use whirl_specs::{Contact, ContactPlace};
+
 use super::Bearing;
 use super::other::OtherMotion;
+use crate::bodies::Body;
 
 /// A law in a bearing: on the displacement in its planes, or on another motion.
 #[derive(Clone, Copy)]
@@ -28,5 +31,31 @@ impl<'a> Part<'a> {
             std::iter::once(own).chain(others)
         };
         bearings.iter().enumerate().flat_map(of).collect()
+    }
+
+    /// Why a law of this kind cannot act there, and what to do.
+    pub(super) fn misplaced(&self, kind: &Contact, bodies: &[Body]) -> Option<(String, String)> {
+        let journal = &bodies[self.bearing.sides.bodies[0]];
+        let spins = journal.rotation().and_then(|own| own.spin()).is_some();
+        let (what, help) = match (kind.place, self.other) {
+            (ContactPlace::Spring, Some(_)) => (
+                "acts at springs, but tilts and displacements along z have none",
+                "give it the forces of a ring, F_x and F_y",
+            ),
+            (ContactPlace::Joint, Some(_)) => (
+                "acts on a whole joint, but is to act on its tilts or along z alone",
+                "give it the forces of a ring, F_x and F_y",
+            ),
+            (ContactPlace::Joint, None) if self.bearing.stations.len() != 1 => (
+                "acts once a joint, but is to act in several planes",
+                "give the bearing one station",
+            ),
+            (ContactPlace::Joint, None) if spins => (
+                "acts on tilts of the journal's section, but the journal spins in a frame at rest and has none",
+                "take a body whose frame turns, or a law of a ring",
+            ),
+            _ => return None,
+        };
+        Some((what.to_owned(), help.to_owned()))
     }
 }

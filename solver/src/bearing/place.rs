@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use whirl_specs::{BoreMotion, Clearance};
+use whirl_specs::{BoreMotion, Clearance, ContactPlace};
 
 use super::Bearing;
 use super::apart::Apart;
@@ -14,6 +14,7 @@ use super::other::{MotionKind, OtherMotion};
 use super::part::Part;
 use super::placed_law::PlacedLaw;
 use super::plane::Plane;
+use super::section::SectionMotion;
 use super::springs::Springs;
 use super::valid::Measures;
 use crate::bodies::{Body, BodyPlace};
@@ -85,8 +86,8 @@ struct Placing<'a> {
     errors: Vec<Error>,
 }
 
-/// The bodies on whose coordinates a row of T_b is: that of the bore, and that of the journal where its section turns with
-/// its torque.
+/// The bodies on whose coordinates a row of T_b is: that of the bore, and that of the journal where its section moves in its
+/// frame.
 #[derive(Clone, Copy, PartialEq)]
 struct Joined {
     bore: usize,
@@ -96,7 +97,9 @@ struct Joined {
 impl Joined {
     fn of(part: &Part) -> Self {
         let [journal, bore] = part.bearing.sides.bodies;
-        let twists = part.other.is_none() && part.bearing.sides.torque_section.is_some();
+        let sides = &part.bearing.sides;
+        let twists = part.other.is_none()
+            && (sides.torque_section.is_some() || sides.whole_sections[0].is_some());
         Joined { bore, twisted: twists.then_some(journal) }
     }
 
@@ -176,18 +179,14 @@ impl Placing<'_> {
         let needed = law.motions();
         let mut motions = vec![MotionRows::default(); kind.bore.len()];
         let mut angles = Vec::new();
-        for &Part { number, bearing, other, .. } in users {
+        for part in users {
+            let &Part { number, bearing, other, .. } = part;
+            if let Some((what, help)) = part.misplaced(kind, self.bodies) {
+                let (law, bearing) = (law.law.name().to_owned(), Some(number));
+                self.errors.push(Error::Law { law, bearing, what, help });
+                continue;
+            }
             if let Some(other) = other {
-                if kind.each_spring {
-                    self.errors.push(Error::Law {
-                        law: law.law.name().to_owned(),
-                        bearing: Some(number),
-                        what: "acts at springs, but tilts and displacements along z have none"
-                            .to_owned(),
-                        help: "give it the forces of a ring, F_x and F_y".to_owned(),
-                    });
-                    continue;
-                }
                 for ((motion, needed), own) in kind.bore.iter().zip(&needed).zip(&mut motions) {
                     if *needed {
                         own.rows.push(wide(other.of_second(&self.bodies[body], *motion), body));
@@ -211,17 +210,17 @@ impl Placing<'_> {
                     continue;
                 }
             };
-            let count = if kind.each_spring { bearing.angles.len() } else { 1 };
+            let each_spring = kind.place == ContactPlace::Spring;
+            let count = if each_spring { bearing.angles.len() } else { 1 };
             for (place, &station) in bearing.stations.iter().enumerate() {
                 for ((motion, needed), own) in kind.bore.iter().zip(&needed).zip(&mut motions) {
                     if *needed {
-                        let (rows, of, offset) = match motion {
-                            BoreMotion::SectionTurn => {
-                                let journal = bearing.sides.bodies[0];
-                                let row = section_turn(bearing, &self.bodies[journal]);
-                                (vec![row], journal, vec![0.0])
+                        let (rows, of, offset) = match SectionMotion::of(*motion) {
+                            Some(own) => {
+                                let of = bearing.sides.bodies[own.side];
+                                (vec![own.row(bearing, &self.bodies[of])], of, vec![0.0])
                             }
-                            _ => {
+                            None => {
                                 let rows = bore.rows(place, *motion);
                                 (rows, body, bore.offset(station, *motion))
                             }
@@ -244,12 +243,13 @@ impl Placing<'_> {
         (kind.prepare)(&angles, &mut table);
         let bores = self.bores_of(joined);
         let own = &mut self.bores[bores];
-        let turn =
-            |motion: &BoreMotion| matches!(motion, BoreMotion::MeanTurn | BoreMotion::SectionTurn);
+        let may_be_none = |motion: &BoreMotion| {
+            *motion == BoreMotion::MeanTurn || SectionMotion::of(*motion).is_some()
+        };
         let motions = motions.into_iter().zip(&needed).zip(kind.bore);
         let motions = motions.map(|((motion, needed), kind)| {
-            // What is rigid has no turn of its own.
-            if !needed || turn(kind) && motion.are_zero() {
+            // What is rigid has no turn of its own, and the ground has no motion.
+            if !needed || may_be_none(kind) && motion.are_zero() {
                 return None;
             }
             let first = own.rows.len();
@@ -367,17 +367,6 @@ impl Placing<'_> {
             }),
             _ => Ok(radius),
         }
-    }
-}
-
-/// The turn of the journal's section against the frame of its body, as a row over the coordinates of the body.
-fn section_turn(bearing: &Bearing, body: &Body) -> Vec<f64> {
-    match bearing.sides.torque_section {
-        Some(section) => {
-            let rotation = &body.measures()[section].rotation;
-            (0..rotation.cols).map(|j| rotation[(2, j)]).collect()
-        }
-        None => Vec::new(),
     }
 }
 

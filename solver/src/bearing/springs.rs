@@ -1,5 +1,7 @@
 //! All springs of a machine.
 
+use whirl_specs::{BoreMotion, ContactVariable};
+
 use super::bores::Bores;
 use super::placed_law::PlacedLaw;
 use super::plane::Plane;
@@ -64,7 +66,21 @@ impl Springs {
     pub(crate) fn gives_torque(&self, plane: usize) -> bool {
         let law = &self.laws[self.planes[plane].law].bound;
         let mut forces = law.forces.iter().map(|&place| &law.kind.forces[place]);
-        forces.any(|force| force.radius || force.unit != "N")
+        // What tilts acts through no turn of the section.
+        let turns = |force: &ContactVariable| {
+            force.bore.iter().any(|&motion| law.kind.bore[motion] == BoreMotion::SectionTurn)
+        };
+        forces.any(|force| force.radius || force.unit != "N" && turns(force))
+    }
+
+    /// Whether the law of a plane gives a force or a moment on a motion of a bore or a section.
+    pub(crate) fn acts_on(&self, plane: usize, motion: BoreMotion) -> bool {
+        let law = &self.laws[self.planes[plane].law].bound;
+        let place = law.kind.bore.iter().position(|own| *own == motion);
+        let acts = |motion: usize| {
+            law.forces.iter().any(|&force| law.kind.forces[force].bore.contains(&motion))
+        };
+        place.is_some_and(acts)
     }
 
     /// Whether the law of a plane gives a moment by the angle between both sides.

@@ -1,6 +1,6 @@
 //! The springs at one instant: how they move, what their laws give, generalised forces and their derivatives.
 
-use whirl_specs::{BoreMotion, ContactState, ContactTangent, Ring};
+use whirl_specs::{ContactState, ContactTangent, Ring};
 
 use super::apart::Seen;
 use super::bores::Bores;
@@ -11,7 +11,6 @@ use super::plane::Plane;
 use super::spin::Spin;
 use super::springs::Springs;
 use super::valid::ValidityMonitor;
-use crate::linalg::dot;
 
 /// All springs at one instant. Allocated once, filled at will.
 pub struct SpringState {
@@ -116,7 +115,7 @@ impl PlaneState {
 
 /// A law at all its springs; rows as in [`whirl_specs::Contact`].
 pub(super) struct LawState {
-    bore: Vec<f64>,
+    pub(super) bore: Vec<f64>,
     bore_dot: Vec<f64>,
     /// Inputs and further measures.
     pub(super) inputs: Vec<f64>,
@@ -338,34 +337,6 @@ impl SpringState {
     pub(crate) fn plane_force(&self, plane: usize) -> [f64; 3] {
         let own = &self.planes[plane];
         own.spin.as_ref().map_or(own.ring_force, |spin| spin.force(own.ring_force))
-    }
-
-    /// Torque on the journal about its own centre in a plane (N·m): the generalised force on θ without the
-    /// moment that the forces on the displaced centre have about the axis.
-    pub(crate) fn plane_torque(&self, plane: usize) -> f64 {
-        let own = &self.planes[plane];
-        let ([_, x, y], [moment, along_x, along_y]) = (own.ring.position, own.ring_force);
-        moment - (x * along_y - y * along_x)
-    }
-
-    /// Power on the section of the journal that turns with its torque (W), by rates of q.
-    pub(crate) fn power_on_section(&self, springs: &Springs, plane: usize, v: &[f64]) -> f64 {
-        let plane = &springs.planes[plane];
-        let law = &springs.laws[plane.law];
-        let (bores, forces) = (&springs.bores[law.bores], &self.laws[plane.law].bore_force);
-        let v = &v[bores.place.clone()];
-        let mut power = 0.0;
-        for (motion, first) in law.motions.iter().enumerate() {
-            if law.bound.kind.bore[motion] != BoreMotion::SectionTurn {
-                continue;
-            }
-            let Some(first) = *first else { continue };
-            for j in plane.springs.clone() {
-                let rate = dot(bores.transposed.col(first + j), v);
-                power += forces[motion * law.springs + j] * rate;
-            }
-        }
-        power
     }
 
     /// Adds the generalised forces on q.

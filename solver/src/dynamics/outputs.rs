@@ -110,7 +110,8 @@ fn of_joint(
     let in_plane = |value: [f64; 2], scale: f64| (value.map(|own| scale * own), 2);
     match quantity {
         JointQuantity::Torque => {
-            let torques = monitor.planes.iter().map(|&plane| springs.plane_torque(plane));
+            let torques =
+                monitor.planes.iter().map(|&plane| springs.plane_torque(&machine.springs, plane));
             about_axis(torques.sum())
         }
         JointQuantity::Twist => {
@@ -118,6 +119,26 @@ fn of_joint(
         }
         JointQuantity::TwistRate => {
             about_axis(turn(journal)[1] - turn(bore)[1] + of_sections(equations, joint, &state.v))
+        }
+        JointQuantity::Moment => {
+            let plane = monitor.tilts;
+            let moment =
+                plane.map_or([0.0; 2], |own| springs.tilting_moment(&machine.springs, own));
+            in_plane(if frame == Frame::Body { moment } else { own.to_space(moment) }, 1.0)
+        }
+        JointQuantity::Tilt => {
+            let tilt = monitor.tilts.map_or([0.0; 2], |own| springs.tilt(&machine.springs, own));
+            // Tilts are along the axes of the bore.
+            let tilt = Position::new(rotation(machine, bore, state)[0]).to_space(tilt);
+            let back = Position { sin: -own.sin, cos: own.cos };
+            in_plane(if frame == Frame::Body { back.to_space(tilt) } else { tilt }, 1.0)
+        }
+        JointQuantity::AxialForce => {
+            about_axis(monitor.along.map_or(0.0, |own| springs.axial_force(&machine.springs, own)))
+        }
+        JointQuantity::AxialDeformation => {
+            let moved = monitor.along.map_or(0.0, |own| springs.axial(&machine.springs, own));
+            about_axis(1e6 * moved)
         }
         JointQuantity::Force => {
             let force = planes().fold([0.0; 2], |sum, [_, x, y]| [sum[0] + x, sum[1] + y]);

@@ -293,14 +293,18 @@ impl RingingMeter {
             }
             force.into_iter().for_each(&mut put);
             if monitor.torque {
-                put(monitor.planes.iter().map(|&plane| springs.plane_torque(plane)).sum());
+                put(monitor
+                    .planes
+                    .iter()
+                    .map(|&plane| springs.plane_torque(&machine.springs, plane))
+                    .sum());
             }
             if let Some(plane) = monitor.tilts {
-                let [_, x, y] = springs.plane_force(plane);
-                [x, y].into_iter().for_each(&mut put);
+                let moment = springs.tilting_moment(&machine.springs, plane);
+                moment.into_iter().for_each(&mut put);
             }
             if let Some(plane) = monitor.along {
-                put(springs.plane_force(plane)[1]);
+                put(springs.axial_force(&machine.springs, plane));
             }
         }
         for body in machine.turning() {

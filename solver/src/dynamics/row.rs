@@ -54,17 +54,18 @@ pub(super) fn write_row(
             row[place + 4 * bearings] = 1e6 * eccentricity;
         }
         if monitor.torque {
-            let torques = monitor.planes.iter().map(|&plane| springs.plane_torque(plane));
+            let torques =
+                monitor.planes.iter().map(|&plane| springs.plane_torque(&machine.springs, plane));
             row[other] = torques.sum();
             other += 1;
         }
         if let Some(plane) = monitor.tilts {
-            let [_, x, y] = springs.plane_force(plane);
-            row[other..other + 2].copy_from_slice(&frame.to_space([x, y]));
+            let moment = springs.tilting_moment(&machine.springs, plane);
+            row[other..other + 2].copy_from_slice(&frame.to_space(moment));
             other += 2;
         }
         if let Some(plane) = monitor.along {
-            row[other] = springs.plane_force(plane)[1];
+            row[other] = springs.axial_force(&machine.springs, plane);
             other += 1;
         }
     }

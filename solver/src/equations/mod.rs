@@ -5,6 +5,7 @@ mod spring_tangent;
 mod state;
 mod turning;
 
+use std::array;
 use std::ops::Range;
 
 use whirl_specs::ContactTangent;
@@ -13,7 +14,7 @@ pub(crate) use self::spring_tangent::SpringTangent;
 pub use self::state::{State, Weights};
 pub(crate) use self::turning::TurningBody;
 
-use crate::bearing::{SpringRounding, SpringState};
+use crate::bearing::{OnJournal, SpringRounding, SpringState};
 use crate::linalg::{Matrix, dot, widely};
 use crate::loads::{Load, Position};
 use crate::machine::{Body, BodyPlace, Machine};
@@ -33,8 +34,8 @@ pub struct Tangents {
     pub damping: Matrix,
     /// −∂r/∂q.
     pub stiffness: Matrix,
-    /// By planes of springs −∂F/∂ε and −∂F/∂ε̇ of the force on the journal, both along x and y of its body.
-    pub(crate) planes: Vec<[[[f64; 2]; 2]; 2]>,
+    /// By planes of springs −∂F/∂ε and −∂F/∂ε̇ of what acts on the journal, along axes of its body.
+    pub(crate) planes: Vec<[OnJournal; 2]>,
 }
 
 /// Memory for evaluating a machine, and what was last evaluated.
@@ -218,16 +219,15 @@ impl<'m> Equations<'m> {
 
     /// −∂r/∂q̈, −∂r/∂q̇ and −∂r/∂q at the state that was last evaluated, over the unknown coordinates.
     pub fn tangents(&mut self, state: &State) -> Tangents {
-        let (size, first, t) = (self.machine.size(), self.machine.first_unknown(), self.time);
+        let machine = self.machine;
+        let (size, first, t) = (machine.size(), machine.first_unknown(), self.time);
         let unknowns: Vec<usize> = (first..size).collect();
         let mut weighted = |weights: Weights| {
             let mut data = vec![0.0; size * size];
             self.tangent(t, state, weights, &mut data);
-            let planes = self
-                .spring_tangents()
-                .iter()
-                .map(|own| [1, 2].map(|i| [1, 2].map(|j: usize| -own.ring_ring[i][j])));
-            let planes: Vec<[[f64; 2]; 2]> = planes.collect();
+            let planes = self.spring_tangents().iter().enumerate();
+            let planes = planes.map(|(plane, own)| machine.springs.on_journal(plane, own));
+            let planes: Vec<OnJournal> = planes.collect();
             (Matrix { rows: size, cols: size, data }.select(&unknowns, &unknowns), planes)
         };
         let (stiffness, held) = weighted(Weights::POSITION);
@@ -237,7 +237,7 @@ impl<'m> Equations<'m> {
         }
         let mass = self.mass(state).select(&unknowns, &unknowns);
         let planes = held.into_iter().zip(both).map(|(held, both)| {
-            let rate = [0, 1].map(|i| [0, 1].map(|j| (both[i][j] - held[i][j]) / RATE));
+            let rate = array::from_fn(|i| array::from_fn(|j| (both[i][j] - held[i][j]) / RATE));
             [held, rate]
         });
         Tangents { mass, damping, stiffness, planes: planes.collect() }

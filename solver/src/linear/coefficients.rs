@@ -1,7 +1,10 @@
 //! Stiffness and damping of joints about the state that stands, in space.
 
+use std::array;
+
 use super::linearised::Standstill;
 use super::round::LinearMachine;
+use crate::bearing::OnJournal;
 use crate::loads::Position;
 
 /// What a joint does against small motions of its journal, its bore at rest: −∂F/∂e and −∂F/∂ė of the force on the journal, row
@@ -22,6 +25,9 @@ pub struct JointCoefficients {
     pub force: [f64; 2],
     /// Eccentricity over clearance, where there is one.
     pub eccentricity: Option<f64>,
+    /// Of a law of the whole joint K and C of forces and moments against displacements and tilts, in the order x, y, z, about
+    /// x, about y (N, N·m; m, rad).
+    pub whole: Option<[[[f64; 5]; 5]; 2]>,
 }
 
 impl LinearMachine {
@@ -34,7 +40,8 @@ impl LinearMachine {
             let mut sums = [[[0.0; 2]; 2]; 2];
             for &plane in &joint.planes {
                 for (sum, own) in sums.iter_mut().zip(&found.tangents.planes[plane]) {
-                    let cells = sum.iter_mut().flatten().zip(own.iter().flatten());
+                    let cells =
+                        sum.iter_mut().zip(own).flat_map(|(sum, own)| sum.iter_mut().zip(own));
                     cells.for_each(|(sum, own)| *sum += own);
                 }
             }
@@ -56,6 +63,9 @@ impl LinearMachine {
                 displacement: *moved,
                 force: *force,
                 eccentricity: *ratio,
+                whole: joint
+                    .whole()
+                    .map(|plane| whole(found.tangents.planes[plane], speed, position)),
             }
         });
         joints.collect()
@@ -68,4 +78,32 @@ fn in_space(position: Position, own: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
     let rows = own.map(|row| position.to_space(row));
     let columns = [0, 1].map(|j| position.to_space([rows[0][j], rows[1][j]]));
     [0, 1].map(|i| [0, 1].map(|j| columns[j][i]))
+}
+
+/// K and C in space from K_ε and C_ε of a law of the whole joint, with displacements and tilts turned alike.
+fn whole([held, damping]: [OnJournal; 2], speed: f64, position: Position) -> [OnJournal; 2] {
+    // Pairs of components that turn with the journal.
+    const PAIRS: [usize; 2] = [0, 3];
+    let in_space = |own: OnJournal| {
+        let turned = |rows: OnJournal| {
+            let mut out = rows;
+            for first in PAIRS {
+                for j in 0..5 {
+                    let pair = position.to_space([rows[first][j], rows[first + 1][j]]);
+                    [out[first][j], out[first + 1][j]] = pair;
+                }
+            }
+            out
+        };
+        let transposed = |own: OnJournal| array::from_fn(|i| array::from_fn(|j| own[j][i]));
+        transposed(turned(transposed(turned(own))))
+    };
+    let mut stiffness = held;
+    for (row, damping) in stiffness.iter_mut().zip(&damping) {
+        for first in PAIRS {
+            row[first] -= speed * damping[first + 1];
+            row[first + 1] += speed * damping[first];
+        }
+    }
+    [in_space(stiffness), in_space(damping)]
 }

@@ -1,6 +1,7 @@
 //! Machines of named bodies, run by the binary: what they do, and what is said of them.
 
 mod bushings;
+mod joint_laws;
 mod joints;
 mod matrices;
 pub(crate) mod meshes;
@@ -12,6 +13,7 @@ mod surfaces;
 mod turning_nodes;
 mod twisting;
 mod weight;
+mod whole_joints;
 
 use whirl_tests::History;
 

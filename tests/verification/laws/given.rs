@@ -14,7 +14,8 @@ fn bits(law: &LawSpec) -> Vec<u64> {
     let ranges = super::ranges(law);
     let share = |place: usize, n: usize| {
         // Multiples of irrational numbers, modulo 1.
-        let root = [2.0_f64, 3.0, 5.0, 7.0, 11.0, 13.0][place].sqrt();
+        let root =
+            [2.0_f64, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0, 23.0, 29.0, 31.0, 37.0][place].sqrt();
         (root * (n + 1) as f64).fract()
     };
     let row = |(place, [low, high]): (usize, &[f64; 2])| {

@@ -1,5 +1,6 @@
 //! The laws in specs/: derivatives three ways, reports and names, and each against numbers of its source.
 
+mod angular_contact;
 mod contact;
 mod films;
 mod given;

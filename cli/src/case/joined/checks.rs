@@ -81,7 +81,7 @@ impl Checks<'_, '_> {
             self.note(table, message, "write `stiffness` and `damping` in its place");
         }
         for own in &joint.others {
-            if !joint.sides.iter().any(|side| self.has_motion(side, own.kind)) {
+            if !joint.sides.iter().any(|side| self.machine.side_has(side, own.kind)) {
                 let (what, help) = match own.kind {
                     MotionKind::Tilts => (
                         "tilts",
@@ -104,17 +104,6 @@ impl Checks<'_, '_> {
                 false => "name a body that turns",
             };
             self.note(&of_first, message, help);
-        }
-    }
-
-    /// Whether the body of a side has tilts, or moves along z.
-    fn has_motion(&self, side: &Side, kind: MotionKind) -> bool {
-        let Some(body) = side.body else { return false };
-        match (&self.machine.bodies[body].form, kind) {
-            (Form::Rigid(own), MotionKind::Tilts) => own.transverse_inertia.is_some(),
-            (Form::Rigid(own), MotionKind::Along) => own.moves_along_z,
-            (Form::Meshed(own), MotionKind::Along) => !own.rigid || own.moves_along_z,
-            (Form::Meshed(_), MotionKind::Tilts) => true,
         }
     }
 
@@ -269,8 +258,7 @@ impl Checks<'_, '_> {
     /// Notes a body that nothing holds along z.
     fn along_z(&mut self, body: &NamedBody, joints: &[&Joint]) {
         let name = body.name.text();
-        let acts = |joint: &&Joint| joint.others.iter().any(|own| own.kind == MotionKind::Along);
-        if joints.iter().any(acts) {
+        if joints.iter().any(|joint| joint.acts_on(MotionKind::Along)) {
             return;
         }
         let moves = match &body.form {
@@ -279,7 +267,7 @@ impl Checks<'_, '_> {
         };
         if moves {
             let message = format!("nothing acts on the motion of `{name}` along z");
-            let help = "add a bushing with `axial_stiffness` on it, or leave `moves_along_z` out";
+            let help = "add a bushing with `axial_stiffness` on it or a bearing whose law gives F_z, or leave `moves_along_z` out";
             self.note(&body.name.clone(), message, help);
         }
         let Form::Meshed(own) = &body.form else { return };
@@ -290,7 +278,7 @@ impl Checks<'_, '_> {
             let message =
                 format!("`[body.{name}]` has no `axial_restraint`: nothing holds it along z");
             let help = "add `axial_restraint = \"…\"`, a node set that is held along z; or a bushing with \
-                        `axial_stiffness` on it";
+                        `axial_stiffness` on it, or a bearing whose law gives F_z";
             self.file.push(body.name.error_here(Code::MISSING_KEY, message).help(help));
         }
     }
@@ -337,7 +325,7 @@ fn in_one_plane(joints: &[&Joint]) -> bool {
 
 /// Whether a joint acts on tilts by itself.
 fn long(joint: &Joint) -> bool {
-    joint.others.iter().any(|own| own.kind == MotionKind::Tilts)
+    joint.acts_on(MotionKind::Tilts)
         || joint.bearing.stations.len() > 1
         || joint.bearing.stations.is_empty() && joint.sides.iter().any(|side| side.sets.len() == 3)
 }

@@ -204,6 +204,11 @@ fn bearing(store: FileStore, table: &Table) -> Option<Parts> {
     if each {
         table.demand("springs");
     }
+    if law.source.acts() == Acts::Joint && stations.len() > 1 {
+        let message = format!("`{}` acts once a joint, not in several planes", law.name.text());
+        let help = "leave `stations` out, or write one joint for each";
+        table.push(table.written("stations").error_here(Code::BAD_VALUE, message).help(help));
+    }
     let of_clearance = |value: BearingValue| {
         matches!(value, BearingValue::RadialClearance | BearingValue::DiametralClearance)
     };

@@ -20,7 +20,7 @@ use super::joint::Joint;
 use super::library::FileStore;
 use super::machine::Materials;
 use super::named_body::NamedBody;
-use super::{gravity, names};
+use super::{gravity, law, names};
 
 /// Keys that make a file one of named bodies.
 const NAMED: [&str; 4] = ["body", "joint", "drives", "loads"];
@@ -58,7 +58,9 @@ impl JoinedMachine {
         let materials = Materials::read(file);
         let (mut bodies, mut motions) = (Vec::new(), Vec::new());
         let joints = names::in_order(file, "joint");
-        let thrust = joints.iter().any(|(_, joint)| bushing::acts_along(joint));
+        let thrust = joints
+            .iter()
+            .any(|(_, joint)| bushing::acts_along(joint) || law::acts_along(store, joint));
         for (name, table) in names::in_order(file, "body") {
             let read = table.read(|table| bodies::read(store, table, &name, (&materials, thrust)));
             bodies.push(read.body);

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
+use whirl_codegen::kinds::law::Acts;
 use whirl_solver::bearing::Sides;
 use whirl_solver::mesh::MeanComponent;
 
@@ -63,6 +64,7 @@ pub(super) fn place(
     {
         sides.torque_section = torque_section(&joint.sides[0], plan);
     }
+    sides.whole_sections = others::whole_sections(joint, bodies, errors);
     let of_journal = if turns(joined, first) { [0.0; 2] } else { own };
     let journal = journal(joint, &mut bodies[first], (of_journal, z), errors)?;
     if joint.kind == JointKind::Bushing {
@@ -271,9 +273,10 @@ fn at(place: &Located, text: String) -> Located {
 }
 
 /// Rings of springs by their distance from the left end over the length; `ends` are the z of the ends. A bearing
-/// in one plane has its only ring there, which the middle is.
+/// in one plane has its only ring there, which the middle is; so has one whose law acts once.
 pub(super) fn stations(bearing: &case::Bearing, [left, right]: [f64; 2]) -> Vec<f64> {
     match bearing.stations.as_slice() {
+        _ if bearing.law.source.acts() == Acts::Joint => vec![0.5],
         [] => vec![0.0, 0.5, 1.0],
         [_] if left == right => vec![0.5],
         stations => stations.iter().map(|z| (z - left) / (right - left)).collect(),

@@ -66,6 +66,7 @@ impl JoinedPlan {
         warnings: &mut Vec<String>,
     ) -> Result<JoinedPlan, Failure> {
         warnings.extend(joined.joints.iter().flat_map(pushing::pushes_away));
+        warnings.extend(joined.joints.iter().flat_map(|joint| others::on_nothing(joint, joined)));
         let mut errors = Diagnostics::new();
         let mut bodies = bodies::plan(joined, warnings)?;
         let carried = joined.bodies.iter().zip(&mut bodies);

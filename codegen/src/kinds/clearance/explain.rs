@@ -89,7 +89,7 @@ impl ClearanceSpec {
         rows.extend(self.ring.iter().map(|coordinate| row("a ring", coordinate)));
         rows.push(row("a spring", &self.radial));
         rows.extend(self.tangential.iter().map(|coordinate| row("a spring", coordinate)));
-        let means = self.bore.iter().flatten().chain(&self.section);
+        let means = self.bore.iter().chain(&self.section);
         rows.extend(means.map(|coordinate| row("a ring", coordinate)));
         page.columns(&rows);
     }
@@ -97,7 +97,7 @@ impl ClearanceSpec {
 
 /// What laws of more inputs and forces than Q(h, ḣ) take, and how their forces act.
 fn contact(page: &mut Page, spec: &ClearanceSpec, kind: &Contact) {
-    let each = if kind.each_spring { "at every spring" } else { "once a ring" };
+    let each = kind.place.words();
     page.heading(&format!("Laws of a {}, {each}: what they take, as derived", kind.name));
     let mut derived = match spec.derive(kind) {
         Ok(derived) => derived,

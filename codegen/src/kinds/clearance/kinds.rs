@@ -2,7 +2,10 @@
 
 use super::reader::Reader;
 use super::spec::NORMAL;
-use super::{BoreMotion, ClearanceSpec, Contact, ContactForce, ContactInput, Coordinate, Taken};
+use super::{
+    BORE, BoreMotion, ClearanceSpec, Contact, ContactForce, ContactInput, Coordinate, Place,
+    SECTION, Taken,
+};
 use crate::diagnostic::{Code, Located, suggest};
 use crate::document::{Document, Table, Value};
 use crate::expression::Id;
@@ -155,7 +158,7 @@ fn normal(spec: &ClearanceSpec, clearance: &Measure) -> Contact {
     };
     Contact {
         name: NORMAL.to_owned(),
-        each_spring: true,
+        place: Place::Spring,
         bore: vec![(BoreMotion::Radial, spec.radial.clone())],
         inputs: vec![
             input(&clearance.name, "m", Taken::Value(value)),
@@ -187,8 +190,21 @@ impl Binding<'_> {
         let of_spring = [Some(&spec.spring), Some(&spec.radial), spec.tangential.as_ref()];
         let each_spring = of_spring.into_iter().flatten().any(|own| uses(own.symbol));
         let bore = motions(spec).filter(|(_, coordinate)| uses(coordinate.symbol));
-        let bore = bore.map(|(motion, coordinate)| (motion, coordinate.clone())).collect();
-        Contact { name: kind.name.text().to_owned(), each_spring, bore, inputs, forces }
+        let bore: Vec<(BoreMotion, Coordinate)> =
+            bore.map(|(motion, coordinate)| (motion, coordinate.clone())).collect();
+        let each_joint = bore.iter().any(|(motion, _)| motion.is_of_whole_section());
+        if each_spring && each_joint {
+            let name = kind.name.text();
+            let message = format!("`{name}` has measures of springs and of whole sections");
+            let error = kind.name.error_here(Code::BAD_VALUE, message);
+            self.document.push(error.help("write a kind of law for each"));
+        }
+        let place = match (each_spring, each_joint) {
+            (true, _) => Place::Spring,
+            (false, true) => Place::Joint,
+            (false, false) => Place::Ring,
+        };
+        Contact { name: kind.name.text().to_owned(), place, bore, inputs, forces }
     }
 
     /// A measure, a rate, a coordinate that all springs share, or the angle of a spring.
@@ -233,12 +249,12 @@ impl Binding<'_> {
     }
 }
 
-/// The motions of the bore that the spec has, each with its coordinate.
+/// The motions of the bore that the spec has, each with its coordinate: those of rings before those of sections.
 fn motions(spec: &ClearanceSpec) -> impl Iterator<Item = (BoreMotion, &Coordinate)> {
-    let means = [BoreMotion::MeanX, BoreMotion::MeanY, BoreMotion::MeanTurn];
     let tangential = spec.tangential.iter().map(|own| (BoreMotion::Tangential, own));
-    let mean = spec.bore.iter().flat_map(move |own| means.into_iter().zip(own));
-    let section = spec.section.iter().map(|own| (BoreMotion::SectionTurn, own));
+    let means = BORE.into_iter().zip(&spec.bore).chain(SECTION.into_iter().zip(&spec.section));
+    let of_rings = means.clone().filter(|(motion, _)| !motion.is_of_whole_section());
+    let of_sections = means.filter(|(motion, _)| motion.is_of_whole_section());
     let radial = std::iter::once((BoreMotion::Radial, &spec.radial));
-    radial.chain(tangential).chain(mean).chain(section)
+    radial.chain(tangential).chain(of_rings).chain(of_sections)
 }

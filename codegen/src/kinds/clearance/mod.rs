@@ -32,9 +32,9 @@
 //! unit = "m"
 //! [tangential.tau]    # the bore's other displacement at each spring
 //! unit = "m"
-//! [bore.b_x]          # mean motion of the bore: two displacements and an angle
+//! [bore.b_x]          # mean motion of the bore: two displacements and an angle; then one along z, and two tilts
 //! unit = "m"
-//! [section.gamma]     # turn of the journal's section against the frame of its body
+//! [section.gamma]     # the journal's section in its body: its turn; then a displacement along z, and two tilts
 //! unit = "rad"
 //! [measures.s]
 //! value = 'R*theta - …'
@@ -60,7 +60,7 @@ use std::sync::Arc;
 
 pub use derive::Derived;
 pub(super) use schema::KIND;
-pub(crate) use spec::{Apart, BORE, BoreMotion, RINGS};
+pub(crate) use spec::{Apart, BORE, BoreMotion, Place, RINGS, SECTION};
 pub use spec::{ClearanceSpec, Contact, ContactForce, ContactInput, Coordinate, RING, Taken};
 
 use crate::diagnostic::{Diagnostics, Source};

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::kinds::{self, Measure};
 use super::reader::Reader;
-use super::{BORE, ClearanceSpec, Coordinate, KIND, RING};
+use super::{ClearanceSpec, Coordinate, KIND, RING};
 use crate::diagnostic::{Diagnostics, Source};
 use crate::document::Table;
 use crate::kinds::read::{self, Head};
@@ -20,7 +20,7 @@ impl<'d> Reader<'d> {
     fn spec(mut self, file: &Arc<Source>, root: Table<'d>, head: Head) -> Option<ClearanceSpec> {
         let spring = self.coordinates(&root, "spring", &[Dimension::ANGLE]);
         // The second, if there is one, is the journal's radius.
-        let constants = self.some_coordinates(&root, "constants", &[Dimension::LENGTH; 2], 1);
+        let constants = self.some_coordinates(&root, "constants", &[Dimension::LENGTH; 2], &[1, 2]);
         let ring_units = [Dimension::ANGLE, Dimension::LENGTH, Dimension::LENGTH];
         let ring = self.coordinates(&root, "ring", &ring_units);
         let radial = self.coordinates(&root, "radial", &[Dimension::LENGTH]);
@@ -29,9 +29,10 @@ impl<'d> Reader<'d> {
         let axial = self.axial(&root);
         let apart = self.apart(&root);
         let tangential = self.optional_coordinates(&root, "tangential", &[Dimension::LENGTH]);
-        let bore_units = [Dimension::LENGTH, Dimension::LENGTH, Dimension::ANGLE];
-        let bore = self.optional_coordinates(&root, "bore", &bore_units);
-        let section = self.optional_coordinates(&root, "section", &[Dimension::ANGLE]);
+        let of_section = [Dimension::LENGTH, Dimension::ANGLE, Dimension::ANGLE];
+        let bore = [Dimension::LENGTH, Dimension::LENGTH, Dimension::ANGLE];
+        let bore = self.whole_or_part(&root, "bore", &bore, &of_section);
+        let section = self.whole_or_part(&root, "section", &[Dimension::ANGLE], &of_section);
         let measures = self.measures(&root);
         let kinds = self.kinds(&root);
         root.finish();
@@ -54,12 +55,8 @@ impl<'d> Reader<'d> {
             constant: constants.next()?,
             radius: constants.next(),
             tangential: tangential.into_iter().next(),
-            section: section.into_iter().next(),
-            bore: if bore.is_empty() {
-                None
-            } else {
-                Some(<[Coordinate; BORE]>::try_from(bore).ok()?)
-            },
+            section,
+            bore,
             contacts: Vec::new(),
             measures: Vec::new(),
             ring: <[Coordinate; RING]>::try_from(ring?).ok()?,

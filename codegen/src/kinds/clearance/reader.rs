@@ -53,25 +53,22 @@ impl<'d> Reader<'d> {
         table: &str,
         units: &[Dimension],
     ) -> Option<Vec<Coordinate>> {
-        self.some_coordinates(root, table, units, units.len())
+        self.some_coordinates(root, table, units, &[units.len()])
     }
 
-    /// As [`Reader::coordinates`], but only the first `least` must be there.
+    /// As [`Reader::coordinates`], but as many of the first as one of `counts`.
     pub(super) fn some_coordinates(
         &mut self,
         root: &Table<'d>,
         table: &str,
         units: &[Dimension],
-        least: usize,
+        counts: &[usize],
     ) -> Option<Vec<Coordinate>> {
         let place = table;
         let table = root.table(place)?;
         let keys = table.names();
-        if keys.len() < least || keys.len() > units.len() {
-            let needed = match least == units.len() {
-                true => least.to_string(),
-                false => format!("{least} to {}", units.len()),
-            };
+        if !counts.contains(&keys.len()) {
+            let needed = counts.iter().map(usize::to_string).collect::<Vec<_>>().join(" or ");
             let s = if needed == "1" { "" } else { "s" };
             let message = format!("`{place}` must declare {needed} name{s}, not {}", keys.len());
             table.error(Code::BAD_VALUE, table.span(), message);
@@ -101,6 +98,21 @@ impl<'d> Reader<'d> {
         units: &[Dimension],
     ) -> Option<Vec<Coordinate>> {
         if root.has(table) { self.coordinates(root, table, units) } else { Some(Vec::new()) }
+    }
+
+    /// The coordinates of an optional table: as many as `part`, or with `more` behind them.
+    pub(super) fn whole_or_part(
+        &mut self,
+        root: &Table<'d>,
+        table: &str,
+        part: &[Dimension],
+        more: &[Dimension],
+    ) -> Option<Vec<Coordinate>> {
+        let units = [part, more].concat();
+        match root.has(table) {
+            true => self.some_coordinates(root, table, &units, &[part.len(), units.len()]),
+            false => Some(Vec::new()),
+        }
     }
 
     fn declare(

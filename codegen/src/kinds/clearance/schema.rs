@@ -23,8 +23,16 @@ const CLEARANCE: &[Key] = &[
     needed("ring", COORDINATES, "an angle and two displacements that the springs of a ring share"),
     needed("radial", COORDINATES, "one displacement, each spring's own"),
     key("tangential", COORDINATES, "one displacement, each spring's own, along the tangent"),
-    key("bore", COORDINATES, "two mean displacements of the bore's ring and its rotation"),
-    key("section", COORDINATES, "the turn of the journal's section against the frame of its body"),
+    key(
+        "bore",
+        COORDINATES,
+        "two mean displacements of the bore's ring and its rotation; of its section also a displacement along z and two tilts",
+    ),
+    key(
+        "section",
+        COORDINATES,
+        "the turn of the journal's section against the frame of its body; also its displacement along z and two tilts",
+    ),
     key("definitions", Named(&Formula), "names for parts of the formula"),
     needed("clearance", Named(&Formula), "the clearance"),
     needed("axial", Named(&Tuple(&Formula, 3)), "weights of the three rings over the length"),
@@ -38,7 +46,11 @@ const CLEARANCE: &[Key] = &[
         Named(&Table(&[MEASURE])),
         "what else laws depend on, and their forces work on",
     ),
-    key("laws", Named(&Table(&[LAWS])), "what laws of springs and of rings may take and give"),
+    key(
+        "laws",
+        Named(&Table(&[LAWS])),
+        "what laws of springs, of rings and of joints may take and give",
+    ),
 ];
 
 const COORDINATES: Shape = Named(&Table(&[&[

@@ -10,8 +10,22 @@ use crate::kinds::kind::About;
 
 /// Ring coordinates: an angle and two displacements.
 pub const RING: usize = 3;
-/// Coordinates of the mean motion of a bore: two displacements and an angle.
-pub(crate) const BORE: usize = 3;
+/// Coordinates of the mean motion of a bore: those of a ring, and of a section beside them.
+pub(crate) const BORE: [BoreMotion; 6] = [
+    BoreMotion::MeanX,
+    BoreMotion::MeanY,
+    BoreMotion::MeanTurn,
+    BoreMotion::MeanZ,
+    BoreMotion::MeanTiltX,
+    BoreMotion::MeanTiltY,
+];
+/// Coordinates of a journal's section in the frame of its body: its turn, and those of a whole section beside it.
+pub(crate) const SECTION: [BoreMotion; 4] = [
+    BoreMotion::SectionTurn,
+    BoreMotion::SectionZ,
+    BoreMotion::SectionTiltX,
+    BoreMotion::SectionTiltY,
+];
 /// Rings of a bearing, between which the axial functions interpolate.
 pub(crate) const RINGS: usize = 3;
 
@@ -38,10 +52,10 @@ pub struct ClearanceSpec {
     pub(crate) radius: Option<Coordinate>,
     /// Displacement of the bore along the tangent at each spring, if the spec has it.
     pub(crate) tangential: Option<Coordinate>,
-    /// Mean displacements of the bore along x and y and its mean turn, if the spec has them.
-    pub(crate) bore: Option<[Coordinate; BORE]>,
-    /// Mean turn of the journal's section against the frame of its body, if the spec has it.
-    pub(crate) section: Option<Coordinate>,
+    /// Mean motion of the bore, as many of [`BORE`] as the spec has.
+    pub(crate) bore: Vec<Coordinate>,
+    /// Motion of the journal's section in the frame of its body, as many of [`SECTION`] as the spec has.
+    pub(crate) section: Vec<Coordinate>,
     /// Kinds of laws, that of Q(h, ḣ) first.
     pub contacts: Vec<Contact>,
     /// Names and values of the measures, the clearance first.
@@ -77,8 +91,27 @@ pub(crate) enum BoreMotion {
     MeanY,
     /// All around, turning.
     MeanTurn,
+    /// The whole section, along z.
+    MeanZ,
+    /// The whole section, about x.
+    MeanTiltX,
+    /// The whole section, about y.
+    MeanTiltY,
     /// None of the bore: the journal's section, turning against the frame of its body.
     SectionTurn,
+    /// The journal's section, along z.
+    SectionZ,
+    /// The journal's section, about x of its body.
+    SectionTiltX,
+    /// The journal's section, about y of its body.
+    SectionTiltY,
+}
+
+impl BoreMotion {
+    /// Whether rings have it not, but whole sections.
+    pub(crate) fn is_of_whole_section(self) -> bool {
+        BORE[3..].contains(&self) || SECTION[1..].contains(&self)
+    }
 }
 
 /// Axes of journal and bore that are apart.
@@ -111,14 +144,36 @@ pub struct Coordinate {
 pub struct Contact {
     /// Name of the kind, such as `spring`.
     pub name: String,
-    /// Whether such a law acts at every spring, or once a ring.
-    pub(crate) each_spring: bool,
+    /// Whether such a law acts at every spring, once a ring or once a joint.
+    pub(crate) place: Place,
     /// Motions of the bore that it needs.
     pub(crate) bore: Vec<(BoreMotion, Coordinate)>,
     /// What laws may take.
     pub inputs: Vec<ContactInput>,
     /// What laws may give.
     pub forces: Vec<ContactForce>,
+}
+
+/// How often a law acts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// At every spring.
+    Spring,
+    /// Once a ring.
+    Ring,
+    /// Once a joint.
+    Joint,
+}
+
+impl Place {
+    /// In words.
+    pub(crate) fn words(self) -> &'static str {
+        match self {
+            Place::Spring => "at every spring",
+            Place::Ring => "once a ring",
+            Place::Joint => "once a joint",
+        }
+    }
 }
 
 /// An input of a kind of law.

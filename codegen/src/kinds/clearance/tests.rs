@@ -38,7 +38,7 @@ fn a_force_does_no_work_that_the_clearance_does_not_do() {
 fn forces_of_every_kind_of_law_do_the_work_of_their_measures() {
     // Σ (generalised force) · (rate) = Σ F_m ẋ_m, and no kind works on a uniform motion of shaft and bore.
     let spec = read(JOURNAL).expect("a clearance");
-    assert_eq!(spec.contacts.len(), 3);
+    assert_eq!(spec.contacts.len(), 4);
     for contact in &spec.contacts {
         let mut d = spec.derive(contact).expect("derivatives");
         let coordinates: Vec<Id> = spec.ring.iter().map(|c| c.symbol).collect();
@@ -70,13 +70,17 @@ fn forces_of_every_kind_of_law_do_the_work_of_their_measures() {
 #[test]
 fn kinds_of_laws_know_what_they_need() {
     let spec = read(JOURNAL).expect("a clearance");
-    let [normal, spring, ring] = spec.contacts.as_slice() else { panic!("three kinds") };
-    assert!(normal.each_spring && spring.each_spring && !ring.each_spring);
+    let [normal, spring, ring, joint] = spec.contacts.as_slice() else { panic!("four kinds") };
+    let places = [normal, spring, ring, joint].map(|own| own.place);
+    assert_eq!(places, [Place::Spring, Place::Spring, Place::Ring, Place::Joint]);
     let motions = |contact: &Contact| contact.bore.iter().map(|(m, _)| *m).collect::<Vec<_>>();
     use BoreMotion::{MeanTurn, MeanX, MeanY, Radial, SectionTurn, Tangential};
     assert_eq!(motions(normal), [Radial]);
     assert_eq!(motions(spring), [Radial, Tangential, MeanTurn, SectionTurn]);
     assert_eq!(motions(ring), [MeanX, MeanY, MeanTurn, SectionTurn]);
+    use BoreMotion::{MeanTiltX, MeanTiltY, MeanZ, SectionTiltX, SectionTiltY, SectionZ};
+    let of_sections = [MeanZ, MeanTiltX, MeanTiltY, SectionZ, SectionTiltX, SectionTiltY];
+    assert_eq!(motions(joint), [motions(ring), of_sections.to_vec()].concat());
     let units = |contact: &Contact| {
         contact.inputs.iter().map(|input| input.unit.clone()).collect::<Vec<_>>()
     };
@@ -85,6 +89,13 @@ fn kinds_of_laws_know_what_they_need() {
     // Q works on h, which laws may take; T on s, which they may not.
     let measures = spring.forces.iter().map(|force| spring.measure(force));
     assert_eq!(measures.collect::<Vec<_>>(), [0, 6]);
+}
+
+#[test]
+fn a_kind_acts_at_springs_or_on_whole_sections() {
+    let error = read(&JOURNAL.replace("\"h\", \"h_dot\", \"psi\"", "\"h\", \"h_dot\", \"e_z\""));
+    let error = error.expect_err("an error");
+    assert!(error.contains("`spring` has measures of springs and of whole sections"), "{error}");
 }
 
 #[test]
@@ -119,6 +130,9 @@ fn errors_name_the_place() {
     assert!(error("[ring.theta]", "[ring.Q]").contains("the name `Q` is that of the normal force"));
     assert!(error("[ring.theta]", "[ring.x_dot]").contains("that of a rate"));
     assert!(error("[ring.theta]", "[ring.dT_dh]").contains("that of a slope"));
+    let part = error("[section.a_y]", "[bore.a_y]");
+    assert!(part.contains("`section` must declare 1 or 4 names, not 3"), "{part}");
+    assert!(part.contains("`bore` must declare 3 or 6 names, not 7"), "{part}");
 }
 
 /// A name of a quantity that is changed in the clearance alone is wrong there and in every law that has it.

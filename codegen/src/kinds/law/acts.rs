@@ -9,17 +9,25 @@ pub enum Acts {
     Spring,
     /// On a whole ring: once a plane, from the displacement of the shaft's centre line.
     Ring,
+    /// On a whole joint: once, from the displacement and the tilts of the sections on both sides.
+    Joint,
 }
 
 impl Acts {
-    /// Both kinds.
-    pub const ALL: [Acts; 2] = [Acts::Spring, Acts::Ring];
+    /// All kinds.
+    pub const ALL: [Acts; 3] = [Acts::Spring, Acts::Ring, Acts::Joint];
+
+    /// Whether a law of this kind may have all that one of the other has.
+    pub(super) fn has_all_of(self, other: Acts) -> bool {
+        self == other || (self, other) == (Acts::Joint, Acts::Ring)
+    }
 
     /// Inputs that such a law can take.
     pub fn inputs(self) -> &'static [Quantity] {
         match self {
             Acts::Spring => SPRING_INPUTS,
             Acts::Ring => RING_INPUTS,
+            Acts::Joint => JOINT_INPUTS,
         }
     }
 
@@ -28,6 +36,7 @@ impl Acts {
         match self {
             Acts::Spring => SPRING_OUTPUTS,
             Acts::Ring => RING_OUTPUTS,
+            Acts::Joint => JOINT_OUTPUTS,
         }
     }
 
@@ -35,7 +44,7 @@ impl Acts {
     pub(crate) fn needed(self) -> &'static [&'static str] {
         match self {
             Acts::Spring => &["Q"],
-            Acts::Ring => &["F_x", "F_y"],
+            Acts::Ring | Acts::Joint => &["F_x", "F_y"],
         }
     }
 
@@ -44,6 +53,7 @@ impl Acts {
         match self {
             Acts::Spring => "spring",
             Acts::Ring => "ring",
+            Acts::Joint => "joint",
         }
     }
 
@@ -52,6 +62,7 @@ impl Acts {
         match self {
             Acts::Spring => "a law of a spring",
             Acts::Ring => "a law of a ring",
+            Acts::Joint => "a law of a joint",
         }
     }
 }
@@ -89,23 +100,54 @@ const SPRING_OUTPUTS: &[Quantity] = &[
     quantity("T", Dimension::FORCE, "tangential force on the journal, positive along v_t"),
 ];
 
-const RING_INPUTS: &[Quantity] = &[
-    quantity("e_x", Dimension::LENGTH, "vertical displacement of the shaft in the bore"),
-    quantity("e_y", Dimension::LENGTH, "horizontal displacement of the shaft in the bore"),
-    quantity("e_x_dot", Dimension::SPEED, "rate of e_x"),
-    quantity("e_y_dot", Dimension::SPEED, "rate of e_y"),
+const E_X: Quantity =
+    quantity("e_x", Dimension::LENGTH, "vertical displacement of the shaft in the bore");
+const E_Y: Quantity =
+    quantity("e_y", Dimension::LENGTH, "horizontal displacement of the shaft in the bore");
+const E_X_DOT: Quantity = quantity("e_x_dot", Dimension::SPEED, "rate of e_x");
+const E_Y_DOT: Quantity = quantity("e_y_dot", Dimension::SPEED, "rate of e_y");
+const F_X: Quantity = quantity("F_x", Dimension::FORCE, "vertical force on the shaft");
+const F_Y: Quantity = quantity("F_y", Dimension::FORCE, "horizontal force on the shaft");
+const M_Z: Quantity = quantity("M_z", Dimension::TORQUE, "torque on the shaft about its axis");
+
+const RING_INPUTS: &[Quantity] = &[E_X, E_Y, E_X_DOT, E_Y_DOT, OMEGA, THETA];
+
+const RING_OUTPUTS: &[Quantity] = &[F_X, F_Y, M_Z];
+
+const JOINT_INPUTS: &[Quantity] = &[
+    E_X,
+    E_Y,
+    quantity("e_z", Dimension::LENGTH, "displacement of the shaft in the bore along z"),
+    quantity(
+        "alpha_x",
+        Dimension::ANGLE,
+        "tilt of the shaft in the bore about the vertical axis x",
+    ),
+    quantity(
+        "alpha_y",
+        Dimension::ANGLE,
+        "tilt of the shaft in the bore about the horizontal axis y",
+    ),
+    E_X_DOT,
+    E_Y_DOT,
+    quantity("e_z_dot", Dimension::SPEED, "rate of e_z"),
+    quantity("alpha_x_dot", Dimension::ANGULAR_SPEED, "rate of alpha_x"),
+    quantity("alpha_y_dot", Dimension::ANGULAR_SPEED, "rate of alpha_y"),
     OMEGA,
     THETA,
 ];
 
-const RING_OUTPUTS: &[Quantity] = &[
-    quantity("F_x", Dimension::FORCE, "vertical force on the shaft"),
-    quantity("F_y", Dimension::FORCE, "horizontal force on the shaft"),
-    quantity("M_z", Dimension::TORQUE, "torque on the shaft about its axis"),
+const JOINT_OUTPUTS: &[Quantity] = &[
+    F_X,
+    F_Y,
+    quantity("F_z", Dimension::FORCE, "force on the shaft along z"),
+    quantity("M_x", Dimension::TORQUE, "moment on the shaft about the vertical axis x"),
+    quantity("M_y", Dimension::TORQUE, "moment on the shaft about the horizontal axis y"),
+    M_Z,
 ];
 
-/// Everything that a law of any kind can take or give, each name once, and the only kind that knows it if
-/// there is one.
+/// Everything that a law of any kind can take or give, each name once, and the kind that tells itself by it: the only one
+/// that knows it, or the one whose names the others that know it have all of.
 pub(super) fn known(
     list: fn(Acts) -> &'static [Quantity],
 ) -> Vec<(&'static Quantity, Option<Acts>)> {
@@ -113,6 +155,7 @@ pub(super) fn known(
     for acts in Acts::ALL {
         for quantity in list(acts) {
             match known.iter_mut().find(|(other, _)| other.name == quantity.name) {
+                Some((_, Some(only))) if acts.has_all_of(*only) => {}
                 Some((_, only)) => *only = None,
                 None => known.push((quantity, Some(acts))),
             }

@@ -62,8 +62,7 @@ fn pieces(law: &LawSpec) -> String {
 }
 
 fn functions(law: &LawSpec, program: &Program) -> TokenStream {
-    let inputs = law.inputs.iter().map(|input| identifier(&input.name).to_token_stream());
-    let inputs: Vec<TokenStream> = inputs.collect();
+    let inputs = taken(law, program);
     let from = law
         .inputs
         .iter()
@@ -113,14 +112,19 @@ fn rows(
     }
 }
 
-/// The measures of the inputs by which the law may be believed or not.
-fn measures_of(law: &LawSpec, program: &Program) -> TokenStream {
+/// The inputs of a law as a kernel of one spring names them; those that only parameters of zero multiply are not used.
+fn taken(law: &LawSpec, program: &Program) -> Vec<TokenStream> {
     let used = program.used_inputs();
     let inputs = law.inputs.iter().map(|input| match used.contains(&input.name) {
         true => identifier(&input.name).to_token_stream(),
         false => quote!(_),
     });
-    let inputs: Vec<TokenStream> = inputs.collect();
+    inputs.collect()
+}
+
+/// The measures of the inputs by which the law may be believed or not.
+fn measures_of(law: &LawSpec, program: &Program) -> TokenStream {
+    let inputs = taken(law, program);
     let names: Vec<&str> = law.valid.iter().map(|own| own.name.as_str()).collect();
     let about = documented(&format!(
         "Rows of `springs` values, SI: where the law may be believed, by {}.",

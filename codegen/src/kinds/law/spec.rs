@@ -198,6 +198,11 @@ impl LawSpec {
         Ok(self.outputs.iter().map(|output| output.value_at(inputs, &names)).collect())
     }
 
+    /// Whether an output depends on an input at all, both by their places.
+    pub fn depends(&self, output: usize, input: usize) -> bool {
+        self.graph.depends(self.outputs[output].value, self.inputs[input].symbol)
+    }
+
     /// The measures of [`LawSpec::valid`] where the inputs (SI) have the given values, by direct evaluation of
     /// the file's formulas.
     pub fn measures<N: Number>(&self, inputs: &[N]) -> Vec<N> {

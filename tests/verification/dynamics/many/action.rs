@@ -14,7 +14,7 @@ use whirl_specs::CLEARANCES;
 
 use super::super::contacts::{FILM, Formula, RING, laws};
 use super::super::{motion, wild};
-use super::{BUSHING, COUPLING, DAMPED, around, rigid};
+use super::{BUSHING, COUPLING, DAMPED, WHOLE, around, rigid};
 
 /// Coordinates of a body that deforms: x and y of all its nodes, the turn of its section, two tilts, z.
 const SIZE: usize = 6;
@@ -112,9 +112,9 @@ impl Kind {
         matches!(self, Kind::Rigid | Kind::Flexible(_))
     }
 
-    /// How its coordinates move as it goes along x, y and z and turns about z through the origin of space; none of a motion
-    /// that it does not have.
-    fn as_one(self, machine: &Machine, place: usize, q: &[f64]) -> [Option<Vec<(usize, f64)>>; 4] {
+    /// How its coordinates move as it goes along x, y and z, turns about z through the origin of space and tilts about x and
+    /// y; none of a motion that it does not have.
+    fn as_one(self, machine: &Machine, place: usize, q: &[f64]) -> [Option<Vec<(usize, f64)>>; 6] {
         let own = &machine.places()[place];
         let first = own.flexible.start;
         let z = self.section().map(|_| vec![(first + 5, 1.0)]);
@@ -133,7 +133,8 @@ impl Kind {
         };
         let (sin, cos) = own.rotation.map_or(0.0, |theta| q[theta]).sin_cos();
         let along = |x: f64, y: f64| Some(vec![(first, x / unit), (first + 1, y / unit)]);
-        [along(cos, -sin), along(sin, cos), z, turn]
+        let tilt = |x: f64, y: f64| self.section().map(|_| vec![(first + 3, x), (first + 4, y)]);
+        [along(cos, -sin), along(sin, cos), z, turn, tilt(cos, -sin), tilt(sin, cos)]
     }
 }
 
@@ -156,6 +157,7 @@ fn joint(law: usize, kinds: [Kind; 2]) -> Bearing {
             offset: [[-2e-5, 4e-5]; 3],
             sections: if coupling { sections } else { [None; 2] },
             torque_section: if coupling { None } else { sections[0] },
+            whole_sections: if law == 5 { sections } else { [None; 2] },
             ..Sides::default()
         },
         journal: [0; 3],
@@ -168,8 +170,8 @@ fn joint(law: usize, kinds: [Kind; 2]) -> Bearing {
     }
 }
 
-/// Laws of springs without and with friction, of rings without and with a torque, and of a coupling.
-const LAWS: [&Formula; 5] = [&DAMPED, &FILM, &RING, &BUSHING, &COUPLING];
+/// Laws of springs without and with friction, of rings without and with a torque, of a coupling, and of a whole joint.
+const LAWS: [&Formula; 6] = [&DAMPED, &FILM, &RING, &BUSHING, &COUPLING, &WHOLE];
 
 #[test]
 fn every_joint_leaves_no_force_and_no_moment_on_bodies_of_every_kind() {
@@ -207,7 +209,8 @@ fn every_joint_leaves_no_force_and_no_moment_on_bodies_of_every_kind() {
             let (_, _, without) = residual(Vec::new(), Some(&state));
             let forces: Vec<f64> = with.iter().zip(&without).map(|(a, b)| a - b).collect();
             let motions = [0, 1].map(|place| kinds[place].as_one(&machine, place, &state.q));
-            for (axis, what) in ["x", "y", "z", "a turn about z"].into_iter().enumerate() {
+            let all = ["x", "y", "z", "a turn about z", "a tilt about x", "a tilt about y"];
+            for (axis, what) in all.into_iter().enumerate() {
                 let [Some(one), Some(other)] = [0, 1].map(|side| motions[side][axis].as_ref())
                 else {
                     continue;

@@ -42,7 +42,7 @@ fn given(own: &Bearing, spring: usize, moving: &Measures) -> Vec<Dual64> {
 
 /// What a law gives at an angle ψ.
 fn given_by(law: &Formula, psi: f64, moving: &Measures) -> Vec<Dual64> {
-    let [h, s, alpha, e_x, e_y] = moving.values;
+    let [h, s, alpha, e_x, e_y, e_z, alpha_x, alpha_y] = moving.values;
     let taken = |name: &&str| match *name {
         "h" => h.re,
         "h_dot" => h.eps,
@@ -54,6 +54,12 @@ fn given_by(law: &Formula, psi: f64, moving: &Measures) -> Vec<Dual64> {
         "e_y" => e_y.re,
         "e_x_dot" => e_x.eps,
         "e_y_dot" => e_y.eps,
+        "e_z" => e_z.re,
+        "alpha_x" => alpha_x.re,
+        "alpha_y" => alpha_y.re,
+        "e_z_dot" => e_z.eps,
+        "alpha_x_dot" => alpha_x.eps,
+        "alpha_y_dot" => alpha_y.eps,
         other => panic!("{other} is no input"),
     };
     let inputs: Vec<Dual64> = law.inputs.iter().map(taken).map(Dual64::from).collect();
@@ -73,7 +79,7 @@ fn products(machine: &Machine, parts: &MachineParts, state: &State) -> Vec<Vec<f
             unit[place] = 1.0;
             let slopes = at(&unit).values.map(|own| own.eps);
             for (name, force) in law.outputs.iter().zip(&given) {
-                let measure = ["Q", "T", "M_z", "F_x", "F_y"];
+                let measure = ["Q", "T", "M_z", "F_x", "F_y", "F_z", "M_x", "M_y"];
                 let measure = measure.iter().position(|own| own == name).expect("known");
                 products.push(force.re * slopes[measure]);
             }
@@ -145,7 +151,7 @@ fn outputs_are_what_the_laws_see() {
         }
         let force = turn(angle(bore), force);
         let middle = measures(&machine, own, 0.5, 0, &q);
-        let [_, _, _, e_x, e_y] = middle.values;
+        let [_, _, _, e_x, e_y, ..] = middle.values;
         let eccentricity = turn(angle(bore) + middle.beta.re, [e_x.re, e_y.re]).map(|e| 1e6 * e);
         let node = &machine.bodies[journal].nodes()[own.journal[1]];
         let place = machine.places()[journal].flexible.clone();
@@ -164,14 +170,22 @@ fn outputs_are_what_the_laws_see() {
                 assert!(error < 1e-9 * (1.0 + exact.abs()), "{number} {name}: {found} {exact}");
             }
         }
+        let mut columns = Vec::new();
+        if let [_, _, along, x, y, torque] = &given(own, 0, &middle)[..] {
+            let [x, y] = turn(angle(bore) + middle.beta.re, [x.re, y.re]);
+            let torque = ("MZ", torque.re, "Nm");
+            columns.push(vec![("MX", x, "Nm"), ("MY", y, "Nm"), ("RZ", along.re, "N"), torque]);
+        }
         for other in &own.others {
             let seen = other_measures(&machine, own, other, &q);
             let given = given_by(LAWS[other.law], 0.0, &seen);
             let [x, y] = turn(angle(bore) + seen.beta.re, [given[0].re, given[1].re]);
-            let columns = match other.kind {
+            columns.push(match other.kind {
                 MotionKind::Tilts => vec![("MX", x, "Nm"), ("MY", y, "Nm")],
                 MotionKind::Along => vec![("RZ", given[0].re, "N")],
-            };
+            });
+        }
+        for columns in columns {
             for (name, exact, unit) in columns {
                 let found = column(format!("{name}_{number}_{unit}"));
                 let error = (found - exact).abs();

@@ -63,8 +63,44 @@ static COUPLING: Formula = Formula {
     value: |z| vec![z[0] * 0.0, z[0] * 0.0, z[1] * -400.0 - z[0] * 3.0],
 };
 
+/// A law of a whole joint, in which every force and moment depends on every motion.
+static WHOLE: Formula = Formula {
+    name: "whole",
+    inputs: &[
+        "e_x",
+        "e_y",
+        "e_z",
+        "alpha_x",
+        "alpha_y",
+        "e_x_dot",
+        "e_y_dot",
+        "e_z_dot",
+        "alpha_x_dot",
+        "alpha_y_dot",
+        "omega",
+        "theta",
+    ],
+    outputs: &["F_x", "F_y", "F_z", "M_x", "M_y", "M_z"],
+    value: |z| {
+        let [x, y, along, a, b, v_x, v_y, v_z, w_a, w_b, omega, theta] = z else {
+            panic!("twelve inputs")
+        };
+        let stiff = (*x * x + *y * y + *along * along) * 1e12 + (*a * a + *b * b) * 1e8 + 3e5;
+        let (spin, turn) = (*omega * 0.5, theta.sin());
+        let torque = turn * -40.0 - *omega * 0.02;
+        vec![
+            -stiff * x - *along * 1e5 + *b * 700.0 - *v_x * 70.0 - spin * y * 60.0,
+            -stiff * y + *along * 5e4 - *a * 600.0 - *v_y * 80.0 + spin * x * 60.0,
+            -stiff * along - *x * 7e4 + *y * 9e4 + *a * 300.0 - *v_z * 90.0 + turn,
+            -stiff * a * 1e-3 - *y * 500.0 + *along * 200.0 + *b * 90.0 - *w_a * 0.3 - *w_b * 0.1,
+            -stiff * b * 2e-3 + *x * 800.0 - *along * 100.0 - *a * 50.0 - *w_b * 0.2 + *v_x * 0.4,
+            torque + *a * *b * 1e3 + *x * 2e3,
+        ]
+    },
+};
+
 /// The laws of the machine of everything, by their places.
-const LAWS: [&Formula; 6] = [&FILM, &RING, &CUBIC, &DAMPED, &BUSHING, &COUPLING];
+const LAWS: [&Formula; 7] = [&FILM, &RING, &CUBIC, &DAMPED, &BUSHING, &COUPLING, &WHOLE];
 
 /// Seven nodes unevenly around a bore, moved by `size` coordinates in any way.
 fn uneven(radius: f64, centre: [f64; 2], size: usize, seed: u64) -> Vec<BodyNode> {
@@ -142,7 +178,8 @@ fn bodies() -> Vec<Body> {
 const CASING_AXIS: [f64; 2] = [0.4, -0.3];
 
 /// Eight bearings of four laws, with offsets, run-outs, crooked bores and axes apart; a bushing, and a coupling of two
-/// sections, both with laws on tilts and along z.
+/// sections, both with laws on tilts and along z; and two joints of a law of the whole, in a bore that stands and in one that
+/// turns.
 fn bearings() -> Vec<Bearing> {
     let row = |first: usize| (first..first + 7).collect::<Vec<usize>>();
     let angles = |count: usize, first: f64| {
@@ -187,6 +224,10 @@ fn bearings() -> Vec<Bearing> {
         sides: Sides { torque_section: Some(0), ..bearing.sides.clone() },
         ..bearing
     };
+    let whole = |bearing: Bearing| Bearing {
+        sides: Sides { whole_sections: [Some(0); 2], ..twisted(bearing.clone()).sides },
+        ..bearing
+    };
     vec![
         twisted(Bearing { sides: crooked(first.sides.clone()), ..first }),
         twisted(base(1, 1, [0, 1])),
@@ -218,6 +259,12 @@ fn bearings() -> Vec<Bearing> {
             ],
             ..base(9, 5, [0, 3])
         },
+        whole(Bearing {
+            bore: [Vec::new(), row(14), Vec::new()],
+            sides: Sides { bore_axis: CASING_AXIS, ..crooked(base(10, 6, [0, 2]).sides) },
+            ..ends(3, base(10, 6, [0, 2]))
+        }),
+        whole(apart(ends(2, in_second(base(11, 6, [0, 3]))), [-2e-4, 1e-4])),
     ]
 }
 
@@ -246,8 +293,8 @@ fn everything() -> MachineParts {
 
 /// How a spring or a ring of a bearing is seen: what laws take, and what their forces work on.
 struct Measures {
-    /// h, s, α, e_x, e_y.
-    values: [Dual64; 5],
+    /// h, s, α, e_x, e_y, e_z, α_x, α_y.
+    values: [Dual64; 8],
     theta: Dual64,
     /// The mean turn of the bore in its body, with which the axes of e_x and e_y turn.
     beta: Dual64,
@@ -324,17 +371,28 @@ fn measures(
     let (sin, cos) = psi.sin_cos();
     let along = |[x, y]: [Dual64; 2]| x * cos + y * sin;
     let across = |[x, y]: [Dual64; 2]| y * cos - x * sin;
-    let twist = |side: &(&Body, &whirl_solver::machine::BodyPlace), section: Option<usize>| {
+    let of_section = |side: &(&Body, &whirl_solver::machine::BodyPlace),
+                      section: Option<usize>,
+                      turns: bool,
+                      axis: usize| {
         let Some(section) = section else { return Dual64::from(0.0) };
-        let rotation = &side.0.measures()[section].rotation;
+        let section = &side.0.measures()[section];
+        let rows = if turns { &section.rotation } else { &section.displacement };
         let parts = side.1.flexible.clone().enumerate();
-        let parts = parts.map(|(j, place)| q[place] * rotation[(2, j)]);
+        let parts = parts.map(|(j, place)| q[place] * rows[(axis, j)]);
         parts.fold(Dual64::from(0.0), |sum, part| sum + part)
+    };
+    let twist = |side: &(&Body, &whirl_solver::machine::BodyPlace), section: Option<usize>| {
+        of_section(side, section, true, 2)
     };
     let [of_a, of_b] = own.sides.sections;
     let theta = theta_a + twist(&a, of_a) - theta_b - twist(&b, of_b);
     let of_torque = theta + twist(&a, own.sides.torque_section);
     let [e_x, e_y] = turn(-turned, [x - axis_moved[0], y - axis_moved[1]]);
+    let [whole_a, whole_b] = own.sides.whole_sections;
+    let tilts = turn(theta_a - theta_b, [0, 1].map(|axis| of_section(&a, whole_a, true, axis)));
+    let tilts = [0, 1].map(|axis| tilts[axis] - of_section(&b, whole_b, true, axis));
+    let [alpha_x, alpha_y] = turn(-turned, tilts);
     Measures {
         values: [
             along(delta) - along([x, y]) + own.clearance,
@@ -342,6 +400,9 @@ fn measures(
             of_torque - turned,
             e_x,
             e_y,
+            of_section(&a, whole_a, false, 2) - of_section(&b, whole_b, false, 2),
+            alpha_x,
+            alpha_y,
         ],
         theta,
         beta: turned,
@@ -378,7 +439,7 @@ fn other_measures(machine: &Machine, own: &Bearing, other: &OtherMotion, q: &[Du
         }
     };
     let beta = if other.kind == MotionKind::Tilts { side(1, 2) } else { zero };
-    Measures { values: [zero, zero, zero, x, y], theta: zero, beta }
+    Measures { values: [zero, zero, zero, x, y, zero, zero, zero], theta: zero, beta }
 }
 
 /// One load of every kind on the bodies of the machine of everything.

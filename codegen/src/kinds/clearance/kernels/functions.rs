@@ -7,15 +7,12 @@ use super::part::{KernelPart, Kernels, row};
 use super::program::{TABLE, entry, force, of_ring, taken};
 use crate::emit::{Numbers, documented, identifier, statements};
 use crate::expression::Id;
-use crate::kinds::clearance::{BoreMotion, RING, Taken};
+use crate::kinds::clearance::{BoreMotion, Place, RING, Taken};
 
 impl Kernels<'_> {
     pub(super) fn module(&self) -> TokenStream {
         let name = identifier(&self.contact.name);
-        let title = match self.contact.each_spring {
-            true => "Laws that act at every spring",
-            false => "Laws that act once a ring",
-        };
+        let title = format!("Laws that act {}", self.contact.place.words());
         let list = |names: Vec<&str>| names.join(", ");
         let inputs = list(self.contact.inputs.iter().map(|input| input.name.as_str()).collect());
         let forces = list(self.contact.forces.iter().map(|force| force.name.as_str()).collect());
@@ -25,7 +22,8 @@ impl Kernels<'_> {
             #heading
             pub mod #name {
                 use crate::{
-                    BoreMotion, Contact, ContactState, ContactTangent, ContactVariable, Lane,
+                    BoreMotion, Contact, ContactPlace, ContactState, ContactTangent, ContactVariable,
+                    Lane,
                 };
                 #(#functions)*
             }
@@ -187,15 +185,26 @@ impl Kernels<'_> {
             BoreMotion::MeanX => quote!(BoreMotion::MeanX),
             BoreMotion::MeanY => quote!(BoreMotion::MeanY),
             BoreMotion::MeanTurn => quote!(BoreMotion::MeanTurn),
+            BoreMotion::MeanZ => quote!(BoreMotion::MeanZ),
+            BoreMotion::MeanTiltX => quote!(BoreMotion::MeanTiltX),
+            BoreMotion::MeanTiltY => quote!(BoreMotion::MeanTiltY),
             BoreMotion::SectionTurn => quote!(BoreMotion::SectionTurn),
+            BoreMotion::SectionZ => quote!(BoreMotion::SectionZ),
+            BoreMotion::SectionTiltX => quote!(BoreMotion::SectionTiltX),
+            BoreMotion::SectionTiltY => quote!(BoreMotion::SectionTiltY),
         });
-        let (name, each_spring) = (&contact.name, contact.each_spring);
+        let name = &contact.name;
+        let place = match contact.place {
+            Place::Spring => quote!(ContactPlace::Spring),
+            Place::Ring => quote!(ContactPlace::Ring),
+            Place::Joint => quote!(ContactPlace::Joint),
+        };
         let table = Literal::usize_unsuffixed(self.table.len());
         quote! {
             /// The entry of the registry.
             pub const ENTRY: Contact = Contact {
                 name: #name,
-                each_spring: #each_spring,
+                place: #place,
                 inputs: &[#(#inputs),*],
                 forces: &[#(#forces),*],
                 rows: #rows,

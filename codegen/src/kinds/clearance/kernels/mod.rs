@@ -75,7 +75,7 @@ fn all_coordinates(spec: &ClearanceSpec) -> Vec<(&str, Id)> {
         .chain(&spec.ring)
         .chain([&spec.radial])
         .chain(&spec.tangential)
-        .chain(spec.bore.iter().flatten())
+        .chain(&spec.bore)
         .chain(&spec.section)
         .chain([&spec.constant])
         .chain(&spec.radius);

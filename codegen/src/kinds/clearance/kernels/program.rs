@@ -6,8 +6,10 @@
 use std::collections::BTreeSet;
 
 use crate::expression::{Function, Graph, Id, Node, Symbol};
-use crate::kinds::clearance::{ClearanceSpec, Contact, Derived, RING};
-use crate::schedule::{Input, Output, Program, Request, ScheduleError, Stage, schedule, take_out};
+use crate::kinds::clearance::{ClearanceSpec, Contact, Derived, Place, RING};
+use crate::schedule::{
+    Input, Output, Program, Request, ScheduleError, Stage, schedule, schedule_as_written, take_out,
+};
 
 /// Once a machine, from the springs' angles.
 pub(super) const TABLE: usize = 0;
@@ -118,7 +120,11 @@ pub(super) fn program(
     for (coordinate, slope) in spec.ring.iter().zip(clearance.into_iter().flat_map(|(_, g)| g)) {
         names.push((*slope, format!("d{}_d{}", spec.clearance, coordinate.name)));
     }
-    let program = schedule(&mut graph, &Request { stages, inputs, outputs, names })?;
+    let request = Request { stages, inputs, outputs, names };
+    let program = match contact.place {
+        Place::Joint => schedule_as_written(&mut graph, &request),
+        Place::Spring | Place::Ring => schedule(&mut graph, &request),
+    }?;
     Ok((program, sums.into_iter().map(|(sum, ..)| sum).collect()))
 }
 

@@ -174,14 +174,19 @@ fn fits(document: &Document<'_>, name: &str, bearing: BearingValue, unit: &Unit,
 /// What the law acts on: the kind of which all names are known.
 fn acts(document: &Document<'_>, inputs: &[Variable], outputs: &[Output]) -> Acts {
     let variables = || inputs.iter().chain(outputs.iter().map(|output| &output.variable));
-    let mut telling = variables().filter_map(|v| v.only.map(|acts| (v, acts)));
-    let Some((first, acts)) = telling.next() else { return Acts::Spring };
+    let telling = || variables().filter_map(|v| v.only.map(|acts| (v, acts)));
+    let Some((first, acts)) = telling().next() else { return Acts::Spring };
+    // A name of joints makes a law of a joint of one that has else those of rings.
+    let acts = telling()
+        .map(|(_, own)| own)
+        .find(|own| own.has_all_of(acts) && *own != acts)
+        .unwrap_or(acts);
     let listed = |quantities: &[Known]| {
         let names: Vec<String> = quantities.iter().map(|q| format!("`{}`", q.name)).collect();
         names.join(", ")
     };
     let mut mixed = false;
-    for (other, kind) in telling.filter(|(_, kind)| *kind != acts) {
+    for (other, kind) in telling().filter(|(_, kind)| !acts.has_all_of(*kind)) {
         let message = format!(
             "`{}` belongs to {}, but `{}` to {}",
             other.name,

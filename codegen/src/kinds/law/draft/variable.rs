@@ -13,7 +13,7 @@ pub(in crate::kinds::law) struct Variable {
     pub(in crate::kinds::law) key: Located,
     pub(in crate::kinds::law) name: String,
     pub(in crate::kinds::law) title: String,
-    /// The only kind of law that knows it, if there is one.
+    /// The kind of law that tells itself by it, if there is one.
     pub(in crate::kinds::law) only: Option<Acts>,
     pub(in crate::kinds::law) unit: Unit,
     pub(in crate::kinds::law) unit_place: Located,

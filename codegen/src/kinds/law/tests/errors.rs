@@ -137,6 +137,14 @@ fn the_kind_of_a_law_follows_from_its_names() {
     let ring = "e_x = { unit = \"m\" }\ne_y = { unit = \"m\" }";
     let isotropic = out("F_x", "-k*e_x") + &out("F_y", "-k*e_y");
     assert_eq!(of(ring, &isotropic).unwrap().acts, Acts::Ring);
+    // A name of joints makes one of what has else those of rings, before them or behind.
+    let joint = of(
+        &format!("e_z = {{ unit = \"m\" }}\n{ring}"),
+        &isotropic.replace("k*e_y", "k*(e_y + e_z)"),
+    );
+    assert_eq!(joint.unwrap().acts, Acts::Joint);
+    let joint = of(ring, &(isotropic.clone() + &out("F_z", "-k*e_x")));
+    assert_eq!(joint.unwrap().acts, Acts::Joint);
     let found = |inputs: &str, outputs: &str| -> Vec<String> {
         of(inputs, outputs).unwrap_err().iter().map(ToString::to_string).collect()
     };
@@ -157,4 +165,10 @@ fn the_kind_of_a_law_follows_from_its_names() {
         found("h = { unit = \"m\" }", &out("T", "k*h")),
         ["law.toml:9:10: a law of a spring must give `Q` too (write a section `[outputs.Q]`)"]
     );
+    assert_eq!(
+        found("e_z = { unit = \"m\" }", &(out("F_x", "0") + &out("F_z", "-k*e_z"))),
+        ["law.toml:9:10: a law of a joint must give `F_y` too (write a section `[outputs.F_y]`)"]
+    );
+    let mixed = found("h = { unit = \"m\" }", &(out("Q", "-k*h") + &out("F_z", "k*h")));
+    assert!(mixed[0].contains("`F_z` belongs to a law of a joint, but `h` to a law of a spring"));
 }
