@@ -7,7 +7,7 @@ use whirl_solver::cache::Cache;
 use whirl_solver::dynamics::AutomaticStep;
 
 use crate::arguments::CheckArguments;
-use crate::case::{Case, Joint, JointKind, LawSource, Lumped, Side, System, Unbalance};
+use crate::case::{Case, Joint, JointKind, LawSource};
 use crate::errors::Failure;
 use crate::explain;
 use crate::machine;
@@ -62,29 +62,21 @@ pub(crate) fn of_case(
     text.push('\n');
     // Meshes are read once, and warned of once.
     let plan = machine::plan(case, warnings)?;
-    let laws = match (&case.system, &plan) {
-        (System::Joined(joined), Some(plan)) => {
-            plan.verify()?;
-            // What a bushing or a coupling is stands beside its joint.
-            let reported =
-                |joint: &Joint| matches!(joint.kind, JointKind::Bearing | JointKind::Stop);
-            let laws = joined.joints.iter().zip(&plan.laws).filter(|(joint, _)| reported(joint));
-            laws.map(|(_, law)| law.clone()).collect()
-        }
-        (System::Lumped(lumped), _) => say_lumped(&mut text, lumped),
-        (System::Joined(_), None) => Vec::new(),
-    };
+    plan.verify()?;
     // What only shows when the bodies are reduced and the springs placed.
-    let build = || machine::build(case, plan.as_ref(), cache, warnings);
+    let build = || machine::build(case, &plan, cache, warnings);
     let built = progress::during(show, case.reducing(), build)?;
-    if let (System::Joined(joined), Some(plan)) = (&case.system, &plan) {
-        joined::say(&mut text, joined, plan, &built, case.run())?;
-    }
-    contacts::say_loads(&mut text, case, (plan.as_ref(), contacts), cache)?;
+    joined::say(&mut text, &case.machine, &plan, &built, case.run())?;
+    contacts::say_loads(&mut text, case, (&plan, contacts), cache)?;
     round::say(&mut text, case, &built)?;
     if contacts {
-        contacts::say(&mut text, case, plan.as_ref(), cache)?;
+        contacts::say(&mut text, case, &plan, cache)?;
     }
+    // What a bushing or a coupling is stands beside its joint.
+    let reported = |joint: &Joint| matches!(joint.kind, JointKind::Bearing | JointKind::Stop);
+    let laws = case.machine.joints.iter().zip(&plan.laws);
+    let laws: Vec<&LawSource> =
+        laws.filter(|(joint, _)| reported(joint)).map(|(_, law)| law).collect();
     say_laws(&mut text, &laws);
     if case.march.is_some() {
         say_march(&mut text, case);
@@ -95,31 +87,8 @@ pub(crate) fn of_case(
     Ok(text)
 }
 
-fn say_lumped(text: &mut String, lumped: &Lumped) -> Vec<LawSource> {
-    let Lumped { mass, stiffness, damping, displacement, velocity, force, .. } = lumped;
-    line!(
-        text,
-        "mass {mass} kg, stiffness {stiffness} N/m, damping {damping} N s/m, force {force} N"
-    );
-    line!(text, "starts at {displacement} m with {velocity} m/s");
-    if let Some(unbalance) = lumped.unbalance {
-        let Unbalance { eccentricity, speed } = unbalance;
-        line!(text, "unbalance: {eccentricity} m off the axis at {speed} rad/s");
-    }
-    for stop in &lumped.stops {
-        let side = format!("{:?}", stop.side).to_lowercase();
-        // A law of a ring that does not say which of its parameters is the gap has it in itself.
-        let gap = match stop.side {
-            Side::Around if stop.gap == 0.0 => String::new(),
-            _ => format!(", gap {} m", stop.gap),
-        };
-        line!(text, "stop {side}{gap}, law {}", stop.law.name());
-    }
-    lumped.stops.iter().map(|stop| stop.law.clone()).collect()
-}
-
 /// Each law once, in the order in which the case first names them.
-fn say_laws(text: &mut String, laws: &[LawSource]) {
+fn say_laws(text: &mut String, laws: &[&LawSource]) {
     let mut listed: Vec<String> = Vec::new();
     for law in laws {
         if listed.contains(&law.name()) {

@@ -89,7 +89,9 @@ fn a_law_has_the_clearance_of_its_stop_and_the_parameters_of_the_case() {
     let said = bench.whirl(&["check", "case.toml"]);
     fine(&said);
     assert!(
-        said.stdout.contains(&format!("stop around, gap 0.00004 m, law {name}\n")),
+        said.stdout.contains(&format!(
+            "stop 1 around: journal mass, bore ground, gap 40 µm, law {name}\n"
+        )),
         "{}",
         said.stdout
     );

@@ -17,7 +17,7 @@ use whirl_codegen::diagnostic::{Diagnostics, Located, suggest};
 use whirl_solver::linear::LinearMachine;
 
 use crate::arguments::{AnalyseArguments, AnalysisOutput, ModesArguments};
-use crate::case::{self, Analysis, AnalysisKind, Case, ORDERS, System};
+use crate::case::{self, Analysis, AnalysisKind, Case, ORDERS};
 use crate::errors::Failure;
 use crate::output::Output;
 use crate::progress::{self, ProgressMode};
@@ -88,8 +88,8 @@ fn described(
 ) -> Result<Analysis, Failure> {
     let mut errors = Diagnostics::new();
     let of = arguments.of.as_ref().and_then(|name| {
-        let System::Joined(joined) = &case.system else { return None };
-        case::turning(joined, &Located::alone("--of", name)).map_err(|own| errors.push(*own)).ok()
+        let name = Located::alone("--of", name);
+        case::turning(&case.machine, &name).map_err(|own| errors.push(*own)).ok()
     });
     let speeds = arguments.speeds.as_ref().and_then(|text| {
         case::speeds(&Located::alone("--speeds", text)).map_err(|own| errors.push(*own)).ok()

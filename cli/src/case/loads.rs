@@ -7,6 +7,7 @@ use whirl_codegen::document::Table;
 use whirl_codegen::rational::nearest;
 use whirl_codegen::units::{Dimension, Quantity};
 use whirl_solver::loads::{Frame, Onset};
+use whirl_solver::model::LoadAction;
 
 use super::columns::{self, Columns};
 use super::library::FileStore;
@@ -16,8 +17,8 @@ use super::library::FileStore;
 pub(crate) struct Load {
     /// Sets of the body's mesh.
     pub(crate) sets: Vec<Located>,
-    /// What acts.
-    pub(crate) acting: Acting,
+    /// What acts; its directions where a table has its size.
+    pub(crate) acting: LoadAction,
     /// Where the case says it.
     pub(crate) place: Located,
     /// In which frame its direction is constant.
@@ -30,15 +31,6 @@ pub(crate) struct Load {
     pub(crate) onset: Onset,
     /// The body whose angle it follows, by its place; its own if none is named.
     pub(crate) of: Option<usize>,
-}
-
-/// What acts, along or about x, y, z.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Acting {
-    /// N; the directions where a table has the newtons.
-    Force([f64; 3]),
-    /// N·m; likewise.
-    Couple([f64; 3]),
 }
 
 /// How the nodes of sets carry a force.
@@ -74,7 +66,7 @@ impl Load {
 
     /// Whether it is a couple about the axis of its body.
     pub(crate) fn turns(&self) -> bool {
-        matches!(self.acting, Acting::Couple([.., z]) if z != 0.0)
+        matches!(self.acting, LoadAction::Couple([.., z]) if z != 0.0)
     }
 
     /// Whether it follows an angle.
@@ -90,8 +82,8 @@ impl Load {
     /// another one.
     pub(crate) fn described(&self, at: &str, of: Option<&str>) -> String {
         let (parts, unit, word) = match self.acting {
-            Acting::Force(parts) => (parts, "N", "along"),
-            Acting::Couple(parts) => (parts, "N m", "about"),
+            LoadAction::Force(parts) => (parts, "N", "along"),
+            LoadAction::Couple(parts) => (parts, "N m", "about"),
         };
         let axes = || ["x", "y", "z"].into_iter().zip(parts).filter(|(_, part)| *part != 0.0);
         let scaled = match &self.variation {
@@ -178,7 +170,7 @@ pub(super) fn read_one(store: FileStore, load: &Table) -> Load {
 }
 
 /// What acts, and the key that says it.
-fn acting(load: &Table, columns: Option<&Columns>) -> (Acting, &'static str) {
+fn acting(load: &Table, columns: Option<&Columns>) -> (LoadAction, &'static str) {
     let axis = load.optional_word("direction");
     let unit = |default: usize| {
         let place = axis.and_then(|axis| ["x", "y", "z"].iter().position(|own| *own == axis));
@@ -200,8 +192,8 @@ fn acting(load: &Table, columns: Option<&Columns>) -> (Acting, &'static str) {
             load.push(load.written(key).error_here(Code::BAD_VALUE, message).help(help));
         }
         return match dimension == Dimension::TORQUE {
-            true => (Acting::Couple(unit(2)), "table"),
-            false => (Acting::Force(unit(0)), "table"),
+            true => (LoadAction::Couple(unit(2)), "table"),
+            false => (LoadAction::Force(unit(0)), "table"),
         };
     }
     let parts = |key: &str, default: usize| {
@@ -218,7 +210,7 @@ fn acting(load: &Table, columns: Option<&Columns>) -> (Acting, &'static str) {
         load.quantity_triple(key).unwrap_or([1.0; 3])
     };
     if has_couple {
-        return (Acting::Couple(parts("couple", 2)), "couple");
+        return (LoadAction::Couple(parts("couple", 2)), "couple");
     }
     if !has_force && !load.gives("table") {
         load.absent("force", "add for example `force = \"1000 N\"`, or a `couple` or a `table`");
@@ -229,7 +221,7 @@ fn acting(load: &Table, columns: Option<&Columns>) -> (Acting, &'static str) {
             "add `force = \"1000 N\"`, or write the unit of the second column, as in `force [N]`";
         load.push(load.written("table").error_here(Code::BAD_VALUE, message).help(help));
     }
-    (Acting::Force(parts("force", 0)), "force")
+    (LoadAction::Force(parts("force", 0)), "force")
 }
 
 fn variation(load: &Table, columns: Option<Arc<Columns>>) -> Variation {

@@ -3,6 +3,7 @@
 mod bearings;
 mod bodies;
 mod drive;
+mod mass;
 mod materials;
 mod motion;
 mod places;
@@ -16,13 +17,14 @@ pub(super) use self::bodies::{
     static_correction,
 };
 pub(super) use self::drive::{leads_to_its_target, needs_a_section, read_one as drive};
+pub(super) use self::mass::read as mass;
 pub(super) use self::materials::Materials;
 pub(super) use self::motion::{default_motion, motion};
 use self::places::SHAFT;
 pub(super) use self::speed::speed;
-use super::joined_machine::{Drive, JoinedMachine, Load};
+use super::joined_machine::{Drive, InputForm, JoinedMachine, Load};
 use super::library::FileStore;
-use super::named_body::{Form, Turning};
+use super::named_body::Form;
 use super::{gravity, loads};
 
 /// One shaft on one support, as bodies by name; none where too much of it is missing. `goes_on`: the shaft has the speed of
@@ -41,7 +43,7 @@ pub(super) fn read(
     let loads = loads::read(store, file);
     let gravity = gravity::read(file);
     let ((mut shaft, motion), support, couple) = (shaft?, support?, drive?);
-    shaft.turning = Some(Turning::Free { initial_speed: start_speed });
+    shaft.initial_speed = start_speed;
     if let Form::Meshed(own) = &mut shaft.form {
         own.section = couple.section_sets();
     }
@@ -57,6 +59,6 @@ pub(super) fn read(
         loads: loads.collect(),
         gravity,
         motion,
-        short: true,
+        form: InputForm::Shaft,
     })
 }

@@ -5,10 +5,10 @@ use whirl_codegen::document::Table;
 use whirl_solver::loads::Frame;
 use whirl_solver::output::{JointQuantity, Motion};
 
-use super::joint::JointKind;
-use super::named_body::Form;
+use super::joined_machine::JoinedMachine;
+use super::joint::{Joint, JointKind};
+use super::named_body::{Form, NamedBody};
 use super::names;
-use super::system_draft::SystemDraft;
 
 /// An output under its name.
 #[derive(Debug, Clone)]
@@ -70,36 +70,18 @@ struct Known {
 }
 
 impl Known {
-    /// Of what a case says; none where too much of it is wrong.
-    fn of(system: &SystemDraft) -> Option<Known> {
-        let numbered = |count: usize| (1..=count).map(|k| (k.to_string(), false)).collect();
-        let named =
-            |names: &[&str], mesh| names.iter().map(|own| (own.to_string(), mesh)).collect();
-        Some(match system {
-            SystemDraft::Lumped(lumped) => Known {
-                bodies: named(&["mass"], false),
-                joints: numbered(lumped.as_ref()?.stops.len()),
-            },
-            SystemDraft::Joined(joined) => {
-                let joined = joined.as_ref()?;
-                let bodies = joined.bodies.iter();
-                let joints = joined.joints.iter();
-                Known {
-                    bodies: bodies
-                        .map(|own| (own.name.text().into(), matches!(own.form, Form::Meshed(_))))
-                        .collect(),
-                    joints: joints
-                        .map(|own| (own.name.text().into(), own.kind == JointKind::Coupling))
-                        .collect(),
-                }
-            }
-        })
+    fn of(machine: &JoinedMachine) -> Known {
+        let meshed = |own: &NamedBody| matches!(own.form, Form::Meshed(_));
+        let bodies = machine.bodies.iter().map(|own| (own.name.text().into(), meshed(own)));
+        let coupling = |own: &Joint| own.kind == JointKind::Coupling;
+        let joints = machine.joints.iter().map(|own| (own.name.text().into(), coupling(own)));
+        Known { bodies: bodies.collect(), joints: joints.collect() }
     }
 }
 
 /// All outputs of a file that are right.
-pub(super) fn read(file: &Table, system: &SystemDraft) -> Vec<Output> {
-    let known = Known::of(system);
+pub(super) fn read(file: &Table, machine: Option<&JoinedMachine>) -> Vec<Output> {
+    let known = machine.map(Known::of);
     let tables = names::in_order(file, "output");
     let labels: Vec<Located> = tables.iter().map(|(name, _)| name.clone()).collect();
     names::distinct(file, "output", &labels);

@@ -6,13 +6,14 @@ use std::fmt::Write;
 use whirl_codegen::kinds::law::Acts;
 use whirl_solver::assembly::mass_properties;
 use whirl_solver::bearing::MotionKind;
+use whirl_solver::bodies::Rotation;
 use whirl_solver::mesh::measure::Circle;
 use whirl_solver::mesh::{self as solid, Fineness};
+use whirl_solver::model::AttachmentKind;
 use whirl_text::rounded;
 
 use crate::case::{
-    Attached, Carried, Form, Gravity, JoinedMachine, Joint, JointKind, Mesh, NamedBody, Run,
-    SetParameter, Turning,
+    Attached, Form, Gravity, JoinedMachine, Joint, JointKind, Mesh, NamedBody, Run, SetParameter,
 };
 use crate::errors::Failure;
 use crate::machine::{Built, JoinedPlan, PlannedBody, fineness};
@@ -74,7 +75,7 @@ pub(super) fn say(
                 round(bore)
             );
         }
-        let turns = |body: usize| joined.bodies[body].turning.is_some();
+        let turns = |body: usize| joined.bodies[body].turns();
         let turning = joint.sides[1].body.filter(|body| turns(*body));
         if let Some(bore) = turning.filter(|_| law.damps_against_bore()) {
             line!(
@@ -85,11 +86,12 @@ pub(super) fn say(
             );
         }
     }
+    joined.bodies.iter().for_each(|body| alone(text, body));
     for drive in joined.drives.iter().filter(|drive| drive.couple.acts) {
         line!(
             text,
             "drive {}on {}: {}",
-            if joined.short { String::new() } else { format!("{} ", drive.name.text()) },
+            if joined.is_named() { format!("{} ", drive.name.text()) } else { String::new() },
             drive.place.text(),
             drive.couple.described()
         );
@@ -109,8 +111,32 @@ pub(super) fn say(
     if let Some(gravity) = &joined.gravity {
         line!(text, "gravity: {} m/s²", listed(gravity));
     }
-    line!(text, "motion: {}", joined.motion.origin.title);
+    if !joined.is_mass() {
+        line!(text, "motion: {}", joined.motion.origin.title);
+    }
     Ok(())
+}
+
+/// What the numbers of a rigid body are beyond its mass: its springs to the ground, its start, its unbalance in its frame.
+fn alone(text: &mut String, body: &NamedBody) {
+    let (Form::Rigid(own), name) = (&body.form, body.name.text()) else { return };
+    let ([k_x, k_y], [c_x, c_y]) = (own.stiffness, own.damping);
+    if own.stiffness != [0.0; 2] || own.damping != [0.0; 2] {
+        line!(
+            text,
+            "{name} to the ground: stiffness {k_x} N/m along x, {k_y} along y; damping {c_x} N s/m along x, {c_y} along y"
+        );
+    }
+    let (position, velocity) = (&body.start.position, &body.start.velocity);
+    if let (Some(x), Some(v)) = (position.first(), velocity.first()) {
+        line!(text, "{name} starts at x = {x} m with {v} m/s");
+    }
+    for attached in &body.attached {
+        if let (AttachmentKind::Unbalance([x, y]), Some(speed)) = (attached.what, body.spin()) {
+            let force = x.hypot(y) * speed * speed;
+            line!(text, "unbalance of {name}: {} kg m, {} N", x.hypot(y), rounded(force, 10));
+        }
+    }
 }
 
 /// Gravity along x, y and z.
@@ -180,7 +206,10 @@ fn of_joint(joint: &Joint, law: &str, c: f64, rings: usize) -> String {
     let (kind, [first, second]) = joint.kind.words();
     let [a, b] = joint.sides.each_ref().map(|side| side.place.text());
     let clearance = match joint.kind {
-        JointKind::Bearing | JointKind::Stop if c != 0.0 => {
+        JointKind::Stop if c != 0.0 || joint.angle.is_some() => {
+            format!(", gap {} µm", rounded(1e6 * c, 10))
+        }
+        JointKind::Bearing if c != 0.0 => {
             let from = if joint.clearance_from_mesh { " from mesh" } else { "" };
             format!(", c = {} µm{from}", rounded(1e6 * c, 10))
         }
@@ -199,7 +228,13 @@ fn of_joint(joint: &Joint, law: &str, c: f64, rings: usize) -> String {
         }
         JointKind::Bushing | JointKind::Coupling => values(joint),
     };
-    format!("{kind} {}: {first} {a}, {second} {b}{values}", joint.name.text())
+    let side = match (joint.kind, joint.angle) {
+        (JointKind::Stop, Some(0.0)) => " above",
+        (JointKind::Stop, Some(_)) => " below",
+        (JointKind::Stop, None) => " around",
+        _ => "",
+    };
+    format!("{kind} {}{side}: {first} {a}, {second} {b}{values}", joint.name.text())
 }
 
 /// All stiffness and damping of a bushing or a coupling.
@@ -248,14 +283,14 @@ fn carrying(attached: &[Attached], own: [Option<f64>; 4]) -> [Option<f64>; 4] {
     let ([Some(mass), Some(z), ..], polar, transverse) = (own, own[2], own[3]) else { return own };
     // Mass, z, polar and transverse inertia about its own centre.
     let parts = attached.iter().filter_map(|own| match own.what {
-        Carried::Disc { mass, polar_inertia, transverse_inertia } => {
-            Some([mass, own.z, polar_inertia, transverse_inertia])
+        AttachmentKind::Disc { mass, polar_inertia, diametral_inertia } => {
+            Some([mass, own.z, polar_inertia, diametral_inertia])
         }
-        Carried::Mass { mass, place: [x, y] } => {
+        AttachmentKind::Mass { mass, offset: [x, y] } => {
             let square = mass * (x * x + y * y);
             Some([mass, own.z, square, 0.5 * square])
         }
-        Carried::Unbalance(_) => None,
+        AttachmentKind::Unbalance(_) => None,
     });
     let parts: Vec<[f64; 4]> = parts.collect();
     let total = mass + parts.iter().map(|[mass, ..]| mass).sum::<f64>();
@@ -288,15 +323,17 @@ fn masses(joined: &JoinedMachine, plan: &JoinedPlan) -> Result<String, Failure> 
     ];
     let mut rows = vec![heads.map(str::to_string).to_vec()];
     for (body, own) in joined.bodies.iter().zip(&plan.bodies) {
-        let turns = match &body.turning {
-            None => "no".to_string(),
-            Some(Turning::Free { .. }) => "free".to_string(),
-            Some(Turning::Prescribed { speed, .. }) => format!("{} rpm", rpm(*speed)),
-            Some(Turning::Table(columns)) => format!("table `{}`", columns.name.text()),
+        let turns = match (&body.rotation, &body.speeds) {
+            (_, Some(columns)) => format!("table `{}`", columns.name.text()),
+            (Some(Rotation::Free), _) => "free".to_string(),
+            (Some(Rotation::Prescribed { speed, .. } | Rotation::Spinning { speed }), _) => {
+                format!("{} rpm", rpm(*speed))
+            }
+            _ => "no".to_string(),
         };
         let [mass, z, polar, transverse] = match own {
             PlannedBody::Rigid(rigid) => {
-                let polar = body.turning.as_ref().map(|_| rigid.body.polar_inertia);
+                let polar = body.turns().then_some(rigid.body.polar_inertia);
                 let own = &rigid.body;
                 [Some(own.mass), Some(own.centre[2]), polar, own.transverse_inertia]
             }
@@ -309,7 +346,7 @@ fn masses(joined: &JoinedMachine, plan: &JoinedPlan) -> Result<String, Failure> 
                 let centre = if z.abs() < 1e-9 * size { 0.0 } else { z };
                 // About its axis where it turns, else about its centre, as across it.
                 let polar = second[0][0] + second[1][1]
-                    - if body.turning.is_some() { 0.0 } else { own.mass * (x * x + y * y) };
+                    - if body.turns() { 0.0 } else { own.mass * (x * x + y * y) };
                 let across = second[1][1] + second[2][2] - own.mass * (y * y + z * z);
                 [Some(own.mass), Some(centre), Some(polar), Some(across)]
             }

@@ -1,23 +1,21 @@
 //! Loads and drives of a case.
 
+use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 use whirl_codegen::units::Dimension;
 use whirl_solver::bodies::Body;
 use whirl_solver::curve::Curve;
 use whirl_solver::loads::{Frame, Onset, Target, TimeFunction};
-use whirl_solver::model::{LoadAction, LoadModel, Place};
+use whirl_solver::model::{Attachment, AttachmentKind, LoadAction, LoadModel, Place};
 
-use crate::case::{self, Acting, Columns, Gravity, Variation};
+use crate::case::{self, Columns, Gravity, Variation};
 
 /// A load of a case.
 pub(super) fn load(own: &case::Load, body: usize, place: &Place) -> LoadModel {
-    let action = match own.acting {
-        Acting::Force(parts) => LoadAction::Force(parts),
-        Acting::Couple(parts) => LoadAction::Couple(parts),
-    };
     let (place, time_function) = (place.clone(), time_function(own, body));
-    LoadModel { body, place, action, time_function, onset: own.onset, frame: own.frame }
+    let (action, onset, frame) = (own.acting, own.onset, own.frame);
+    LoadModel { body, place, action, time_function, onset, frame }
 }
 
 fn time_function(own: &case::Load, body: usize) -> TimeFunction {
@@ -38,6 +36,23 @@ fn time_function(own: &case::Load, body: usize) -> TimeFunction {
             let curve = Curve::linear(&columns.rows, *periodic).expect(CHECKED);
             TimeFunction::OverTime(Arc::new(curve))
         }
+    }
+}
+
+/// The force of an unbalance on a body that turns in its frame at a speed (rad/s): a sine each along x and y.
+pub(super) fn of_unbalance((body, speed): (usize, f64)) -> impl Fn(&Attachment) -> Vec<LoadModel> {
+    move |own| {
+        let AttachmentKind::Unbalance([x, y]) = own.kind else { return Vec::new() };
+        let (force, angle) = (x.hypot(y) * speed * speed, y.atan2(x));
+        let along = |parts: [f64; 3], phase: f64| LoadModel {
+            body,
+            place: own.at.clone(),
+            action: LoadAction::Force(parts),
+            time_function: TimeFunction::Sine { frequency: speed / TAU, phase },
+            onset: Onset::Start,
+            frame: Frame::Space,
+        };
+        vec![along([force, 0.0, 0.0], angle + 0.5 * PI), along([0.0, force, 0.0], angle)]
     }
 }
 

@@ -47,7 +47,7 @@ pub(super) fn compare(
         let outline = BearingOutline {
             sets,
             whole: Some(&own.bearing),
-            bodies: (!joined.short).then_some(names),
+            bodies: joined.is_named().then_some(names),
             extent: Some(own.extent(joint, bodies)),
         };
         bearing::compare(place, &outline, journal.as_deref(), bore.as_deref(), errors);

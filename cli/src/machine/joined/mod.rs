@@ -14,15 +14,10 @@ mod pushing;
 mod section;
 mod surfaces;
 
-use std::sync::Arc;
-
 use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::bearing::{Bearing, OtherMotion, Sides};
-use whirl_solver::bodies::Rotation;
-use whirl_solver::dynamics::BodyStart;
 use whirl_solver::mesh::measure::Circle;
 use whirl_solver::model::{Attachment, BodyModel, Form, Model, Place};
-use whirl_solver::schedule::Schedule;
 
 pub(crate) use self::planned_body::PlannedBody;
 use self::planned_joint::PlannedJoint;
@@ -31,7 +26,7 @@ use super::laws::laws_of;
 use super::plan::{BodyPlan, geometry};
 use super::springs::{self, Laws, angles};
 use super::{forces, outputs};
-use crate::case::{self, Fields, JoinedMachine, LawSource, Output, Turning};
+use crate::case::{Case, Fields, InputForm, JoinedMachine, LawSource, NamedBody, Output};
 use crate::errors::Failure;
 
 /// Bodies, joints, drives and loads before the reduction of what has a mesh.
@@ -128,10 +123,13 @@ impl JoinedPlan {
         let fields = fields.collect();
         errors.into_result(())?;
         let measured = joints.iter().map(|joint| (&joint.bearing, joint.measured(&bodies)));
-        let laws = laws_of(
-            measured.collect(),
-            if joined.short { "the bearing, or to `[springs]` for all" } else { "the joint" },
-        )?;
+        let place = match joined.form {
+            InputForm::Named => Some("the joint"),
+            InputForm::Shaft => Some("the bearing, or to `[springs]` for all"),
+            // What nothing gives is as the file of the law has it.
+            InputForm::Mass => None,
+        };
+        let laws = laws_of(measured.collect(), place)?;
         Ok(JoinedPlan { bodies, attached, joints, drives, loads, outputs, fields, laws })
     }
 
@@ -179,24 +177,18 @@ impl JoinedPlan {
 ///
 /// # Errors
 /// Whatever is wrong with laws.
-pub(super) fn describe<'a>(
-    joined: &'a JoinedMachine,
-    wanted: &[Output],
-    plan: &'a JoinedPlan,
-) -> Result<Described<'a>, Failure> {
-    let (mut bodies, mut plans) = (Vec::new(), Vec::new());
-    for ((own, planned), carried) in joined.bodies.iter().zip(&plan.bodies).zip(&plan.attached) {
-        bodies.push(BodyModel {
-            name: own.name.text(),
-            form: planned.form(),
-            rotation: own.turning.as_ref().map(rotation),
-            carried: carried.clone(),
-        });
-        plans.push(planned.meshed());
-    }
+pub(super) fn describe<'a>(case: &'a Case, plan: &'a JoinedPlan) -> Result<Described<'a>, Failure> {
+    let joined = &*case.machine;
+    let planned = || joined.bodies.iter().zip(&plan.bodies).zip(&plan.attached);
+    let body = |((own, planned), carried): ((&'a NamedBody, &'a PlannedBody), &Vec<Attachment>)| {
+        // What turns in its frame loads it with its unbalance.
+        let carried = if own.spin().is_some() { Vec::new() } else { carried.clone() };
+        let (name, rotation) = (own.name.text(), own.rotation.clone());
+        BodyModel { name, form: planned.form(), rotation, carried }
+    };
+    let mut bodies: Vec<BodyModel> = planned().map(body).collect();
     let ground = Form::Ground;
     bodies.push(BodyModel { name: "ground", form: ground, rotation: None, carried: Vec::new() });
-    plans.push(None);
     let mut laws = Laws::default();
     let mut bearings = Vec::with_capacity(joined.joints.len());
     for ((joint, own), law) in joined.joints.iter().zip(&plan.joints).zip(&plan.laws) {
@@ -222,16 +214,12 @@ pub(super) fn describe<'a>(
     }
     let loads = joined.loads.iter().zip(&plan.loads);
     let loads = loads.map(|(load, place)| forces::load(&load.load, load.body, place));
+    let spinning = planned().enumerate().filter_map(|(body, ((own, _), carried))| {
+        Some(carried.iter().flat_map(forces::of_unbalance((body, own.spin()?))))
+    });
     let drives = joined.drives.iter().zip(&plan.drives);
     let drives =
         drives.filter_map(|(drive, place)| forces::drive(&drive.couple, drive.body, place));
-    let initial = joined.bodies.iter().map(|body| BodyStart {
-        speed: match body.turning {
-            Some(Turning::Free { initial_speed }) => initial_speed.unwrap_or(0.0),
-            _ => 0.0,
-        },
-        ..BodyStart::default()
-    });
     Ok(Described {
         laws: laws.used(),
         law_hashes: laws.hashes(),
@@ -241,35 +229,12 @@ pub(super) fn describe<'a>(
             clearance: springs::clearance(),
             laws: laws.into_laws(),
             bearings,
-            loads: loads.chain(drives).collect(),
+            loads: loads.chain(spinning.flatten()).chain(drives).collect(),
             gravity: forces::acceleration(joined.gravity.as_ref()),
-            outputs: outputs::placed(wanted, &plan.outputs),
+            outputs: outputs::placed(&case.outputs, &plan.outputs),
             fields: plan.fields.clone(),
         },
-        axes: joined.bodies.iter().map(in_space).collect(),
-        plans,
-        initial: initial.collect(),
-        gravity: joined.gravity.as_ref(),
-        law_places: joined.joints.iter().map(|joint| &joint.bearing.law.name).collect(),
-        bore_places: joined.joints.iter().map(|joint| joint.bearing.bore.as_slice()).collect(),
+        joined,
+        plan,
     })
-}
-
-/// x and y in space of where the coordinates of a mesh count from (m): its axis, if it turns.
-fn in_space(body: &case::NamedBody) -> [f64; 2] {
-    if body.turning.is_some() { body.axis } else { [0.0; 2] }
-}
-
-/// How a body turns.
-fn rotation(turning: &Turning) -> Rotation {
-    match turning {
-        Turning::Free { .. } => Rotation::Free,
-        Turning::Prescribed { speed, acceleration } => {
-            Rotation::Prescribed { speed: *speed, acceleration: *acceleration }
-        }
-        Turning::Table(columns) => {
-            let schedule = Schedule::of_speeds(&columns.rows).expect("rows that rise");
-            Rotation::Scheduled(Arc::new(schedule))
-        }
-    }
 }

@@ -1,10 +1,10 @@
 //! A body before its reduction: a mesh, or numbers with the nodes that are needed on it.
 
 use whirl_codegen::diagnostic::Diagnostics;
-use whirl_solver::model::{Form, Place};
+use whirl_solver::model::{Form, LoadAction, Place};
 use whirl_solver::rigid::RigidBody;
 
-use crate::case::{self, Acting, JoinedLoad};
+use crate::case::{self, JoinedLoad};
 use crate::machine::plan::BodyPlan;
 
 /// The only mean motion of a rigid body, which is its motion as a whole.
@@ -41,7 +41,7 @@ impl RigidPlan {
 
 impl PlannedBody {
     /// Its plan, if it has a mesh.
-    pub(super) fn meshed(&self) -> Option<&BodyPlan> {
+    pub(crate) fn meshed(&self) -> Option<&BodyPlan> {
         match self {
             PlannedBody::Meshed(plan) => Some(plan),
             PlannedBody::Rigid(_) => None,
@@ -70,7 +70,7 @@ impl PlannedBody {
     pub(super) fn loaded(&mut self, load: &JoinedLoad, errors: &mut Diagnostics) -> Place {
         match self {
             PlannedBody::Meshed(plan) => plan.loaded((&load.load, load.name.text()), errors),
-            PlannedBody::Rigid(_) if matches!(load.load.acting, Acting::Couple(_)) => WHOLE,
+            PlannedBody::Rigid(_) if matches!(load.load.acting, LoadAction::Couple(_)) => WHOLE,
             PlannedBody::Rigid(own) => {
                 let [x, y, z] = own.body.centre;
                 Place::Nodes(vec![own.node([x, y, load.z.unwrap_or(z)])])

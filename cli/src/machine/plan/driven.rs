@@ -2,10 +2,10 @@
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::mesh::MeanComponent;
-use whirl_solver::model::Place;
+use whirl_solver::model::{LoadAction, Place};
 
 use super::BodyPlan;
-use crate::case::{self, Acting, Spread};
+use crate::case::{self, Spread};
 use crate::machine::wording::AXES;
 
 /// The turn of a section against the frame: Σ cᵢ qᵢ over retained motions i.
@@ -24,7 +24,7 @@ impl BodyPlan {
         let nodes: Vec<usize> = load.sets.iter().flat_map(|set| self.nodes(set, errors)).collect();
         self.carries(load, &nodes, errors);
         let couple = match load.acting {
-            Acting::Force(force) if load.spread == Spread::Each => {
+            LoadAction::Force(force) if load.spread == Spread::Each => {
                 for axis in self.acts_along(force) {
                     let row = nodes.iter().map(|node| (3 * node + axis, 1.0)).collect();
                     self.loads.push((name.to_owned(), row));
@@ -33,8 +33,8 @@ impl BodyPlan {
                     nodes.into_iter().map(|node| self.output_node(node)).collect(),
                 );
             }
-            Acting::Force(_) => [0.0; 3],
-            Acting::Couple(couple) => couple,
+            LoadAction::Force(_) => [0.0; 3],
+            LoadAction::Couple(couple) => couple,
         };
         if nodes.is_empty() {
             return Place::Mean(0);
@@ -52,8 +52,8 @@ impl BodyPlan {
             }
         }
         let (parts, component): (_, fn(usize) -> MeanComponent) = match load.acting {
-            Acting::Force(force) => (force, MeanComponent::Displacement),
-            Acting::Couple(couple) => (couple, MeanComponent::Rotation),
+            LoadAction::Force(force) => (force, MeanComponent::Displacement),
+            LoadAction::Couple(couple) => (couple, MeanComponent::Rotation),
         };
         for axis in self.acts_along(parts) {
             let row = self.spec.means[mean].row(component(axis));

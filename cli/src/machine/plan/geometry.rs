@@ -9,12 +9,13 @@ pub(in crate::machine) mod stations;
 
 use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::mesh::Mesh;
+use whirl_solver::model::LoadAction;
 
 pub(in crate::machine) use self::outline::BearingOutline;
 pub(in crate::machine) use self::place::nodes_of;
 
 use self::place::single;
-use crate::case::{self, Acting, Spread};
+use crate::case::{self, Spread};
 use crate::machine::wording::mm;
 
 /// The arm of the driving couple is at least this part of the distance of its nodes. Below it the forces
@@ -69,7 +70,7 @@ pub(in crate::machine) fn driven(drive: &case::Drive, shaft: &Mesh, errors: &mut
 /// Nodes that would carry the force of one load twice.
 pub(in crate::machine) fn loaded_twice(load: &case::Load, shaft: &Mesh, errors: &mut Diagnostics) {
     // A mean counts every node once.
-    if load.spread == Spread::Mean || matches!(load.acting, Acting::Couple(_)) {
+    if load.spread == Spread::Mean || matches!(load.acting, LoadAction::Couple(_)) {
         return;
     }
     for (second, set) in load.sets.iter().enumerate() {
