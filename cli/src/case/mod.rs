@@ -53,7 +53,7 @@ pub(crate) use library::{FileStore, refused};
 pub(crate) use loads::{Load, Spread, Variation};
 pub(crate) use march::MarchSettings;
 pub(crate) use named_body::{Attached, Form, MeshedBody, NamedBody};
-pub(crate) use outputs::{Output, Wanted};
+pub(crate) use outputs::{Output, OutputPoint};
 pub(crate) use parameters::{BearingFacts, SetParameter, rounded};
 pub(crate) use read::read;
 pub(crate) use read::{Draft, Purpose, draft, draft_of, draft_with};

@@ -3,65 +3,26 @@
 use whirl_codegen::diagnostic::{Code, Located, suggest};
 use whirl_codegen::document::Table;
 use whirl_solver::loads::Frame;
-use whirl_solver::output::{JointQuantity, Motion};
+use whirl_solver::output::{self, JointQuantity, Motion};
 
 use super::joined_machine::JoinedMachine;
 use super::joint::{Joint, JointKind};
 use super::named_body::{Form, NamedBody};
 use super::names;
 
-/// An output under its name.
+/// Which point of a body an output is of.
 #[derive(Debug, Clone)]
-pub(crate) struct Output {
-    /// Its name, at its table.
-    pub(crate) name: Located,
-    /// What it is.
-    pub(crate) what: Wanted,
+pub(crate) enum OutputPoint {
+    /// The node of a set, or the mean of its nodes, of a body with a mesh.
+    Set(Located),
+    /// At a z of a rigid body (m); its centre if the case does not say it.
+    At(Option<f64>),
 }
 
-/// What is wanted.
-#[derive(Debug, Clone)]
-pub(crate) enum Wanted {
-    /// How a point of a body moves.
-    Motion {
-        /// The body, by its place.
-        body: usize,
-        /// The node set whose node, or whose mean, it is; of a body with a mesh.
-        set: Option<Located>,
-        /// z of the point on a rigid body (m), if the case says it.
-        z: Option<f64>,
-        /// Displacement or a derivative.
-        motion: Motion,
-        /// Whose components.
-        frame: Frame,
-        /// x, y, z as 0, 1, 2.
-        components: Vec<usize>,
-    },
-    /// What a joint does.
-    Joint {
-        /// The joint, by its place.
-        joint: usize,
-        /// Force, deformation or its rate.
-        quantity: JointQuantity,
-        /// Whose components.
-        frame: Frame,
-    },
-    /// Energies of a body.
-    Energy {
-        /// The body.
-        body: usize,
-    },
-    /// Powers of a body.
-    Power {
-        /// The body.
-        body: usize,
-    },
-    /// Power of a joint.
-    JointPower {
-        /// The joint.
-        joint: usize,
-    },
-}
+/// An output with its point as the case says it.
+pub(crate) type Output = output::Output<OutputPoint>;
+
+type Wanted = output::Wanted<OutputPoint>;
 
 /// What outputs may be of: names of bodies and whether they have meshes, names of joints and whether they are couplings.
 struct Known {
@@ -87,7 +48,7 @@ pub(super) fn read(file: &Table, machine: Option<&JoinedMachine>) -> Vec<Output>
     names::distinct(file, "output", &labels);
     let read = |(name, table): (Located, Table)| {
         let what = table.read(|table| read_one(table, known.as_ref()))?;
-        Some(Output { name, what })
+        Some(Output { name: name.text().to_owned(), what })
     };
     tables.into_iter().filter_map(read).collect()
 }
@@ -175,11 +136,16 @@ fn read_one(table: &Table, known: Option<&Known>) -> Option<Wanted> {
         let message = format!("`{}` {what}", own.text());
         table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
     }
-    if meshed && set.is_none() {
-        table.absent("set", "add `set = \"NAME\"`: its node moves so, or the mean of its nodes");
-        return None;
-    }
-    Some(Wanted::Motion { body, set, z, motion, frame, components })
+    let point = match (meshed, set) {
+        (true, Some(set)) => OutputPoint::Set(set),
+        (true, None) => {
+            let help = "add `set = \"NAME\"`: its node moves so, or the mean of its nodes";
+            table.absent("set", help);
+            return None;
+        }
+        (false, _) => OutputPoint::At(z),
+    };
+    Some(Wanted::Motion { body, point, motion, frame, components })
 }
 
 /// Axes in the order of the case; x and y if it names none.

@@ -8,7 +8,6 @@ mod joined;
 mod laws;
 mod masses;
 mod meshes;
-mod outputs;
 mod plan;
 mod selections;
 mod springs;

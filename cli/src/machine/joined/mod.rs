@@ -18,14 +18,15 @@ use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::bearing::{Bearing, OtherMotion, Sides};
 use whirl_solver::mesh::measure::Circle;
 use whirl_solver::model::{Attachment, BodyModel, Form, Model, Place};
+use whirl_solver::output;
 
 pub(crate) use self::planned_body::PlannedBody;
 use self::planned_joint::PlannedJoint;
 use super::described::Described;
+use super::forces;
 use super::laws::laws_of;
 use super::plan::{BodyPlan, geometry};
 use super::springs::{self, Laws, angles};
-use super::{forces, outputs};
 use crate::case::{Case, Fields, InputForm, JoinedMachine, LawSource, NamedBody, Output};
 use crate::errors::Failure;
 
@@ -41,8 +42,8 @@ pub(crate) struct JoinedPlan {
     drives: Vec<Place>,
     /// Where each load acts on its body.
     loads: Vec<Place>,
-    /// Places of the points of outputs among the output nodes of their bodies, an output each.
-    outputs: Vec<usize>,
+    /// The outputs, with the places of their points among the output nodes of their bodies.
+    outputs: Vec<output::Output<usize>>,
     /// Bodies that are written as wholes, with the place of their first node among the output nodes.
     fields: Vec<(usize, usize)>,
     /// The laws with the values with which the joints use them, a joint each.
@@ -107,14 +108,8 @@ impl JoinedPlan {
             }
         }
         // Last, so that their points are the last nodes of their bodies.
-        let outputs = outputs::places(wanted, |body, set, z| match (&mut bodies[body], set) {
-            (PlannedBody::Meshed(plan), Some(set)) => outputs::on_mesh(plan, set, &mut errors),
-            (PlannedBody::Meshed(_), None) => 0,
-            (PlannedBody::Rigid(own), _) => {
-                let [x, y, centre] = own.body.centre;
-                own.node([x, y, z.unwrap_or(centre)])
-            }
-        });
+        let mut point = |body: usize, own| bodies[body].output(&own, &mut errors);
+        let outputs = wanted.iter().cloned().map(|own| own.with_points(&mut point)).collect();
         let fields = fields.iter().flat_map(|own| &own.bodies);
         let fields = fields.filter_map(|&body| match &mut bodies[body] {
             PlannedBody::Meshed(plan) => Some((body, plan.output_all())),
@@ -231,7 +226,7 @@ pub(super) fn describe<'a>(case: &'a Case, plan: &'a JoinedPlan) -> Result<Descr
             bearings,
             loads: loads.chain(spinning.flatten()).chain(drives).collect(),
             gravity: forces::acceleration(joined.gravity.as_ref()),
-            outputs: outputs::placed(&case.outputs, &plan.outputs),
+            outputs: plan.outputs.clone(),
             fields: plan.fields.clone(),
         },
         joined,

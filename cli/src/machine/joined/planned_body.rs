@@ -4,7 +4,7 @@ use whirl_codegen::diagnostic::Diagnostics;
 use whirl_solver::model::{Form, LoadAction, Place};
 use whirl_solver::rigid::RigidBody;
 
-use crate::case::{self, JoinedLoad};
+use crate::case::{self, JoinedLoad, OutputPoint};
 use crate::machine::plan::BodyPlan;
 
 /// The only mean motion of a rigid body, which is its motion as a whole.
@@ -74,6 +74,25 @@ impl PlannedBody {
             PlannedBody::Rigid(own) => {
                 let [x, y, z] = own.body.centre;
                 Place::Nodes(vec![own.node([x, y, load.z.unwrap_or(z)])])
+            }
+        }
+    }
+
+    /// The point of an output: its place among the output nodes.
+    pub(super) fn output(&mut self, point: &OutputPoint, errors: &mut Diagnostics) -> usize {
+        match (self, point) {
+            (PlannedBody::Meshed(plan), OutputPoint::Set(set)) => {
+                match plan.nodes(set, errors).as_slice() {
+                    [] => 0,
+                    [node] if !plan.is_cut(set) => plan.output_node(*node),
+                    nodes => plan.output_mean(set, nodes),
+                }
+            }
+            (PlannedBody::Meshed(_), OutputPoint::At(_)) => 0,
+            (PlannedBody::Rigid(own), point) => {
+                let [x, y, centre] = own.body.centre;
+                let OutputPoint::At(Some(z)) = point else { return own.node([x, y, centre]) };
+                own.node([x, y, *z])
             }
         }
     }

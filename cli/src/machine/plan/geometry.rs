@@ -2,7 +2,6 @@
 //! at their word, so that a bore beside its journal would carry it all the same.
 
 pub(in crate::machine) mod bearing;
-mod outline;
 mod place;
 mod sets;
 pub(in crate::machine) mod stations;
@@ -11,7 +10,6 @@ use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::mesh::Mesh;
 use whirl_solver::model::LoadAction;
 
-pub(in crate::machine) use self::outline::BearingOutline;
 pub(in crate::machine) use self::place::nodes_of;
 
 use self::place::single;
