@@ -2,10 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use whirl_codegen::units::Dimension;
+use whirl_solver::loads::TimeFunction;
 
 use super::joined_machine::JoinedMachine;
-use super::loads::{Load, Variation};
+use super::loads::Load;
+use super::named_body::NamedBody;
 use super::run::Run;
 
 /// A cycle and what it is.
@@ -54,7 +55,7 @@ pub(super) fn of(machine: &JoinedMachine, run: Run) -> Option<Cycle> {
             None => Some(Cycle { time, called, common: false, aimed }),
         };
     };
-    let alone = (1.0 / slowest, "a period of the loads");
+    let alone = (1.0 / slowest, of_loads(machine));
     match common(&all, least(&all).unwrap_or(slowest)) {
         Some(time) if time <= alone.0 * (1.0 + MISSED) => own(alone.0, alone.1),
         Some(time) if turns.is_empty() => own(time, "a common period of the loads"),
@@ -77,8 +78,7 @@ fn common(frequencies: &[f64], slowest: f64) -> Option<f64> {
 /// which may stand for never.
 pub(super) fn shortest(machine: &JoinedMachine, run: Run) -> Vec<(f64, String)> {
     let fastest = |all: Vec<f64>| all.into_iter().reduce(f64::max);
-    let period =
-        fastest(frequencies(machine)).map(|own| (1.0 / own, "a period of the loads".into()));
+    let period = fastest(frequencies(machine)).map(|own| (1.0 / own, of_loads(machine).into()));
     let table = fastest(of_tables_over_time(machine));
     let table = table.map(|own| (1.0 / own, "a period of a table over time".into()));
     let over_angle = periods_by_speed(machine, |body| Some(machine.top_speed(body, run)));
@@ -92,26 +92,29 @@ pub(super) fn shortest(machine: &JoinedMachine, run: Run) -> Vec<(f64, String)> 
     [period, table, over_angle, turns].into_iter().flatten().collect()
 }
 
-/// Loads, each with the body that carries it.
-fn loads(machine: &JoinedMachine) -> impl Iterator<Item = (&Load, usize)> {
-    machine.loads.iter().map(|own| (&own.load, own.body))
+fn loads(machine: &JoinedMachine) -> impl Iterator<Item = &Load> {
+    machine.loads.iter().map(|own| &own.load)
 }
 
-/// Frequencies of the loads that are sines in time (Hz).
+/// Frequencies of the loads that are sines in time, the unbalance of a mass among them (Hz).
 fn frequencies(machine: &JoinedMachine) -> Vec<f64> {
-    loads(machine).filter_map(|(load, _)| load.frequency()).collect()
+    let spins = machine.bodies.iter().filter_map(NamedBody::spin).map(|speed| speed / TAU);
+    loads(machine).filter_map(Load::frequency).chain(spins).collect()
+}
+
+/// What a period of these is called.
+fn of_loads(machine: &JoinedMachine) -> &'static str {
+    if machine.is_mass() { "a revolution of the unbalance" } else { "a period of the loads" }
 }
 
 /// Of periodic tables over time (Hz). What happens within a period, and how fast, is no matter of the cycle.
 fn of_tables_over_time(machine: &JoinedMachine) -> Vec<f64> {
     let all = loads(machine);
-    all.filter_map(|(load, _)| match &load.variation {
-        Variation::Table(columns, true) if columns.measures[0] == Dimension::TIME => {
-            Some(1.0 / columns.span())
-        }
+    let columns = all.filter_map(|load| match (&load.time_function, &load.table) {
+        (TimeFunction::OverTime(_), Some((columns, true))) => Some(1.0 / columns.span()),
         _ => None,
-    })
-    .collect()
+    });
+    columns.collect()
 }
 
 /// Of loads that follow the angle of what turns at a constant speed in the end, by an order or a periodic table (Hz).
@@ -125,14 +128,14 @@ fn periods_by_speed(
     machine: &JoinedMachine,
     speed: impl Fn(usize) -> Option<f64>,
 ) -> Vec<(f64, f64)> {
-    let all = loads(machine).filter_map(|(load, body)| {
+    let all = loads(machine).filter_map(|load| {
         // Periods of the load in a revolution.
-        let order = match &load.variation {
-            Variation::Order(order, _) => order.abs(),
-            Variation::Table(columns, true) if load.turns_with_angle() => TAU / columns.span(),
+        let order = match (&load.time_function, &load.table) {
+            (TimeFunction::Order { order, .. }, _) => order.abs(),
+            (TimeFunction::OverAngle { .. }, Some((columns, true))) => TAU / columns.span(),
             _ => return None,
         };
-        let speed = speed(load.of.unwrap_or(body))?.abs();
+        let speed = speed(load.followed()?)?.abs();
         Some((order * speed / TAU, speed))
     });
     all.filter(|(frequency, _)| *frequency > 0.0).collect()

@@ -8,7 +8,6 @@ use whirl_specs::Motion;
 
 use super::gravity::Gravity;
 use super::joint::Joint;
-use super::loads::Variation;
 use super::named_body::NamedBody;
 use super::run::Run;
 use super::{loads, rotor};
@@ -72,10 +71,7 @@ pub(crate) struct Load {
 impl JoinedMachine {
     /// The files of the tables that it names.
     pub(super) fn tables(&self) -> Vec<Arc<Source>> {
-        let loads = self.loads.iter().filter_map(|own| match &own.load.variation {
-            Variation::Table(columns, _) => Some(columns),
-            _ => None,
-        });
+        let loads = self.loads.iter().filter_map(|own| Some(&own.load.table.as_ref()?.0));
         let drives = self.drives.iter().filter_map(|own| own.couple.table.as_ref());
         let turning = self.bodies.iter().filter_map(|own| own.speeds.as_ref());
         loads.chain(drives).chain(turning).map(|own| own.source.clone()).collect()
@@ -113,7 +109,6 @@ impl JoinedMachine {
             Some(Rotation::Prescribed { speed, acceleration }) => {
                 speed.abs().max((speed + acceleration * run.duration).abs())
             }
-            Some(Rotation::Spinning { speed }) => speed.abs(),
             _ => own.initial_speed.filter(|_| !run.goes_on).unwrap_or(0.0).abs(),
         }
     }
@@ -130,9 +125,7 @@ impl JoinedMachine {
             return columns.constant_before(run.end());
         }
         match own.rotation {
-            Some(
-                Rotation::Prescribed { speed, acceleration: 0.0 } | Rotation::Spinning { speed },
-            ) => Some(speed),
+            Some(Rotation::Prescribed { speed, acceleration: 0.0 }) => Some(speed),
             Some(Rotation::Free) => aims()
                 .or_else(|| own.initial_speed.filter(|_| !run.goes_on && !self.is_turned(body))),
             _ => aims(),

@@ -45,7 +45,7 @@ pub(super) fn read(
     let ((mut shaft, motion), support, couple) = (shaft?, support?, drive?);
     shaft.initial_speed = start_speed;
     if let Form::Meshed(own) = &mut shaft.form {
-        own.section = couple.section_sets();
+        own.section = couple.section.clone();
     }
     let place = shaft.name.clone();
     let loads = loads.into_iter().enumerate().map(|(number, load)| {

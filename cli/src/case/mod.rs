@@ -50,7 +50,7 @@ pub(crate) use joined_machine::{InputForm, JoinedMachine, Load as JoinedLoad};
 pub(crate) use joint::{Joint, JointKind, OtherLaw, Side as JointSide};
 pub(crate) use law::{LawSource, NamedLaw};
 pub(crate) use library::{FileStore, refused};
-pub(crate) use loads::{Load, Spread, Variation};
+pub(crate) use loads::{Load, Spread};
 pub(crate) use march::MarchSettings;
 pub(crate) use named_body::{Attached, Form, MeshedBody, NamedBody};
 pub(crate) use outputs::{Output, OutputPoint};

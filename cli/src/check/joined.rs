@@ -98,6 +98,8 @@ pub(super) fn say(
     }
     for own in &joined.loads {
         let sets: Vec<&str> = own.load.sets.iter().map(|set| set.text()).collect();
+        let of = own.load.followed().filter(|_| joined.is_named());
+        let of = of.map(|body| joined.bodies[body].name.text());
         let place =
             if sets.is_empty() { String::new() } else { format!(" at {}", sets.join(", ")) };
         line!(
@@ -105,7 +107,7 @@ pub(super) fn say(
             "load {} on {}{place}: {}",
             own.name.text(),
             joined.bodies[own.body].name.text(),
-            own.load.described("", own.load.of.map(|body| joined.bodies[body].name.text()))
+            own.load.described("", of)
         );
     }
     if let Some(gravity) = &joined.gravity {

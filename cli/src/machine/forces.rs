@@ -9,34 +9,13 @@ use whirl_solver::curve::Curve;
 use whirl_solver::loads::{Frame, Onset, Target, TimeFunction};
 use whirl_solver::model::{Attachment, AttachmentKind, LoadAction, LoadModel, Place};
 
-use crate::case::{self, Columns, Gravity, Variation};
+use crate::case::{self, Columns, Gravity};
 
 /// A load of a case.
 pub(super) fn load(own: &case::Load, body: usize, place: &Place) -> LoadModel {
-    let (place, time_function) = (place.clone(), time_function(own, body));
+    let (place, time_function) = (place.clone(), own.time_function.clone());
     let (action, onset, frame) = (own.acting, own.onset, own.frame);
     LoadModel { body, place, action, time_function, onset, frame }
-}
-
-fn time_function(own: &case::Load, body: usize) -> TimeFunction {
-    let followed = own.of.unwrap_or(body);
-    match &own.variation {
-        Variation::Constant => TimeFunction::Constant,
-        Variation::Sine(frequency, phase) => {
-            TimeFunction::Sine { frequency: *frequency, phase: *phase }
-        }
-        Variation::Order(order, phase) => {
-            TimeFunction::Order { body: followed, order: *order, phase: *phase }
-        }
-        Variation::Table(columns, periodic) if columns.measures[0] == Dimension::ANGLE => {
-            let curve = Curve::smooth(&columns.rows, *periodic).expect(CHECKED);
-            TimeFunction::OverAngle { body: followed, curve: Arc::new(curve) }
-        }
-        Variation::Table(columns, periodic) => {
-            let curve = Curve::linear(&columns.rows, *periodic).expect(CHECKED);
-            TimeFunction::OverTime(Arc::new(curve))
-        }
-    }
 }
 
 /// The force of an unbalance on a body that turns in its frame at a speed (rad/s): a sine each along x and y.

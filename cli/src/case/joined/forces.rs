@@ -72,7 +72,9 @@ pub(super) fn load<'a>(
         Form::Rigid(_) => no_mesh(table, "sets", own),
     }
     moves(table, &load, own);
-    load.of = followed(table, &load, of, &place, (body, known), body_of);
+    if let Some(followed) = followed(table, &load, of, &place, (body, known), body_of) {
+        load.follow(followed);
+    }
     Some(Load { name: name.clone(), body, z, load })
 }
 
@@ -85,7 +87,7 @@ fn followed<'a>(
     (body, known): (usize, &[Located]),
     body_of: impl Fn(usize) -> Option<&'a NamedBody>,
 ) -> Option<usize> {
-    if !load.turns_with_angle() {
+    if load.followed().is_none() {
         if let Some(of) = of {
             let message = "a load that follows no angle has no use for `of`";
             let help = "leave it out, or add an `order`, or a `table` over an angle";

@@ -8,7 +8,7 @@ use whirl_codegen::kinds::law::{BearingValue, Parameter};
 use whirl_codegen::rational::{Rational, nearest};
 use whirl_solver::bodies::Rotation;
 use whirl_solver::dynamics::BodyStart;
-use whirl_solver::loads::{Frame, Onset};
+use whirl_solver::loads::{Frame, Onset, TimeFunction};
 use whirl_solver::model::{AttachmentKind, LoadAction};
 use whirl_solver::rigid::RigidBody;
 
@@ -18,7 +18,7 @@ use super::super::joined_machine::{InputForm, JoinedMachine, Load};
 use super::super::joint::{Joint, JointKind, Side};
 use super::super::law::LawSource;
 use super::super::library::FileStore;
-use super::super::loads::{self, Spread, Variation};
+use super::super::loads::{self, Spread};
 use super::super::named_body::{Attached, Form, NamedBody};
 use super::super::rotor::Bearing;
 use super::super::supports::SupportName;
@@ -93,9 +93,9 @@ fn load(table: &Table, force: f64) -> Load {
         place: table.written("force"),
         frame: Frame::Space,
         spread: Spread::Each,
-        variation: Variation::Constant,
+        time_function: TimeFunction::Constant,
+        table: None,
         onset: Onset::Start,
-        of: None,
     };
     let name = Located::new(load.place.source(), load.place.span(), "force");
     Load { name, body: MASS, z: None, load }
@@ -111,39 +111,24 @@ fn joint(store: FileStore, table: &Table, (number, turns): (usize, bool)) -> Opt
         _ => parts.clearance,
     };
     let radius = facts.journal_radius.as_ref().map(nearest);
-    let side = |body, name: &str| Side {
-        body,
-        place: table.heading().text(name),
-        sets: Vec::new(),
-        surface: false,
-        z: None,
+    let side = |body, name: &str| Side::of(body, table.heading().text(name), Vec::new());
+    let names = (table.heading().text(&number.to_string()), SupportName::numbered("Stop", number));
+    let bearing = Bearing {
+        journal: Vec::new(),
+        bore: Vec::new(),
+        springs: 1,
+        stations: vec![0.0],
+        radial_clearance: clearance,
+        // Where nothing turns, a radius is of no effect.
+        journal_radius: radius.or((!turns).then_some(0.0)),
+        law: parts.law,
+        parameters: parts.parameters,
+        facts,
+        table: table.heading().written(),
+        places: table.places(),
     };
-    Some(Joint {
-        name: table.heading().text(&number.to_string()),
-        called: SupportName::numbered("Stop", number),
-        kind: JointKind::Stop,
-        sides: [side(Some(MASS), "mass"), side(None, "ground")],
-        bearing: Bearing {
-            journal: Vec::new(),
-            bore: Vec::new(),
-            springs: 1,
-            stations: vec![0.0],
-            radial_clearance: clearance,
-            // Where nothing turns, a radius is of no effect.
-            journal_radius: radius.or((!turns).then_some(0.0)),
-            law: parts.law,
-            parameters: parts.parameters,
-            facts,
-            table: table.heading().written(),
-            places: table.places(),
-        },
-        others: Vec::new(),
-        table: None,
-        clearance_from_mesh: false,
-        angle: parts.angle,
-        run_out: [[0.0; 2]; 3],
-        offset: [[0.0; 2]; 3],
-    })
+    let sides = [side(Some(MASS), "mass"), side(None, "ground")];
+    Some(Joint { angle: parts.angle, ..Joint::of(names, JointKind::Stop, sides, bearing) })
 }
 
 /// The radial clearance of a law in m, 0 if no parameter is said to be one.

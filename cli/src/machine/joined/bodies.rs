@@ -2,7 +2,6 @@
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::constraints::GroundSpring;
-use whirl_solver::loads::Release;
 use whirl_solver::mesh::{MeanComponent, Mesh, NodeSetMean};
 
 use super::of_case::{meshed, turns};
@@ -160,7 +159,7 @@ fn tie(
         sets => {
             let names: Vec<&str> = sets.iter().map(Located::text).collect();
             plan.frame = Some(format!("the section {}", names.join(", ")));
-            plan.tie(&section_of(sets), errors);
+            plan.tie(sets, errors);
         }
     }
 }
@@ -196,19 +195,4 @@ fn clamp(plan: &mut BodyPlan, case: &MeshedBody, errors: &mut Diagnostics) {
 pub(super) fn retain_in_plane(plan: &mut BodyPlan, name: &Located, node: usize) {
     plan.retain(name, node, 0);
     plan.retain(name, node, 1);
-}
-
-/// As the section of a drive one that the case names for a body: a set, or two of one node.
-fn section_of(sets: &[Located]) -> case::Drive {
-    let (first, last) = (&sets[0], &sets[sets.len() - 1]);
-    case::Drive {
-        top: first.clone(),
-        bottom: last.clone(),
-        section: (sets.len() == 1).then(|| first.clone()),
-        torque: 0.0,
-        target_speed: 0.0,
-        release: Release::Located,
-        table: None,
-        acts: false,
-    }
 }

@@ -87,7 +87,7 @@ impl JoinedPlan {
         for drive in &joined.drives {
             let body = &mut bodies[drive.body];
             if let PlannedBody::Meshed(plan) = &*body {
-                geometry::driven(&drive.couple, &plan.mesh, &mut errors);
+                geometry::driven(&drive.couple.section, &plan.mesh, &mut errors);
             }
             drives.push(body.driven(&drive.couple, &mut errors));
         }

@@ -59,9 +59,9 @@ impl PlannedBody {
     /// Where a couple drives it.
     pub(super) fn driven(&mut self, drive: &case::Drive, errors: &mut Diagnostics) -> Place {
         match self {
-            PlannedBody::Meshed(plan) if plan.mean_frame => plan.tie(drive, errors),
+            PlannedBody::Meshed(plan) if plan.mean_frame => plan.tie(&drive.section, errors),
             // A section that the case names turns with the frame, or all of a body that is rigid or held to it.
-            PlannedBody::Meshed(plan) => plan.driven(drive, errors).0,
+            PlannedBody::Meshed(plan) => plan.driven(&drive.section, errors).0,
             PlannedBody::Rigid(_) => WHOLE,
         }
     }
