@@ -3,7 +3,6 @@
 mod bearings;
 mod bodies;
 mod drive;
-mod mass;
 mod materials;
 mod motion;
 mod places;
@@ -17,7 +16,6 @@ pub(super) use self::bodies::{
     static_correction,
 };
 pub(super) use self::drive::{leads_to_its_target, needs_a_section, read_one as drive};
-pub(super) use self::mass::read as mass;
 pub(super) use self::materials::Materials;
 pub(super) use self::motion::{default_motion, motion};
 use self::places::SHAFT;

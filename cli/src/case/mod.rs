@@ -15,6 +15,7 @@ mod library;
 mod loads;
 mod machine;
 mod march;
+mod mass;
 mod named_body;
 mod names;
 mod outputs;

@@ -12,7 +12,7 @@ use super::library::{FileStore, load};
 use super::start::{Start, StartDraft};
 use super::{
     Analysis, Case, CaseText, Figures, JoinedMachine, MarchSettings, Output, analyses, law,
-    machine, march, outputs, reduction, start,
+    machine, march, mass, outputs, reduction, start,
 };
 
 /// What a case is read for.
@@ -224,7 +224,7 @@ fn machine(store: FileStore, file: &Table, start: Option<&StartDraft>) -> Option
         // Which of both is meant, is open: neither is read as if it were.
         OF_A_MACHINE.iter().for_each(|key| file.pass_over(key));
     }
-    machine::mass(store, file)
+    mass::read(store, file)
 }
 
 fn figures(store: FileStore, file: &Table) -> Figures {

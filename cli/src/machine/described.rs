@@ -11,9 +11,9 @@ use whirl_solver::model::{Form, Model};
 
 use super::built::{BodyFact, BodyFacts, Built, Counts, FieldMesh};
 use super::forces;
-use super::joined::{JoinedPlan, PlannedBody};
+use super::joined::{self, JoinedPlan, PlannedBody};
 use super::springs::explain;
-use crate::case::{JoinedMachine, LawSource, NamedBody};
+use crate::case::{Case, JoinedMachine, LawSource, NamedBody};
 use crate::errors::Failure;
 
 /// A model with what results and messages say of it.
@@ -28,7 +28,16 @@ pub(super) struct Described<'a> {
     pub(super) law_hashes: Vec<(String, String)>,
 }
 
-impl Described<'_> {
+impl<'a> Described<'a> {
+    /// A case by its own plan.
+    ///
+    /// # Errors
+    /// Whatever is wrong with laws.
+    pub(super) fn of(case: &'a Case, plan: &'a JoinedPlan) -> Result<Self, Failure> {
+        let (model, (laws, law_hashes)) = joined::model(case, plan)?;
+        Ok(Described { model, joined: &case.machine, plan, laws, law_hashes })
+    }
+
     /// The machine; reduced bodies come from the cache where it has them. `warnings` are added to.
     ///
     /// # Errors

@@ -23,6 +23,7 @@ pub(crate) use joined::{JoinedPlan, PlannedBody};
 pub(crate) use meshes::placed as placed_errors;
 pub(crate) use plan::BodyPlan;
 
+use self::described::Described;
 use crate::case::{self, Case, CaseText, Draft, Purpose};
 use crate::errors::Failure;
 
@@ -97,7 +98,7 @@ pub(crate) fn build(
     cache: Option<&Cache>,
     warnings: &mut Vec<String>,
 ) -> Result<Built, Failure> {
-    joined::describe(case, plan)?.build(cache, warnings)
+    Described::of(case, plan)?.build(cache, warnings)
 }
 
 /// As [`build`], with a plan of its own.
@@ -119,7 +120,7 @@ pub(crate) fn build_planned(
 /// Whatever is wrong with meshes and sets.
 pub(crate) fn keys(case: &Case) -> Result<Vec<Key>, Failure> {
     let plan = plan(case, &mut Vec::new())?;
-    Ok(joined::describe(case, &plan)?.model.keys())
+    Ok(Described::of(case, &plan)?.model.keys())
 }
 
 /// What the machine of a case is made from.
@@ -128,5 +129,5 @@ pub(crate) fn keys(case: &Case) -> Result<Vec<Key>, Failure> {
 /// As [`build`].
 pub(crate) fn parts(case: &Case, warnings: &mut Vec<String>) -> Result<MachineParts, Failure> {
     let plan = plan(case, warnings)?;
-    joined::describe(case, &plan)?.parts(warnings)
+    Described::of(case, &plan)?.parts(warnings)
 }

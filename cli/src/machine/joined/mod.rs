@@ -22,7 +22,6 @@ use whirl_solver::output;
 
 pub(crate) use self::planned_body::PlannedBody;
 use self::planned_joint::PlannedJoint;
-use super::described::Described;
 use super::forces;
 use super::laws::laws_of;
 use super::plan::{BodyPlan, geometry};
@@ -168,11 +167,17 @@ impl JoinedPlan {
     }
 }
 
-/// The case as the solver takes it.
+/// The laws as a case uses them, and names and hashes of what they were made from.
+pub(super) type UsedLaws = (Vec<LawSource>, Vec<(String, String)>);
+
+/// The case as the solver takes it, with its laws.
 ///
 /// # Errors
 /// Whatever is wrong with laws.
-pub(super) fn describe<'a>(case: &'a Case, plan: &'a JoinedPlan) -> Result<Described<'a>, Failure> {
+pub(super) fn model<'a>(
+    case: &'a Case,
+    plan: &'a JoinedPlan,
+) -> Result<(Model<'a>, UsedLaws), Failure> {
     let joined = &*case.machine;
     let planned = || joined.bodies.iter().zip(&plan.bodies).zip(&plan.attached);
     let body = |((own, planned), carried): ((&'a NamedBody, &'a PlannedBody), &Vec<Attachment>)| {
@@ -215,21 +220,17 @@ pub(super) fn describe<'a>(case: &'a Case, plan: &'a JoinedPlan) -> Result<Descr
     let drives = joined.drives.iter().zip(&plan.drives);
     let drives =
         drives.filter_map(|(drive, place)| forces::drive(&drive.couple, drive.body, place));
-    Ok(Described {
-        laws: laws.used(),
-        law_hashes: laws.hashes(),
-        model: Model {
-            bodies,
-            motion: joined.motion,
-            clearance: springs::clearance(),
-            laws: laws.into_laws(),
-            bearings,
-            loads: loads.chain(spinning.flatten()).chain(drives).collect(),
-            gravity: forces::acceleration(joined.gravity.as_ref()),
-            outputs: plan.outputs.clone(),
-            fields: plan.fields.clone(),
-        },
-        joined,
-        plan,
-    })
+    let used = (laws.used(), laws.hashes());
+    let model = Model {
+        bodies,
+        motion: joined.motion,
+        clearance: springs::clearance(),
+        laws: laws.into_laws(),
+        bearings,
+        loads: loads.chain(spinning.flatten()).chain(drives).collect(),
+        gravity: forces::acceleration(joined.gravity.as_ref()),
+        outputs: plan.outputs.clone(),
+        fields: plan.fields.clone(),
+    };
+    Ok((model, used))
 }

@@ -12,23 +12,23 @@ use whirl_solver::loads::{Frame, Onset, TimeFunction};
 use whirl_solver::model::{AttachmentKind, LoadAction};
 use whirl_solver::rigid::RigidBody;
 
-use super::super::gravity;
-use super::super::joined::stop;
-use super::super::joined_machine::{InputForm, JoinedMachine, Load};
-use super::super::joint::{Joint, JointKind, Side};
-use super::super::law::LawSource;
-use super::super::library::FileStore;
-use super::super::loads::{self, Spread};
-use super::super::named_body::{Attached, Form, NamedBody};
-use super::super::rotor::Bearing;
-use super::super::supports::SupportName;
-use super::motion::motion;
+use super::gravity;
+use super::joined::stop;
+use super::joined_machine::{InputForm, JoinedMachine, Load};
+use super::joint::{Joint, JointKind, Side};
+use super::law::LawSource;
+use super::library::FileStore;
+use super::loads::{self, Spread};
+use super::machine::motion;
+use super::named_body::{Attached, Form, NamedBody};
+use super::rotor::Bearing;
+use super::supports::SupportName;
 
 /// Place of the mass among the bodies.
 const MASS: usize = 0;
 
 /// One mass between stops, as a body by name; none where too much of it is missing.
-pub(in crate::case) fn read(store: FileStore, file: &Table) -> Option<JoinedMachine> {
+pub(super) fn read(store: FileStore, file: &Table) -> Option<JoinedMachine> {
     let stops = file.tables("stop");
     let own = file.optional_table("mass");
     let turns = own.as_ref().is_some_and(|own| own.gives("unbalance"));
