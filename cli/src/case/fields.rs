@@ -1,10 +1,11 @@
 //! Motions of whole bodies for other programs: `[fields]`.
 
-use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, suggest};
+use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located};
 use whirl_codegen::document::Table;
 
 use super::joined_machine::JoinedMachine;
 use super::named_body::Form;
+use super::names;
 use super::rotor::Mesh;
 
 /// What is written of whole bodies.
@@ -79,7 +80,6 @@ fn bodies(table: &Table, machine: Option<&JoinedMachine>) -> Option<Vec<usize>> 
     };
     let known = machine?.bodies.iter().map(|body| (body.name.text(), meshed(&body.form)));
     let known: Vec<(&str, bool)> = known.collect();
-    let with_mesh = || known.iter().filter(|(_, meshed)| *meshed).map(|(name, _)| *name);
     let all: Vec<usize> = (0..known.len()).filter(|&place| known[place].1).collect();
     if all.is_empty() {
         let message = "no body of this case has a mesh, whose motion could be written";
@@ -89,16 +89,11 @@ fn bodies(table: &Table, machine: Option<&JoinedMachine>) -> Option<Vec<usize>> 
     if wanted.is_empty() || all.is_empty() {
         return Some(all);
     }
+    let names: Vec<&str> = all.iter().map(|&place| known[place].0).collect();
     let place = |name: &Located| {
-        let found = known.iter().position(|(own, meshed)| *own == name.text() && *meshed);
-        if found.is_none() {
-            let names: Vec<&str> = with_mesh().collect();
-            let message = format!("there is no body `{}` with a mesh", name.text());
-            let help = suggest(name.text(), &names)
-                .unwrap_or_else(|| format!("bodies with a mesh: {}", names.join(", ")));
-            table.push(name.error_here(Code::BAD_VALUE, message).help(help));
-        }
-        found
+        let message = format!("there is no body `{}` with a mesh", name.text());
+        let help = || format!("bodies with a mesh: {}", names.join(", "));
+        names::place(table, name, &names, message, help).map(|found| all[found])
     };
     Some(wanted.iter().filter_map(place).collect())
 }

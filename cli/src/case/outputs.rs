@@ -1,13 +1,13 @@
 //! The tables `[output.NAME]`: what the history has beside its usual columns.
 
-use whirl_codegen::diagnostic::{Code, Located, suggest};
+use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 use whirl_solver::loads::Frame;
 use whirl_solver::output::{self, JointQuantity, Motion};
 
 use super::joined_machine::JoinedMachine;
-use super::joint::{Joint, JointKind};
-use super::named_body::{Form, NamedBody};
+use super::joint::JointKind;
+use super::named_body::Form;
 use super::names;
 
 /// Which point of a body an output is of.
@@ -24,30 +24,13 @@ pub(crate) type Output = output::Output<OutputPoint>;
 
 type Wanted = output::Wanted<OutputPoint>;
 
-/// What outputs may be of: names of bodies and whether they have meshes, names of joints and whether they are couplings.
-struct Known {
-    bodies: Vec<(String, bool)>,
-    joints: Vec<(String, bool)>,
-}
-
-impl Known {
-    fn of(machine: &JoinedMachine) -> Known {
-        let meshed = |own: &NamedBody| matches!(own.form, Form::Meshed(_));
-        let bodies = machine.bodies.iter().map(|own| (own.name.text().into(), meshed(own)));
-        let coupling = |own: &Joint| own.kind == JointKind::Coupling;
-        let joints = machine.joints.iter().map(|own| (own.name.text().into(), coupling(own)));
-        Known { bodies: bodies.collect(), joints: joints.collect() }
-    }
-}
-
 /// All outputs of a file that are right.
 pub(super) fn read(file: &Table, machine: Option<&JoinedMachine>) -> Vec<Output> {
-    let known = machine.map(Known::of);
     let tables = names::in_order(file, "output");
     let labels: Vec<Located> = tables.iter().map(|(name, _)| name.clone()).collect();
     names::distinct(file, "output", &labels);
     let read = |(name, table): (Located, Table)| {
-        let what = table.read(|table| read_one(table, known.as_ref()))?;
+        let what = table.read(|table| read_one(table, machine))?;
         Some(Output { name: name.text().to_owned(), what })
     };
     tables.into_iter().filter_map(read).collect()
@@ -56,7 +39,7 @@ pub(super) fn read(file: &Table, machine: Option<&JoinedMachine>) -> Vec<Output>
 /// Keys that some quantities have no use for.
 const OF_SOME: [&str; 4] = ["set", "z", "frame", "components"];
 
-fn read_one(table: &Table, known: Option<&Known>) -> Option<Wanted> {
+fn read_one(table: &Table, machine: Option<&JoinedMachine>) -> Option<Wanted> {
     let (body, joint) = (table.optional_string("body"), table.optional_string("joint"));
     let (set, z) = (table.optional_string("set"), table.quantity("z"));
     let frame = match table.optional_word("frame") {
@@ -92,13 +75,13 @@ fn read_one(table: &Table, known: Option<&Known>) -> Option<Wanted> {
         table.push(own.error_here(Code::BAD_VALUE, message).help(help.to_owned()));
         None
     };
-    let known = known?;
+    let machine = machine?;
     if let Some(own) = &joint {
         if !of_joint {
             return wrong(own, "of a body, not of a joint", "write `body = \"NAME\"` instead");
         }
-        let joint = place(table, own, ("joint", &known.joints))?;
-        let coupling = known.joints[joint].1;
+        let joint = place(table, own, "joint", machine.joints.iter().map(|own| &own.name))?;
+        let coupling = machine.joints[joint].kind == JointKind::Coupling;
         let quantity = match (quantity, coupling) {
             ("power", _) => return Some(Wanted::JointPower { joint }),
             ("force", false) => JointQuantity::Force,
@@ -114,7 +97,7 @@ fn read_one(table: &Table, known: Option<&Known>) -> Option<Wanted> {
     if !of_body {
         return wrong(&own, "of a joint, not of a body", "write `joint = \"NAME\"` instead");
     }
-    let body = place(table, &own, ("body", &known.bodies))?;
+    let body = place(table, &own, "body", machine.bodies.iter().map(|own| &own.name))?;
     let motion = match quantity {
         "energy" => return Some(Wanted::Energy { body }),
         "power" => return Some(Wanted::Power { body }),
@@ -122,7 +105,7 @@ fn read_one(table: &Table, known: Option<&Known>) -> Option<Wanted> {
         "velocity" => Motion::Velocity,
         _ => Motion::Acceleration,
     };
-    let meshed = known.bodies[body].1;
+    let meshed = matches!(machine.bodies[body].form, Form::Meshed(_));
     let (key, help) = match meshed {
         true => ("z", "name a node set: `set = \"NAME\"`"),
         false => ("set", "write `z = \"…\"`, or nothing for its centre"),
@@ -175,17 +158,17 @@ fn components(table: &Table) -> Vec<usize> {
 }
 
 /// The place of a body or joint among those that the case has; one that it has not is noted.
-fn place(table: &Table, name: &Located, (what, all): (&str, &[(String, bool)])) -> Option<usize> {
-    let found = all.iter().position(|(own, _)| own == name.text());
-    if found.is_none() {
-        let names: Vec<&str> = all.iter().map(|(own, _)| own.as_str()).collect();
-        let message = format!("there is no {what} `{}`", name.text());
-        let shown: Vec<String> = names.iter().map(|own| format!("`{own}`")).collect();
-        let help = suggest(name.text(), &names).unwrap_or_else(|| match shown.is_empty() {
-            true => format!("this machine has no {what}"),
-            false => format!("name one of {}", shown.join(", ")),
-        });
-        table.push(name.error_here(Code::BAD_VALUE, message).help(help));
-    }
-    found
+fn place<'a>(
+    table: &Table,
+    name: &Located,
+    what: &str,
+    all: impl Iterator<Item = &'a Located>,
+) -> Option<usize> {
+    let known: Vec<&str> = all.map(Located::text).collect();
+    let help = || match known.is_empty() {
+        true => format!("this machine has no {what}"),
+        false => format!("name one of `{}`", known.join("`, `")),
+    };
+    let message = format!("there is no {what} `{}`", name.text());
+    names::place(table, name, &known, message, help)
 }
