@@ -7,11 +7,11 @@ use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use whirl_solver::cache::Cache;
 
-use crate::case::MODES;
+use crate::case::{MODES, MatrixFormat};
 use crate::schema;
 use crate::sweep::Order;
 
-/// Transient dynamics of a rotating flexible shaft on a flexible support with clearances.
+/// Dynamics of rotating flexible shafts in flexible supports, with bearing clearances and oil films.
 #[derive(Debug, Parser)]
 #[command(name = "whirl", version = crate::version::LONG, propagate_version = true)]
 pub struct Arguments {
@@ -23,29 +23,35 @@ pub struct Arguments {
 /// What to do.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// March a case in time and write its history, summary and figures
+    /// Integrate a case in time and write its history, summary and figures
     Run(RunArguments),
-    /// Run a case at many points, on all cores, and write a table of what they come to
+    /// Run a case at many points, on all cores, and write a table and figures of the results
     Sweep(SweepArguments),
-    /// Do the analyses of a case: its tables [analysis.NAME], all of them or one
+    /// Run the analyses that a case defines in its tables [analysis.NAME]: all, or one of them
     Analyse(AnalyseArguments),
-    /// Natural frequencies, damping and whirl of a case's machine at constant speed
+    /// Natural frequencies, damping and whirl direction at constant speed
     Modes(ModesArguments),
-    /// Modes over speed, with critical speeds and thresholds of stability, as table and figure
+    /// Campbell diagram with critical speeds and stability thresholds, as tables and a figure
     Campbell(ModesArguments),
-    /// Response to unbalance over speed: orbits, peaks and amplification factors
+    /// Response over speed to unbalance and to loads over the angle: orbits, peaks and amplification factors
     Response(ModesArguments),
-    /// Stiffness and damping of joints in their state at speed
+    /// Stiffness and damping coefficients of the joints, linearised at speed
     Coefficients(ModesArguments),
-    /// Check a case, sweep or spec file: report what it would run, or what is known of it, and every error
+    /// The least stable mode over speed, with stability thresholds
+    Stability(ModesArguments),
+    /// Undamped critical speed map: critical speeds over the stiffness of the supports
+    Map(MapArguments),
+    /// Mass, damping and stiffness matrices, inputs, outputs and state space, in files for other programs
+    Matrices(MatricesArguments),
+    /// Check a case, sweep or spec file: describe it, and report every error
     Check(CheckArguments),
-    /// Show what a spec defines and what follows from it: equations, shapes, costs, report, plot, code
+    /// Show what a spec defines and what is derived from it: equations, shapes, costs, report, plot, code
     Explain(ExplainArguments),
     /// Write a commented file to start from: a law, an element or a case
     New(NewArguments),
     /// Print the JSON schema of a kind of file, for editors
     Schema(SchemaArguments),
-    /// Show what is in a mesh file, with the lines by which a case uses it
+    /// Show what is in a mesh file, and the lines that use it in a case
     Mesh(MeshArguments),
     /// List the built-in cases, laws, elements, forms, motions and clearances
     List,
@@ -59,7 +65,7 @@ pub(crate) struct MeshArguments {
     /// Units of length, force and mass in the file, such as "mm, N, t"
     #[arg(long, value_name = "UNITS")]
     pub(crate) units: Option<String>,
-    /// Merge nodes that are at most so far apart, such as "1e-6 m"
+    /// Merge nodes that are at most this far apart, such as "1e-6 m"
     #[arg(long, value_name = "LENGTH")]
     pub(crate) merge: Option<String>,
     /// Draw the surface of the mesh with its sets: FILE.svg or FILE.png
@@ -72,13 +78,13 @@ pub(crate) struct MeshArguments {
 pub(crate) struct RunArguments {
     /// Path of a case file, or the name of a built-in case (see `whirl list`)
     pub(crate) case: String,
-    /// Folder for the results (`results` and the name of the case, if left out)
+    /// Folder for the results [default: results/NAME, with the name of the case]
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
     /// Write no figures
     #[arg(long)]
     pub(crate) no_figures: bool,
-    /// Write the history once more as history.npz, for NumPy: an array a column, by its name
+    /// Also write the history as history.npz, for NumPy, with one array per column
     #[arg(long)]
     pub(crate) npz: bool,
     /// Resume an interrupted run in the same folder
@@ -87,7 +93,7 @@ pub(crate) struct RunArguments {
     /// Print only warnings and errors
     #[arg(long)]
     pub(crate) quiet: bool,
-    /// Where reduced machines are kept
+    /// Where reduced bodies are kept
     #[command(flatten)]
     pub(crate) cache: CacheArguments,
 }
@@ -97,25 +103,25 @@ pub(crate) struct RunArguments {
 pub(crate) struct SweepArguments {
     /// Path of a sweep file; or, with `--vary`, of a case file, or the name of a built-in case
     pub(crate) file: String,
-    /// A key of the case with its values, such as "springs.radial_clearance=20 um .. 60 um, 9"; may be given several times
+    /// A key of the case and its values, such as "springs.radial_clearance=20 um .. 60 um, 9"; may be repeated
     #[arg(long, value_name = "KEY=RANGE")]
     pub(crate) vary: Vec<String>,
-    /// Folder for the results (`results` and the name of the sweep, if left out)
+    /// Folder for the results [default: results/NAME, with the name of the sweep]
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
     /// Write no figures
     #[arg(long)]
     pub(crate) no_figures: bool,
-    /// Points at a time [default: one a core]
+    /// Number of points to run at a time [default: one per core]
     #[arg(long, value_name = "N")]
     pub(crate) jobs: Option<NonZeroUsize>,
-    /// Resume a sweep in the same folder that has not come to its end
+    /// Resume an unfinished sweep in the same folder
     #[arg(long)]
     pub(crate) resume: bool,
     /// Print only warnings and errors
     #[arg(long)]
     pub(crate) quiet: bool,
-    /// Where reduced machines are kept
+    /// Where reduced bodies are kept
     #[command(flatten)]
     pub(crate) cache: CacheArguments,
 }
@@ -141,28 +147,47 @@ impl SweepArguments {
 pub(crate) struct AnalyseArguments {
     /// Path of a case file, or the name of a built-in case (see `whirl list`)
     pub(crate) case: String,
-    /// Which analysis; all of them, if left out
+    /// Name of one analysis [default: all]
     pub(crate) name: Option<String>,
     /// Where results go
     #[command(flatten)]
     pub(crate) results: AnalysisOutput,
 }
 
-/// Arguments of `whirl modes`, `campbell`, `response` and `coefficients`.
+/// Arguments of `whirl map`.
+#[derive(Debug, Args)]
+pub(crate) struct MapArguments {
+    /// Path of a case file, or the name of a built-in case (see `whirl list`)
+    pub(crate) case: String,
+    /// Stiffness of every joint along x and y, a range such as "1e5 N/m .. 1e10 N/m, 41, log"
+    #[arg(long, value_name = "RANGE")]
+    pub(crate) stiffness: Option<String>,
+    /// The body whose speed it is; the fastest, if left out
+    #[arg(long, value_name = "BODY")]
+    pub(crate) of: Option<String>,
+    /// How many critical speeds, the slowest ones
+    #[arg(long, value_name = "N", default_value_t = MODES)]
+    pub(crate) count: usize,
+    /// Where results go
+    #[command(flatten)]
+    pub(crate) results: AnalysisOutput,
+}
+
+/// Arguments of `whirl modes`, `campbell`, `response`, `coefficients` and `stability`.
 #[derive(Debug, Args)]
 pub(crate) struct ModesArguments {
     /// Path of a case file, or the name of a built-in case (see `whirl list`)
     pub(crate) case: String,
-    /// One speed such as "3000 rpm", or a range such as "0 rpm .. 30000 rpm, 61"; that of the case, or up to it, if left out
+    /// One speed, such as "3000 rpm", or a range, such as "0 rpm .. 30000 rpm, 61" [default: from the speeds of the case]
     #[arg(long, value_name = "SPEEDS", alias = "speed", allow_hyphen_values = true)]
     pub(crate) speeds: Option<String>,
-    /// The body whose speed it is; the first that turns, if left out
+    /// The body whose speed it is [default: the fastest]
     #[arg(long, value_name = "BODY")]
     pub(crate) of: Option<String>,
-    /// How many modes, the slowest ones
+    /// Number of modes, lowest first
     #[arg(long, value_name = "N", default_value_t = MODES)]
     pub(crate) count: usize,
-    /// Orders of critical speeds, such as 1,2
+    /// Orders for critical speeds, such as 1,2
     #[arg(long, value_name = "ORDERS", value_delimiter = ',', allow_hyphen_values = true)]
     pub(crate) orders: Vec<f64>,
     /// Where results go
@@ -170,10 +195,35 @@ pub(crate) struct ModesArguments {
     pub(crate) results: AnalysisOutput,
 }
 
+/// Arguments of `whirl matrices`.
+#[derive(Debug, Args)]
+pub(crate) struct MatricesArguments {
+    /// Path of a case file, or the name of a built-in case (see `whirl list`)
+    pub(crate) case: String,
+    /// One speed such as "3000 rpm", or a range such as "0 rpm .. 30000 rpm, 61"; that of the case, if left out
+    #[arg(long, value_name = "SPEEDS", alias = "speed", allow_hyphen_values = true)]
+    pub(crate) speeds: Option<String>,
+    /// The body whose speed it is; the fastest, if left out
+    #[arg(long, value_name = "BODY")]
+    pub(crate) of: Option<String>,
+    /// What the files are
+    #[arg(long, value_name = "FORMAT", value_enum, default_value_t)]
+    pub(crate) format: MatrixFormat,
+    /// Folder for the files (`results` and the name of the case, if left out)
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Print only warnings and errors
+    #[arg(long)]
+    pub(crate) quiet: bool,
+    /// Where reduced machines are kept
+    #[command(flatten)]
+    pub(crate) cache: CacheArguments,
+}
+
 /// Where the results of analyses go.
 #[derive(Debug, Args)]
 pub(crate) struct AnalysisOutput {
-    /// Folder for tables and figures (if left out, `results` and the name of the case; for `modes` and `coefficients`, nothing is written)
+    /// Folder for tables and figures [default: results/NAME; modes and coefficients write nothing by default]
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
     /// Write no figures
@@ -182,7 +232,7 @@ pub(crate) struct AnalysisOutput {
     /// Print only warnings and errors
     #[arg(long)]
     pub(crate) quiet: bool,
-    /// Where reduced machines are kept
+    /// Where reduced bodies are kept
     #[command(flatten)]
     pub(crate) cache: CacheArguments,
 }
@@ -192,10 +242,13 @@ pub(crate) struct AnalysisOutput {
 pub(crate) struct CheckArguments {
     /// Path of a case or spec file, or the name of a built-in case (see `whirl list`)
     pub(crate) case: String,
-    /// Say how far the bores of reduced bodies yield less than those of the meshes
+    /// Print how much of the static compliance of its mesh each reduced body lacks, at bores and under loads
     #[arg(long)]
     pub(crate) contacts: bool,
-    /// Where reduced machines are kept
+    /// Print the full report on every law: range, trends and breaks
+    #[arg(long)]
+    pub(crate) laws: bool,
+    /// Where reduced bodies are kept
     #[command(flatten)]
     pub(crate) cache: CacheArguments,
 }
@@ -217,21 +270,21 @@ pub(crate) struct ExplainArguments {
 /// Arguments of `whirl new`.
 #[derive(Debug, Args)]
 pub(crate) struct NewArguments {
-    /// What to begin
+    /// What to create
     pub(crate) kind: NewKind,
-    /// Its name: the file is NAME.toml (`case`, if it is made from meshes and this is left out)
+    /// Name of the file, without .toml [default for a case from meshes: case]
     #[arg(value_name = "NAME", required_unless_present = "shaft")]
     pub(crate) name: Option<String>,
-    /// The mesh of a shaft: writes a case of it and the mesh of its support, with bearings where both meet
+    /// Mesh of a shaft: write a case with it and the mesh of its support, with bearings where both meet
     #[arg(long, value_name = "FILE", requires = "support")]
     pub(crate) shaft: Option<PathBuf>,
-    /// The mesh of the support
+    /// Mesh of the support
     #[arg(long, value_name = "FILE", requires = "shaft")]
     pub(crate) support: Option<PathBuf>,
-    /// Units of length, force and mass in both meshes, such as "mm, N, t" (by their size, if left out)
+    /// Units of length, force and mass in both meshes, such as "mm, N, t" [default: guessed from their size]
     #[arg(long, value_name = "UNITS", requires = "shaft")]
     pub(crate) units: Option<String>,
-    /// Folder of the file
+    /// Folder for the file
     #[arg(long, value_name = "DIR", default_value = ".", hide_default_value = true)]
     pub(crate) dir: PathBuf,
 }
@@ -250,7 +303,7 @@ pub(crate) enum NewKind {
 /// Arguments of `whirl schema`.
 #[derive(Debug, Args)]
 pub(crate) struct SchemaArguments {
-    /// Kind of file; the kinds are listed if it is left out
+    /// Kind of file; without it, the kinds are listed
     #[arg(value_parser = schema_kinds())]
     pub(crate) kind: Option<String>,
 }
@@ -259,13 +312,13 @@ fn schema_kinds() -> PossibleValuesParser {
     schema::kinds().map(|(name, title, _)| PossibleValue::new(name).help(title)).into()
 }
 
-/// Where reduced machines are kept between runs.
-#[derive(Debug, Args)]
+/// Where reduced bodies are kept between runs.
+#[derive(Debug, Clone, Args)]
 pub(crate) struct CacheArguments {
-    /// Folder in which reduced machines are kept [default: the platform's cache folder]
+    /// Folder in which reduced bodies are cached [default: the platform's cache folder]
     #[arg(long, value_name = "DIR", conflicts_with = "no_cache")]
     pub(crate) cache: Option<PathBuf>,
-    /// Neither use nor keep reduced machines
+    /// Neither read nor write the cache of reduced bodies
     #[arg(long)]
     pub(crate) no_cache: bool,
 }

@@ -1,4 +1,4 @@
-//! `whirl check`: what a case would run, without marching; what was found about a spec.
+//! `whirl check`: the machine of a case, without marching; what was found about a spec.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -10,7 +10,7 @@ use crate::arguments::CheckArguments;
 use crate::case::{Case, Joint, JointKind, LawSource};
 use crate::errors::Failure;
 use crate::explain;
-use crate::machine;
+use crate::machine::{self, JoinedPlan};
 use crate::progress::{self, ProgressMode};
 use crate::{spec_file, start, streams, sweep};
 
@@ -21,13 +21,28 @@ macro_rules! line {
     };
 }
 
+mod bodies;
 mod contacts;
-mod joined;
+mod frequencies;
+mod joints;
+mod laws;
+mod loads;
+mod mass;
+mod meshes;
 mod round;
 mod sets;
 
-/// Reads a case and builds its machine; says counts, masses, sets, laws and what would be marched. Of a spec
-/// file, says its report; of a sweep, its points.
+/// What is reported only where it is asked for.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Wanted {
+    /// How much of the compliance of its mesh each reduced body lacks.
+    pub(crate) contacts: bool,
+    /// All that is known of the laws.
+    pub(crate) laws: bool,
+}
+
+/// Reads a case and builds its machine; describes it, and what would be marched. Of a spec file, says its report; of a
+/// sweep, its points.
 ///
 /// # Errors
 /// Whatever keeps the case from being marched, or is wrong with the spec.
@@ -42,16 +57,17 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     }
     let case = streams::warned(|warnings| machine::read(name, warnings))?;
     let show = ProgressMode::on_terminal();
-    streams::warned(|warnings| of_case(&case, (cache.as_ref(), arguments.contacts), show, warnings))
+    let wanted = Wanted { contacts: arguments.contacts, laws: arguments.laws };
+    streams::warned(|warnings| of_case(&case, (cache.as_ref(), wanted), show, warnings))
 }
 
-/// What is said of a case, of the contacts of its bores, too, if they are wanted. `warnings` are added to.
+/// What is said of a case: what an engineer asks of a machine first, then how it is computed. `warnings` are added to.
 ///
 /// # Errors
 /// Whatever keeps it from being marched.
 pub(crate) fn of_case(
     case: &Case,
-    (cache, contacts): (Option<&Cache>, bool),
+    (cache, wanted): (Option<&Cache>, Wanted),
     show: ProgressMode,
     warnings: &mut Vec<String>,
 ) -> Result<String, Failure> {
@@ -59,46 +75,45 @@ pub(crate) fn of_case(
     if !case.origin.is_empty() {
         line!(text, "source: {}", case.origin);
     }
-    text.push('\n');
     // Meshes are read once, and warned of once.
     let plan = machine::plan(case, warnings)?;
     plan.verify()?;
     // What only shows when the bodies are reduced and the springs placed.
     let build = || machine::build(case, &plan, cache, warnings);
     let built = progress::during(show, case.reducing(), build)?;
-    joined::say(&mut text, &case.machine, &plan, &built, case.run())?;
-    contacts::say_loads(&mut text, case, (&plan, contacts), cache)?;
-    round::say(&mut text, case, &built)?;
-    if contacts {
-        contacts::say(&mut text, case, &plan, cache)?;
+    let machine = &*case.machine;
+    if machine.is_mass() {
+        mass::say(&mut text, machine, &plan);
+    } else {
+        bodies::say(&mut text, machine, &plan)?;
+        frequencies::say(&mut text, machine, &built, case.run())?;
+        round::say(&mut text, case, &built)?;
+        bodies::say_speeds(&mut text, machine, case);
+        joints::say(&mut text, machine, &plan);
+        loads::say(&mut text, machine);
     }
-    // What a bushing or a coupling is stands beside its joint.
-    let reported = |joint: &Joint| matches!(joint.kind, JointKind::Bearing | JointKind::Stop);
-    let laws = case.machine.joints.iter().zip(&plan.laws);
-    let laws: Vec<&LawSource> =
-        laws.filter(|(joint, _)| reported(joint)).map(|(_, law)| law).collect();
-    say_laws(&mut text, &laws);
+    if let Some(words) = start::described(case, &built)? {
+        line!(text, "\nStart\n{words}");
+    }
     if case.march.is_some() {
         say_march(&mut text, case);
     }
-    if let Some(words) = start::described(case, &built)? {
-        line!(text, "{words}");
+    if !machine.is_mass() {
+        meshes::say(&mut text, machine, &plan, &built)?;
+        contacts::say_loads(&mut text, case, (&plan, wanted.contacts), cache)?;
+        if wanted.contacts {
+            contacts::say(&mut text, case, &plan, cache)?;
+        }
     }
+    laws::say(&mut text, &laws_of(case, &plan), wanted.laws);
     Ok(text)
 }
 
-/// Each law once, in the order in which the case first names them.
-fn say_laws(text: &mut String, laws: &[&LawSource]) {
-    let mut listed: Vec<String> = Vec::new();
-    for law in laws {
-        if listed.contains(&law.name()) {
-            continue;
-        }
-        listed.push(law.name());
-        let spec = law.spec();
-        line!(text, "\nlaw {}: {}", law.name(), spec.title);
-        text.push_str(&spec.report.to_string());
-    }
+/// The laws that a reader of the case has chosen: what a bushing or a coupling is stands beside its joint.
+fn laws_of(case: &Case, plan: &JoinedPlan) -> Vec<LawSource> {
+    let chosen = |joint: &Joint| matches!(joint.kind, JointKind::Bearing | JointKind::Stop);
+    let laws = case.machine.joints.iter().zip(&plan.laws).filter(|(joint, _)| chosen(joint));
+    laws.map(|(_, law)| law.clone()).collect()
 }
 
 fn say_march(text: &mut String, case: &Case) {
@@ -106,7 +121,7 @@ fn say_march(text: &mut String, case: &Case) {
     let what = if march.automatic.is_some() { "rows, one every" } else { "steps of" };
     line!(
         text,
-        "\n{} {what} {:e} s: {:.6} s; a cycle is {:.6} s",
+        "\nTime\n{} {what} {:e} s: {:.6} s; a cycle is {:.6} s",
         march.steps,
         march.time_step,
         march.duration(),
@@ -115,23 +130,23 @@ fn say_march(text: &mut String, case: &Case) {
     if let Some(AutomaticStep { tolerance, longest }) = march.automatic {
         line!(
             text,
-            "steps are chosen by the program, {:e} s at most, for a local error of {tolerance:e}",
+            "the program chooses the steps, at most {:e} s, for a local error of {tolerance:e}",
             longest.min(march.time_step)
         );
     }
     if let Some(radius) = march.spectral_radius {
-        line!(text, "integrated by generalized-α, spectral radius {radius}");
+        line!(text, "integrated by generalized-α with spectral radius {radius}");
     }
     line!(text, "the cycle is {}", march.cycle_called);
     if march.no_common_cycle {
         line!(
             text,
-            "rotation and loads have no common period: with `cycle_frequency`, write the one after which the motion \
-             repeats"
+            "rotation and loads have no common period: give the frequency at which the motion repeats as \
+             `cycle_frequency`"
         );
     }
     if march.stop_when_steady {
-        line!(text, "stops at its steady state");
+        line!(text, "the run stops at its steady state");
     }
     if march.steady_cycle().is_none() {
         line!(text, "shorter than {}: not checked for a steady state", march.steady_cycles());

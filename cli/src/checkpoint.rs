@@ -129,8 +129,8 @@ pub(crate) fn read(results: &Results, identity: &Identity) -> Result<Option<Poin
                 return Ok(None);
             }
             let why = match results.path(SUMMARY).exists() {
-                true => "as the run came to its end",
-                false => "as the run was stopped before it wrote the first one",
+                true => "because the run is finished",
+                false => "because the run was stopped before it wrote the first one",
             };
             let reason = format!("`{}` has no `{CHECKPOINT}` beside it, {why}", history::NAME);
             return Err(nothing(reason));

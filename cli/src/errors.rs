@@ -115,12 +115,12 @@ impl Failure {
             }
             Failure::Output { .. } => {
                 format!(
-                    "error: {self}\n = help: choose another place: `--out DIR`, for `new` `--dir DIR`, for `explain` `--plot FILE`\n"
+                    "error: {self}\n = help: choose another location: `--out DIR`, for `new` `--dir DIR`, for \
+                     `explain` `--plot FILE`\n"
                 )
             }
             Failure::StandardOutput { .. } => format!(
-                "error: {self}\n = help: free space where it goes, or send it elsewhere; files are written all the \
-                 same\n"
+                "error: {self}\n = help: free space there, or redirect the output; result files are written anyway\n"
             ),
             Failure::Machine(error) => format!("error: {error}\n"),
             Failure::Argument { help, .. } => format!("error: {self}\n = help: {help}\n"),
@@ -130,19 +130,19 @@ impl Failure {
                 )
             }
             Failure::OtherRun { .. } | Failure::OtherSweep { .. } => format!(
-                "error: {self}\n = help: put back what it was, or begin anew without `--resume`; `--out DIR` keeps the \
-                 results that are there\n"
+                "error: {self}\n = help: undo these changes, or start again without `--resume`; `--out DIR` keeps \
+                 the existing results\n"
             ),
             Failure::NothingToResume { .. } => format!(
-                "error: {self}\n = help: begin anew without `--resume`; `--out DIR` keeps the results that are there\n"
+                "error: {self}\n = help: start again without `--resume`; `--out DIR` keeps the existing results\n"
             ),
             Failure::NoState { .. } => format!(
-                "error: {self}\n = help: name the folder of a finished run of the same bodies in `[start]`, or leave out \
-                 `from`\n"
+                "error: {self}\n = help: give the folder of a finished run of the same bodies in `[start]`, or \
+                 leave out `from`\n"
             ),
             Failure::Unfinished { kept, help, .. } => {
                 let note = kept.as_ref().map_or(String::new(), |kept| {
-                    format!(" = note: the steps before are kept in {}\n", kept.display())
+                    format!(" = note: the steps computed so far are in {}\n", kept.display())
                 });
                 let help = help.as_ref().map_or(String::new(), |help| format!(" = help: {help}\n"));
                 format!("error: {self}\n{note}{help}")

@@ -1,6 +1,7 @@
 //! The `whirl` command: case files, progress, results, figures.
 
 mod analysis;
+mod archive;
 pub mod arguments;
 mod case;
 mod check;
@@ -67,6 +68,9 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
         Command::Coefficients(arguments) => {
             analysis::of_kind(AnalysisKind::Coefficients, arguments)
         }
+        Command::Stability(arguments) => analysis::of_kind(AnalysisKind::Stability, arguments),
+        Command::Map(arguments) => analysis::map_of(arguments),
+        Command::Matrices(arguments) => analysis::matrices(arguments),
         Command::Check(arguments) => check::check(arguments).and_then(|text| say(&text)),
         Command::Explain(arguments) => explain::explain(arguments).and_then(|text| say(&text)),
         Command::New(arguments) => new::new(arguments).and_then(|text| say(&text)),
@@ -109,7 +113,12 @@ pub fn check_case(
     cache: Option<&Cache>,
     warnings: &mut Vec<String>,
 ) -> Result<String, Failure> {
-    check::of_case(case, (cache, false), progress::ProgressMode::Nothing, warnings)
+    check::of_case(
+        case,
+        (cache, check::Wanted::default()),
+        progress::ProgressMode::Nothing,
+        warnings,
+    )
 }
 
 /// What `whirl explain` says of a spec: the name of a built-in one, or the path of a file.

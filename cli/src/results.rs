@@ -112,7 +112,7 @@ impl Results {
 pub(crate) fn held(locked: Locked, folder: &Path, warnings: &mut Vec<String>) -> Option<Lock> {
     let Locked::Ours(lock) = locked else {
         warnings.push(format!(
-            "the file system of `{}` has no locks: it would not be noticed if another run wrote its results there, too",
+            "the file system of `{}` does not support locks: another run that writes there would not be noticed",
             folder.display()
         ));
         return None;
@@ -197,7 +197,10 @@ mod tests {
         assert!(lock.is_none());
         assert_eq!(warnings.len(), 1);
         let name = folder.path().display().to_string();
-        assert!(warnings[0].contains(&name) && warnings[0].contains("no locks"), "{warnings:?}");
+        assert!(
+            warnings[0].contains(&name) && warnings[0].contains("does not support locks"),
+            "{warnings:?}"
+        );
         let Locked::Ours(lock) = Lock::take(folder.path()).unwrap() else { panic!("it is free") };
         assert!(held(Locked::Ours(lock), folder.path(), &mut warnings).is_some());
         assert_eq!(warnings.len(), 1);

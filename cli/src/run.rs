@@ -1,4 +1,20 @@
 //! `whirl run`: a case from its file to its results.
+//!
+//! The stops of a case on the way from text to history.csv:
+//!
+//! 1. [`crate::case`]: text → [`Case`]. Files are read with those that they include into one tree of values that know where
+//!    they stand; each key is read through its declaration, in SI, and all errors are reported at once. The short form
+//!    of a machine becomes the same value as named bodies and joints.
+//! 2. [`machine::plan`]: the meshes are read or made, the sets that the case names are found in them, journals and bores
+//!    are measured and compared, and laws get what they take from their bearings. Nothing is solved yet.
+//! 3. [`machine::build`]: the plan becomes the solver's model, with where the case says each of its parts, so that
+//!    an error of the solver is reported at the user's own words; bodies are reduced, or found in the cache, and joined.
+//! 4. [`crate::start`]: the state from which it begins: at rest, in equilibrium, or as another run ended; on `--resume` that of
+//!    the checkpoint.
+//! 5. [`crate::simulate`]: the march. Each row goes to a store, here a locked folder: the writer's own thread brings whole
+//!    lines to history.csv, and about once a second a checkpoint is written that names the rows before it.
+//! 6. [`crate::report`], [`crate::figures`], [`crate::fields`]: the rows are read again from the store, and summary, tables and
+//!    figures made of them; the verdict comes from what the march measured of its own steps.
 
 use std::io;
 use std::panic::resume_unwind;
@@ -51,7 +67,7 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     };
     if arguments.resume {
         show.note(&match &from {
-            Some(point) => format!("going on after step {}", point.march.step()),
+            Some(point) => format!("resuming after step {}", point.march.step()),
             None => {
                 format!(
                     "no checkpoint in {}: starting from the beginning",
@@ -182,7 +198,7 @@ fn report(
     Err(Failure::Unfinished {
         reason,
         kept: rows.then(|| results.folder().to_path_buf()),
-        help: goes_on.then(|| "the same command with `--resume` goes on from there".to_string()),
+        help: goes_on.then(|| "run the same command with `--resume` to continue".to_string()),
     })
 }
 

@@ -56,7 +56,7 @@ pub(crate) fn begin<'m>(
             watch.note(&going_on(folder.text(), &last));
             if !sound {
                 watch.warn(&format!(
-                    "the run in `{}`, from which this one goes on, is NOT SOUND by its own verdict",
+                    "this run continues the run in `{}`, whose verdict is NOT SOUND",
                     folder.text()
                 ));
             }
@@ -165,7 +165,7 @@ fn beyond(built: &Built, initial: &[BodyStart]) -> Vec<String> {
         let name = built.machine.bodies[load.body].name();
         load.reaches(speed).then(|| {
             format!(
-                "a couple on `{name}` until {} rpm does nothing: the start at {} rpm is at its target or beyond it",
+                "the couple on `{name}` until {} rpm never acts: the run starts at {} rpm, at its target or beyond",
                 rpm(target),
                 rpm(speed)
             )
@@ -190,7 +190,7 @@ fn words(case: &Case, found: &Equilibrium) -> String {
         }
         if own.angle != 0.0 {
             let angle = whirl_text::shown(own.angle.to_degrees(), 5, 1e-3..1e6);
-            parts.push(format!("{} stands at {angle} deg", body.name.text()));
+            parts.push(format!("{} is at {angle} deg", body.name.text()));
         }
     }
     for (name, ratio) in &found.eccentricities {
@@ -199,7 +199,7 @@ fn words(case: &Case, found: &Equilibrium) -> String {
         }
     }
     let what = if found.eccentricities.iter().any(|(_, ratio)| ratio.is_some()) {
-        " (eccentricity over clearance)"
+        " (eccentricity ratio)"
     } else {
         ""
     };
@@ -238,11 +238,11 @@ fn read(folder: &Path, out: Option<&Path>) -> Result<(LastState, bool), Failure>
     }
     let bytes = fs::read(folder.join(STATE)).map_err(|error| match error.kind() {
         io::ErrorKind::NotFound if !folder.is_dir() => missing(
-            "there is no such folder; it is looked for where the command is run, as that of results is"
+            "there is no such folder; the path is relative to the folder in which the command is run, like that of results"
                 .to_owned(),
         ),
         io::ErrorKind::NotFound => {
-            missing(format!("it has no `{STATE}`, which a run leaves that comes to its end"))
+            missing(format!("it has no `{STATE}`, which only a finished run leaves"))
         }
         _ => missing(format!("cannot read `{STATE}`: {error}")),
     })?;

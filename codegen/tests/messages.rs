@@ -133,9 +133,9 @@ fn nothing_is_said_twice_of_one_place() {
 /// The page of errors in the documents.
 fn page() -> String {
     let mut text = "# Errors\n\n\
-        Every error of a spec, a formula or a case has a code that stays the same, the place in the file, and\n\
-        usually a line on how to fix it. All errors of a file are reported at once, without those that only follow\n\
-        from another error. `codegen/tests/messages` holds a bad file and its messages for every code.\n\n\
+        Every error in a spec, a formula or a case has a permanent code, its position in the file, and usually a line on how to fix \
+        it.\nAll errors of a file are reported at once, except those that only follow from another error. \
+        `codegen/tests/messages` has a bad\nfile and its messages for every code.\n\n\
         | Code | What it means | How to fix it |\n|---|---|---|\n"
         .to_owned();
     for known in Code::ALL {

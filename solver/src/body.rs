@@ -190,7 +190,7 @@ impl BodySpec {
                 return wrong(format!("the retained dof {name} is not a dof of the mesh"));
             }
             if retained.terms.is_empty() {
-                return wrong(format!("{name} cannot be retained: its nodes stand on the axis"));
+                return wrong(format!("{name} cannot be retained: its nodes are on the axis"));
             }
             let Some(dof) = retained.single() else { continue };
             if held.contains(&dof) {

@@ -64,15 +64,24 @@ pub enum Error {
     /// A file of a mesh is wrong.
     #[error("{0}")]
     Input(#[from] InputErrors),
-    /// A body that turns, and is not round.
+    /// A body that turns, of which nothing shows how.
     #[error(
-        "{body} is not round: {lack}. Seen from space its equations vary with its angle, and it has no modes at a speed: march it, or make it round"
+        "{body} cannot be seen from space: {lack}. Give a joint, a disc or an output a set of nodes around its axis, or march it"
     )]
     NotRound {
         /// Its name.
         body: String,
         /// What it lacks.
         lack: String,
+    },
+    /// Two bodies that are not round and turn at different speeds.
+    #[error(
+        "{} and {} are not round and turn at different speeds: their equations have no common period. Make one of them round, or march the machine",
+        .bodies[0], .bodies[1]
+    )]
+    TwoNotRound {
+        /// Their names.
+        bodies: [String; 2],
     },
     /// A mesh names a set that it does not have.
     #[error("{origin} has no {kind} set called {name}{}", suggestion(.nearest))]
@@ -179,8 +188,8 @@ pub enum Error {
     },
     /// A ring of a bore that cannot carry springs: no spline goes through its nodes.
     #[error(
-        "{bearing}: the bore's {} nodes on the {} must stand at different angles about the axis, and be \
-         three at least", nodes, ["left", "middle", "right"][*ring]
+        "{bearing}: the bore's {} nodes on the {} must be at different angles about the axis, and at least three",
+        nodes, ["left", "middle", "right"][*ring]
     )]
     Bore {
         /// Name of the bearing.
@@ -200,9 +209,9 @@ pub enum Error {
     Machine(String),
     /// A law that has no value where a time step leads.
     #[error(
-        "step {step} (t = {time:.6e} s) leads to where the law `{law}` has no value, at bearing or stop {bearing}: \
-         its formula gives no number there. Give the law a value wherever the journal may go, or look for what \
-         drives it there"
+        "step {step} (t = {time:.6e} s) leads to a point at which the law `{law}` has no value, at bearing or stop \
+         {bearing}: its formula gives no number there. Give the law a value wherever the journal may go, or find \
+         out what drives it there"
     )]
     NoForce {
         /// The step, counted from 1.
@@ -248,7 +257,8 @@ pub enum Error {
         share: f64,
     },
     /// Constant speeds at which no state was found in which the machine stands.
-    #[error("no state in which the machine stands was found with {at}: {}. Lower the loads to what the bearings carry at this speed, or begin at a higher one", out_of_balance(.rows, .journals, *.share))]
+    #[error("no equilibrium was found with {at}: {}. Lower the loads to what the bearings carry at this speed, or \
+         start at a higher one", out_of_balance(.rows, .journals, *.share))]
     NotStanding {
         /// The bodies with their speeds.
         at: String,
@@ -261,8 +271,9 @@ pub enum Error {
     },
     /// A balance at t = 0 that is none: nothing holds the machine in it.
     #[error(
-        "the start at equilibrium is not determined: nothing holds the {}. In a clearance a journal without load touches \
-         nothing, and a film carries at speed only: add a load, such as the weight, or give the speed, or start at rest",
+        "the start at equilibrium is not determined: nothing holds the {}. An unloaded journal floats in its \
+         clearance, and a film carries only at speed: add a load, such as the weight, or give the speed, or start \
+         at rest",
         .coordinates.join(", the ")
     )]
     Floating {
@@ -279,9 +290,9 @@ pub enum Error {
     OtherBodies(Vec<String>),
     /// A rotation that is prescribed otherwise than a state has it.
     #[error(
-        "the rotation of {body} is prescribed to be at {angle:.6e} rad and {speed:.6e} rad/s at t = {time:.6e} s, where the \
-         state that it starts from has {had_angle:.6e} rad and {had_speed:.6e} rad/s: prescribe what goes on from there, \
-         or let it turn freely"
+        "the rotation of {body} is prescribed to be at {angle:.6e} rad and {speed:.6e} rad/s at t = {time:.6e} s, \
+         but the state from which it starts has {had_angle:.6e} rad and {had_speed:.6e} rad/s: prescribe a rotation \
+         that continues from there, or let it turn freely"
     )]
     OtherRotation {
         /// Name of the body.
@@ -355,7 +366,7 @@ fn out_of_balance(rows: &[(String, f64)], journals: &[(String, f64)], share: f64
         journals.iter().map(|(name, ratio)| format!("{ratio:.3} in {name}")).collect();
     let journals = match journals.is_empty() {
         true => String::new(),
-        false => format!("; eccentricity over clearance is {}", journals.join(", ")),
+        false => format!("; the eccentricity ratios are {}", journals.join(", ")),
     };
     let share = match share > 0.0 {
         true => format!("; {:.0} % of the loads are balanced", 100.0 * share),
@@ -386,7 +397,7 @@ fn inverted(origin: &str, cells: &[InvertedCell], count: usize) -> String {
         rest => format!(" and {rest} more"),
     };
     format!(
-        "{origin}: {}{more}: turned inside out or flat; usual reasons: nodes listed in another order \
+        "{origin}: {}{more}: inverted or flat; usual reasons: nodes listed in another order \
          (Abaqus wants the second face on the side to which the first face's normal points), \
          a wrong node label, two nodes at one place, or a strongly distorted cell",
         list.join(", ")

@@ -117,7 +117,7 @@ fn columns_for(bearings: &[JointColumns], turning: &[&str], driven: &[&str]) -> 
     let quantities = [
         ("R", "N", "N", "force on the journal"),
         ("", "um", "um", "displacement of the journal's middle"),
-        ("E", "um", "um", "eccentricity of the journal against the bore"),
+        ("E", "um", "um", "eccentricity of the journal relative to the bore"),
     ];
     let at = |label: &str| match label.strip_prefix('_') {
         Some(name) => format!("joint {name}"),
@@ -154,7 +154,7 @@ fn columns_for(bearings: &[JointColumns], turning: &[&str], driven: &[&str]) -> 
         columns.push(Column::new(format!("omega_{body}_rad_s"), "rad/s", speed));
     }
     columns.extend(driven.iter().map(|body| {
-        let meaning = format!("couple that turns {body} as it is told");
+        let meaning = format!("couple of the prescribed rotation of {body}");
         Column::new(format!("M_{body}_Nm"), "N*m", meaning)
     }));
     columns.push(Column::new("iterations", "1", "Newton iterations of the step"));

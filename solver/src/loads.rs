@@ -15,6 +15,8 @@ use crate::time_function::{Instant, Slope};
 /// A force on a node of a body, or a couple on a turn of it, constant in direction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Load {
+    /// Its name; empty, if it has none.
+    pub name: String,
     /// The body, by its place in the machine.
     pub body: usize,
     /// What acts, and where.
@@ -82,8 +84,7 @@ impl Load {
         time_function: TimeFunction,
         frame: Frame,
     ) -> Load {
-        let action = Action::Force { node, force };
-        Load { body, action, time_function, onset: Onset::Start, frame }
+        Load::new(body, Action::Force { node, force }, time_function, frame)
     }
 
     /// A couple on a turn, from t = 0.
@@ -94,8 +95,16 @@ impl Load {
         time_function: TimeFunction,
         frame: Frame,
     ) -> Load {
-        let action = Action::Couple { turn, couple };
-        Load { body, action, time_function, onset: Onset::Start, frame }
+        Load::new(body, Action::Couple { turn, couple }, time_function, frame)
+    }
+
+    fn new(body: usize, action: Action, time_function: TimeFunction, frame: Frame) -> Load {
+        Load { name: String::new(), body, action, time_function, onset: Onset::Start, frame }
+    }
+
+    /// The load under a name.
+    pub fn named(self, name: &str) -> Load {
+        Load { name: name.to_owned(), ..self }
     }
 
     /// The load from another time on.
@@ -110,6 +119,13 @@ impl Load {
             Onset::Start => factor,
             onset => onset.factor(at) * factor,
         }
+    }
+
+    /// Whether its direction turns with its body: one fixed to that, but for a couple about the axis.
+    pub(crate) fn turns_with_its_body(&self) -> bool {
+        let along =
+            matches!(self.action, Action::Couple { couple: [x, y, _], .. } if x == 0.0 && y == 0.0);
+        self.frame == Frame::Body && !along
     }
 
     /// Speed at which the load ends, and how.

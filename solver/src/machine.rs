@@ -239,12 +239,12 @@ fn check_sides(bearing: &Bearing, bodies: &[Body]) -> Result<(), Error> {
     }
     let spins = |body: &Body| body.rotation().and_then(|rotation| rotation.spin()).is_some();
     if spins(journal) && (own.size() > 0 || own.rotation().is_some()) || spins(own) {
-        return wrong("a body that spins in a frame at rest needs a rigid bore".to_owned());
+        return wrong("a body that spins in a fixed frame needs a rigid bore".to_owned());
     }
     let off_axis = bearing.sides.bore_axis != [0.0; 2];
     if off_axis && own.rotation().is_some() {
         let name = own.name();
-        return wrong(format!("the bore stands off the axis of {name}, which turns about it"));
+        return wrong(format!("the bore is off the axis of {name}, which turns about it"));
     }
     Ok(())
 }

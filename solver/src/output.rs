@@ -155,7 +155,7 @@ impl Output {
             Wanted::Joint { quantity, .. } => match quantity {
                 JointQuantity::Force => plane("f", "N", "N", "force on the journal"),
                 JointQuantity::Deformation => {
-                    plane("d", "um", "um", "displacement of the journal against the bore")
+                    plane("d", "um", "um", "displacement of the journal relative to the bore")
                 }
                 JointQuantity::Rate => plane("dv", "mm_s", "mm/s", "rate of deformation"),
                 JointQuantity::Torque => {
@@ -165,7 +165,7 @@ impl Output {
                     vec![one(
                         format!("twist_{name}_rad"),
                         "rad",
-                        "angle of the journal against the bore",
+                        "angle of the journal relative to the bore",
                     )]
                 }
                 JointQuantity::TwistRate => {
@@ -177,7 +177,7 @@ impl Output {
                 .to_vec(),
             Wanted::Power { .. } => vec![
                 one(format!("power_{name}_W"), "W", "power of the loads on the body"),
-                one(format!("damping_{name}_W"), "W", "power that the body's damping takes away"),
+                one(format!("damping_{name}_W"), "W", "power dissipated by the body's damping"),
             ],
             Wanted::JointPower { .. } => {
                 vec![one(

@@ -61,9 +61,7 @@ fn a_bore_that_carries_no_spline_is_named_in_the_case() {
             assert!(text[column - 1..].starts_with(rings[place]), "{text}: {column}");
             let words = [
                 format!("m.toml:{line}:{column}\n"),
-                format!(
-                    "bearing 1: the bore's 3 nodes on the {ring} must stand at different angles"
-                ),
+                format!("bearing 1: the bore's 3 nodes on the {ring} must be at different angles"),
             ];
             let expected = wrong.contains(ring);
             for words in &words {
@@ -223,7 +221,7 @@ fn an_inverted_element_is_named_with_its_line() {
     let bench = Workbench::new()
         .file("case.toml", &format!("title = \"upside down\"\n{lines}"))
         .file("shaft.inp", INVERTED);
-    refused(&bench, &["shaft.inp:16:1", "cell 2", "turned inside out", "node label"]);
+    refused(&bench, &["shaft.inp:16:1", "cell 2", "inverted", "node label"]);
 }
 
 #[test]

@@ -122,7 +122,7 @@ fn elements_turned_inside_out_are_found_in_the_file() {
         &bench,
         &[
             "--> shaft.bdf:",
-            &format!("cell {label} (wedge6) is turned inside out or flat"),
+            &format!("cell {label} (wedge6) is inverted or flat"),
             &format!("| {}", values.join(",")),
         ],
     );

@@ -229,19 +229,29 @@ fn a_bearing_in_one_plane_has_one_ring() {
 #[test]
 fn check_says_what_would_be_run() {
     let bench = Workbench::new();
-    let outcome = bench.whirl(&["check", "hu2003-5"]);
+    let outcome = bench.whirl(&["check", "hu2003-5", "--laws"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
     for words in [
         "226 active coordinates",
         "12807",
         "109 N m until 4500 rpm",
         "load 1 on shaft at LOAD1, LOAD2, LOAD3: 1000 N along x, sine of 37.5 Hz",
-        "c = 35.687 µm, 3 rings of 24 springs, law hu2003-nonlinear",
+        "law hu2003-nonlinear, c = 35.687 µm, 3 rings of 24 springs at z = 463.5, 476, 488.5 mm",
         "moved from 0.035687",
         "5405 steps of 7.4e-5 s",
     ] {
         assert!(outcome.stdout.contains(words), "`{words}` is not in:\n{}", outcome.stdout);
     }
+    // What an engineer asks comes first; of a law that has nothing remarkable nothing is said unasked.
+    let mut rest = outcome.stdout.as_str();
+    for head in
+        ["Bodies", "Natural frequencies", "Speeds", "Joints", "Loads", "Time", "Model", "law hu"]
+    {
+        let place = rest.find(&format!("\n\n{head}"));
+        rest = &rest[place.unwrap_or_else(|| panic!("{head} in\n{}", outcome.stdout))..];
+    }
+    let unasked = bench.whirl(&["check", "hu2003-5"]).stdout;
+    assert_eq!(unasked, outcome.stdout.split("\nlaw hu").next().expect("a text"));
     assert!(bench.listing().is_empty());
 }
 

@@ -96,7 +96,7 @@ fn what_is_loaded_elsewhere_hides_no_bad_contact() {
         let summary = bouncing(shaken, bore);
         let found = summary["verdict"]["findings"].to_string();
         assert_eq!(summary["verdict"]["sound"], false, "{shaken}");
-        assert!(found.contains("energy made") && found.contains("(at joint c)"), "{found}");
+        assert!(found.contains("energy created") && found.contains("(at joint c)"), "{found}");
         // Ten bounces make so much that the ball rises above where it was let go.
         assert!(measure(&summary, "energy_made_share") > 0.2, "{shaken}: {found}");
     };

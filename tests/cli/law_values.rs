@@ -89,9 +89,7 @@ fn a_law_has_the_clearance_of_its_stop_and_the_parameters_of_the_case() {
     let said = bench.whirl(&["check", "case.toml"]);
     fine(&said);
     assert!(
-        said.stdout.contains(&format!(
-            "stop 1 around: journal mass, bore ground, gap 40 µm, law {name}\n"
-        )),
+        said.stdout.contains(&format!("stop around, gap 0.00004 m, law {name}\n")),
         "{}",
         said.stdout
     );
@@ -170,7 +168,11 @@ fn a_bearings_own_parameters_come_first() {
         (4, "radial-gap (k = 1 kN/mm)"),
     ] {
         let line = said.stdout.lines().find(|line| line.starts_with(&format!("bearing {k}:")));
-        assert!(line.is_some_and(|line| line.ends_with(&format!("law {law}"))), "{}", said.stdout);
+        assert!(
+            line.is_some_and(|line| line.contains(&format!(", law {law}, c = "))),
+            "{}",
+            said.stdout
+        );
     }
 }
 
@@ -186,13 +188,33 @@ fn a_root_follows_the_values_of_the_case() {
     let case =
         "law = \"root.toml\"\nradial_clearance = \"40 um\"\nparameters = { k = \"5 kN/mm\" }";
     let bench = Workbench::new().file("root.toml", law).file("case.toml", &machine(case));
-    let said = bench.whirl(&["check", "case.toml"]);
+    let said = bench.whirl(&["check", "case.toml", "--laws"]);
     fine(&said);
     for words in
         ["law root.toml (c = 0.04 mm, k = 5000 N/mm)", "break at h = 0.0466 mm (moved from 0.04)"]
     {
         assert!(said.stdout.contains(words), "`{words}` is not in:\n{}", said.stdout);
     }
+}
+
+/// What stands out of a law is said unasked: a spring that pulls, a negative stiffness, a jump that its file accepts.
+#[test]
+fn a_check_says_what_stands_out_of_a_law() {
+    let law = "kind = \"law\"\nname = \"pull\"\ntitle = \"A snap\"\nsource = \"a test\"\n\
+               [inputs.h]\nunit = \"mm\"\nrange = [0, 0.1]\n\
+               [outputs.Q]\nunit = \"N\"\njump = \"accept\"\n\
+               pieces = [{ when = 'h < 0.03', value = '100*h - 1' }, { value = '0' }]\n";
+    let case = machine("law = \"pull.toml\"\nradial_clearance = \"40 um\"");
+    let bench = Workbench::new().file("pull.toml", law).file("case.toml", &case);
+    let said = bench.whirl(&["check", "case.toml"]);
+    fine(&said);
+    let (_, found) = said.stdout.split_once("\nLaws (in full: `--laws`)\n").expect("remarks");
+    let expected = [
+        "pull.toml: `Q` pulls journal and bore together in places: -1 N",
+        "pull.toml: `Q` rises with rising h in places: a negative stiffness",
+        "pull.toml: `Q` jumps by 2 N at h = 0.03 mm: 2 N with slope 100 N/mm below, 0 N with slope 0 N/mm above",
+    ];
+    assert_eq!(found.lines().collect::<Vec<_>>(), expected);
 }
 
 /// The area of the bore that a spring stands for is that of its bearing: 2π·34.035687 mm·25 mm over 3 × 24.

@@ -99,7 +99,7 @@ pub(super) fn begin_and_kill(bench: &Workbench) {
 pub(super) fn resumes(bench: &Workbench) {
     let outcome = bench.whirl(&["run", "case.toml", "--out", "cut", "--resume"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-    assert!(outcome.stderr.contains("going on after step "), "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("resuming after step "), "{}", outcome.stderr);
     let outcome = bench.whirl(&["run", "case.toml", "--out", "whole"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
     let [cut, whole] = ["cut", "whole"].map(|folder| read(bench.path(folder).join("history.csv")));
@@ -147,7 +147,7 @@ fn a_killed_run_with_chosen_steps_is_resumed_with_the_same_bytes() {
     assert!(facts["automatic"]["rejected_steps"].as_u64().expect("a count") > 10, "{facts}");
     let outcome = bench.whirl(&["run", "case.toml", "--out", "again", "--no-figures"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-    let words = "more done again in halves";
+    let words = "more repeated in halves";
     assert!(outcome.stdout.contains(words), "{}", outcome.stdout);
     let both = ["whole", "again"].map(|folder| read(bench.path(folder).join("history.csv")));
     assert!(both[0] == both[1], "other bytes");
@@ -165,7 +165,7 @@ fn interrupted_runs_end_cleanly_and_are_resumed() {
         running.signal(signal);
         let (status, said) = running.end();
         assert_eq!(status, Some(1), "{said}");
-        for words in ["interrupted after step", "kept in cut", "--resume"] {
+        for words in ["interrupted after step", "so far are in cut", "--resume"] {
             assert!(said.contains(words), "`{words}` is not in: {said}");
         }
         let summary = bench.summary("cut");
@@ -311,7 +311,7 @@ fn a_full_disk_keeps_what_fits_and_is_resumed() {
     // Blocks of 512 or 1024 bytes, as the shell has them: some thousands of rows.
     let (status, said) = limited(&bench, 1500);
     assert_eq!(status, Some(1), "{said}");
-    for words in ["cannot write `history.csv`", "kept in cut", "--resume"] {
+    for words in ["cannot write `history.csv`", "so far are in cut", "--resume"] {
         assert!(said.contains(words), "`{words}` is not in: {said}");
     }
     let history = read(bench.path("cut/history.csv"));

@@ -64,7 +64,7 @@ fn nothing_is_written_over_and_bad_names_are_refused() {
     let bench = Workbench::new().file("mine.toml", "mine");
     let outcome = bench.whirl(&["new", "law", "mine"]);
     assert_eq!(outcome.status, 2);
-    assert!(outcome.stderr.contains("is there already"), "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("already exists"), "{}", outcome.stderr);
     assert_eq!(fs::read_to_string(bench.path("mine.toml")).expect("a file"), "mine");
     for (name, words) in [
         ("../mine", "`../mine` cannot be the name"),

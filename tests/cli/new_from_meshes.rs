@@ -44,7 +44,7 @@ fn a_case_of_two_meshes_is_checked_and_runs() {
     // What is there stays as it is.
     let again =
         refused(&bench, &["new", "case", "--shaft", "rotor.msh", "--support", "housing.msh"]);
-    assert!(again.contains("`case.toml` is there already and is left as it is"), "{again}");
+    assert!(again.contains("`case.toml` already exists and is left unchanged"), "{again}");
     assert_eq!(fs::read_to_string(bench.path("case.toml")).expect("a case"), text);
 }
 

@@ -160,8 +160,7 @@ fn cells_of_dimensions_are_quadratic_and_as_long_as_they_may_be() {
     assert!(of(&coarser) < of(&outcome), "{}", coarser.stdout);
     let linear = shaft("layers_in_support = 2\nlayers_between = 10\ncells = { order = 1 }\n");
     assert_eq!(linear.status, 0, "{}", linear.stderr);
-    let warned =
-        "rotor has linear cells in layers of up to 79 mm: frequencies of bending are about ";
+    let warned = "rotor has linear cells in layers of up to 79 mm: bending frequencies are about ";
     assert!(linear.stderr.contains(warned), "{}", linear.stderr);
     for (dimensions, message) in [
         ("cells = { order = 1 }\n", "layers_between"),

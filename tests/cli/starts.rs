@@ -39,7 +39,7 @@ fn a_rotor_in_films_starts_where_they_carry_it() {
         .file("rest.toml", &rotor("10 kg", &force, 320, ""));
     let outcome = bench.whirl(&["run", "still.toml", "--no-figures", "--out", "still"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-    let said = "starting in equilibrium: 0.500 in bearing left, 0.500 in bearing right (eccentricity over clearance)";
+    let said = "starting in equilibrium: 0.500 in bearing left, 0.500 in bearing right (eccentricity ratio)";
     assert!(outcome.stderr.contains(said), "{}", outcome.stderr);
     let checked = bench.whirl(&["check", "still.toml"]);
     assert!(checked.status == 0 && checked.stdout.contains(said), "{}", checked.stdout);

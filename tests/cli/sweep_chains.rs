@@ -143,7 +143,7 @@ fn points_behind_one_that_fails_say_from_where_they_go_on() {
         .file("first.toml", &study(&[fails, fine, fine, fine].join(", ")));
     let outcome = bench.whirl(&["sweep", "study.toml"]);
     done(&outcome);
-    let older = "goes on from point 0, as the points between failed";
+    let older = "continues from point 0, because the points between failed";
     let found = text(&bench, "results/study/table.csv");
     let said = |found: &str, words: &str| -> Vec<bool> {
         found.lines().skip(1).map(|line| line.contains(words)).collect()
@@ -161,7 +161,7 @@ fn points_behind_one_that_fails_say_from_where_they_go_on() {
     }
     let outcome = bench.whirl(&["sweep", "first.toml"]);
     done(&outcome);
-    let none = "begins as the case says, as the points before it failed";
+    let none = "starts as the case says, because the points before it failed";
     let found = text(&bench, "results/first/table.csv");
     assert_eq!(said(&found, none), [false, true, false, false], "{found}");
 }

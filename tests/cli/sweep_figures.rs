@@ -67,9 +67,9 @@ fn over_one_value_there_are_curves_a_bifurcation_diagram_and_spectra() {
         &svg(&bench, "reactions"),
         &["study: Reactions", x, "force on the shaft (N)", "RX, vertical"],
     );
-    shows(&svg(&bench, "displacement"), &[x, "displacement (µm)", "least and largest"]);
+    shows(&svg(&bench, "displacement"), &[x, "displacement (µm)", "minimum and maximum"]);
     shows(&svg(&bench, "orders"), &[x, "amplitude (µm)", "1X, once a revolution", "2X, "]);
-    shows(&svg(&bench, "bifurcation"), &[x, "displacement (µm)", "positions once a cycle"]);
+    shows(&svg(&bench, "bifurcation"), &[x, "displacement (µm)", "sampled once a cycle"]);
     shows(&svg(&bench, "waterfall"), &["frequency (Hz)", x, "1X", "2X", "½X"]);
     // In 0.3 s: 2 or 3, 3 or 4, 5, 6, 7, 8 or 9, and 10 revolutions, of X and Y, and two in the legend.
     let circles = svg(&bench, "bifurcation").matches("<circle").count();

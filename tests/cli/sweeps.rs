@@ -205,7 +205,7 @@ fn the_command_line_varies_as_a_file_does() {
     assert!(text(&bench, "file/table.csv") == text(&bench, "results/mass-sweep/table.csv"));
     for (arguments, words) in [
         (&["sweep", "mass.toml"][..], "nothing says what varies"),
-        (&["sweep", "study.toml", "--vary", gaps], "says itself what varies"),
+        (&["sweep", "study.toml", "--vary", gaps], "`--vary` say what varies"),
         (&["sweep", "mass.toml", "--vary", "stop.1.gap"], "has no `=`"),
         (&["sweep", "mass.toml", "--vary", "stop.1.gup=1 mm"], "did you mean `gap`?"),
         (&["sweep", "nothing.toml"], "there is no file"),
@@ -258,7 +258,7 @@ fn a_sweep_that_is_wrong_says_where_and_writes_nothing() {
         ("[vary]\nstop.1.gap = [\"1 mm\", \"1 N\"]\n", &["study.toml:3:24", "is a force"]),
         (
             "[vary]\nstop.1.gap = \"2 mm .. 1 mm, 3\"\n",
-            &["study.toml:3:14", "backwards", "`1 mm .. 2 mm`"],
+            &["study.toml:3:14", "is descending", "`1 mm .. 2 mm`"],
         ),
         ("[vary]\nstop.1.gap = []\n", &["study.toml:3:14", "has no values"]),
         ("[vary]\nstop.1.gap = [\"1 mm\", \"1 mm\"]\n", &["study.toml:3:23", "stands twice"]),
@@ -389,7 +389,7 @@ fn a_check_says_what_a_sweep_takes() {
     }
     // The first point is built: its bodies are there.
     let outcome = bench.whirl(&["check", "study.toml", "--cache", "cache"]);
-    assert!(outcome.stdout.contains("2 of them are kept from before"), "{}", outcome.stdout);
+    assert!(outcome.stdout.contains("2 of them are in the cache"), "{}", outcome.stdout);
     assert_eq!(bench.listing(), ["cache", "study.toml"], "nothing else is written");
     done(&bench.whirl(&["sweep", "study.toml", "--cache", "cache"]));
     assert_eq!(bench.listing_of("cache").len(), 3, "as it was said");

@@ -36,7 +36,7 @@ fn a_killed_sweep_is_resumed_with_the_same_bytes() {
     }
     let outcome = bench.whirl(&["sweep", "study.toml", "--out", "cut", "--resume"]);
     done(&outcome);
-    assert!(outcome.stderr.contains("going on after "), "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("resuming after "), "{}", outcome.stderr);
     assert!(text(&bench, "cut/table.csv") == text(&bench, "whole/table.csv"), "other bytes");
     let names = bench.listing_of("whole/points");
     assert_eq!(bench.listing_of("cut/points"), names);
@@ -116,7 +116,7 @@ fn what_has_changed_is_not_resumed_and_what_is_new_is_done() {
     refused(&bench, "own.toml");
     let bench =
         bench.file("own.toml", law).file("study.toml", &study.replace("1.5 mm, 5", "1.5 mm, 4"));
-    refused(&bench, "9 that are done are no longer asked for");
+    refused(&bench, "9 finished ones are no longer part of the sweep");
     let bench = bench.file("study.toml", &format!("keep = \"histories\"\n{study}"));
     refused(&bench, "`keep`");
     // More values: the points that are there are done.
@@ -192,7 +192,7 @@ fn a_full_disk_keeps_what_fits_and_is_resumed() {
     }
     let outcome = bench.whirl(&["sweep", "study.toml", "--out", "cut", "--resume"]);
     done(&outcome);
-    let first = outcome.stderr.split("going on after ").nth(1).expect("words").split(' ').next();
+    let first = outcome.stderr.split("resuming after ").nth(1).expect("words").split(' ').next();
     let first: usize = first.and_then(|own| own.parse().ok()).expect("a number");
     assert!((5..60).contains(&first), "{}", outcome.stderr);
     done(&bench.whirl(&["sweep", "study.toml", "--out", "whole"]));

@@ -46,7 +46,7 @@ fn what_goes_on_from_an_unsound_run_is_not_sound() {
         let outcome = bench.whirl(&["run", &format!("{name}.toml"), "--no-figures"]);
         assert_eq!(outcome.status, 0, "{}", outcome.stderr);
         let verdict = bench.summary(&format!("results/{name}"))["verdict"].clone();
-        (verdict, outcome.stderr.contains("is NOT SOUND by its own verdict"))
+        (verdict, outcome.stderr.contains("whose verdict is NOT SOUND"))
     };
     let goes_on = |name: &str, expected: bool| {
         let (verdict, warned) = run(name);
@@ -102,7 +102,7 @@ fn a_run_that_is_over_is_not_begun_again_by_resuming_it() {
     let before = read();
     let outcome = bench.whirl(&["run", "case.toml", "--out", "out", "--resume"]);
     assert_eq!(outcome.status, 2, "{}", outcome.stderr);
-    for words in ["`out` cannot be resumed", "came to its end", "without `--resume`"] {
+    for words in ["`out` cannot be resumed", "because the run is finished", "without `--resume`"] {
         assert!(outcome.stderr.contains(words), "`{words}` is not in: {}", outcome.stderr);
     }
     assert!(read() == before);

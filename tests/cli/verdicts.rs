@@ -157,7 +157,7 @@ fn ringing_is_a_finding_and_has_a_cure() {
     };
     let (said, summary, force) = run("rings");
     assert_eq!(summary["verdict"]["sound"], false, "{said}");
-    assert!(said.contains("part of a force that changes its sign every step"), "{said}");
+    assert!(said.contains("part of a force that alternates from step to step"), "{said}");
     assert!(
         said.contains("(at joint d)") && said.contains("integrator = \"generalized-alpha\""),
         "{said}"

@@ -22,7 +22,7 @@ fn elements() -> Vec<&'static Element> {
     ELEMENTS.iter().collect()
 }
 
-/// A mesh whose material is open.
+/// A mesh whose material is ambiguous.
 fn open(bytes: &[u8], path: &str) -> Result<ReadMesh, InputErrors> {
     let elements = elements();
     let options = ReadOptions { open: true, ..ReadOptions::new(&elements) };

@@ -44,13 +44,15 @@ pub(super) fn found(
         files.push((format!("{name}.svg"), drawing.into_bytes()));
     }
     let interrupted = all.speeds.len() + all.lost.len() < wanted.speeds.len();
-    Ok(Found { text: text(case, linear, of, &all), files, interrupted })
+    let mut text = text(case, linear, of, &all);
+    text += &words::doubts(&all.doubts);
+    Ok(Found { text, files, interrupted })
 }
 
 /// Every mode at every speed.
 fn rows(all: &Campbell) -> String {
     let mut text = String::from(
-        "speed_rpm,branch,frequency_hz,damping_ratio,log_decrement,whirl,sense,real_1_s,imaginary_1_s\n",
+        "speed_rpm,branch,frequency_hz,damping_ratio,log_decrement,whirl,sense,real_1_s,imaginary_1_s,beside_hz\n",
     );
     for (place, &speed) in all.speeds.iter().enumerate() {
         for (number, branch) in all.branches.iter().enumerate() {
@@ -65,19 +67,23 @@ fn rows(all: &Campbell) -> String {
 /// Critical speeds, and where modes begin or end to grow.
 fn criticals(all: &Campbell) -> String {
     let mut text = String::from(
-        "what,order,speed_rpm,branch,frequency_hz,damping_ratio,log_decrement,whirl,sense,real_1_s,imaginary_1_s\n",
+        "what,order,speed_rpm,branch,frequency_hz,damping_ratio,log_decrement,whirl,sense,real_1_s,imaginary_1_s,beside_hz\n",
     );
-    let mut add = |what: &str, order: String, speed: f64, branch: usize, mode: &Mode| {
-        let rpm = words::rpm(speed);
-        writeln!(text, "{what},{order},{rpm},{},{}", branch + 1, values(mode, speed))
-            .expect("text can be written");
-    };
+    let mut add =
+        |what: &str, order: String, speed: f64, branch: Option<usize>, mode: Option<&Mode>| {
+            let rpm = words::rpm(speed);
+            let branch = branch.map_or(String::new(), |own| (own + 1).to_string());
+            // A motion that does not oscillate has none of them.
+            let values = mode.map_or(",,,,,,,".to_owned(), |mode| values(mode, speed));
+            writeln!(text, "{what},{order},{rpm},{branch},{values}").expect("text can be written");
+        };
     for own in &all.criticals {
-        add("critical speed", own.order.to_string(), own.speed, own.branch, &own.mode);
+        let order = own.order.to_string();
+        add("critical speed", order, own.speed, Some(own.branch), Some(&own.mode));
     }
     for own in &all.thresholds {
         let what = if own.grows { "unstable above" } else { "stable above" };
-        add(what, String::new(), own.speed, own.branch, &own.mode);
+        add(what, String::new(), own.speed, own.branch, own.mode.as_ref());
     }
     text
 }
@@ -86,7 +92,8 @@ fn values(mode: &Mode, speed: f64) -> String {
     let numbers = [mode.hertz(), mode.damping_ratio(), mode.log_decrement()];
     let numbers = numbers.map(|value| value.to_string()).join(",");
     let whirl = words::whirl(mode, speed);
-    format!("{numbers},{whirl},{},{},{}", mode.sense, mode.value.re, mode.value.im)
+    let (sense, value, beside) = (mode.sense, mode.value, words::beside(mode));
+    format!("{numbers},{whirl},{sense},{},{},{beside}", value.re, value.im)
 }
 
 fn text(case: &Case, linear: &LinearMachine, of: usize, all: &Campbell) -> String {
@@ -121,26 +128,14 @@ fn text(case: &Case, linear: &LinearMachine, of: usize, all: &Campbell) -> Strin
         text.push_str(&table(&rows));
     }
     text.push('\n');
-    for own in &all.thresholds {
+    text.push_str(&words::thresholds(all));
+    if let Some(own) = &all.reduced {
+        let error = whirl_text::shown(own.error, 1, 1e-3..1e4);
         let _ = writeln!(
             text,
-            "{} above {} rpm: {} Hz, {} of the rotation, {}",
-            if own.grows { "UNSTABLE" } else { "stable" },
-            words::speed(own.speed),
-            words::hertz(&own.mode),
-            whirl_text::rounded(own.mode.value.im / own.speed.abs(), 4),
-            words::whirl(&own.mode, own.speed)
+            "modes in {} slow motions of {} coordinates, within {error} of those in all",
+            own.columns, own.of
         );
-    }
-    match all.stable.iter().filter(|stable| !**stable).count() {
-        0 if all.lost.is_empty() => text.push_str("stable at all speeds of the range\n"),
-        0 => text.push_str("stable at the speeds of the range at which it stands\n"),
-        some if some == all.speeds.len() => text.push_str("UNSTABLE at all these speeds\n"),
-        _ => {}
-    }
-    if let Some((_, error)) = all.lost.first() {
-        let speeds: Vec<String> = all.lost.iter().map(|own| words::speed(own.0)).collect();
-        let _ = writeln!(text, "left out: {} rpm, as {error}", speeds.join(", "));
     }
     if !all.unclear.is_empty() {
         let at: Vec<String> =

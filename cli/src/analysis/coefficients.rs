@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use whirl_solver::linear::{JointCoefficients, LinearMachine, Standstill};
+use whirl_text::shown;
 
 use super::found::{Found, nothing};
 use super::lost::Lost;
@@ -26,13 +27,15 @@ pub(super) fn found(
     let mut near: Option<Standstill> = None;
     let mut lost = Lost::default();
     let mut all = String::from(
-        "speed_rpm,joint,eccentricity_ratio,e_x_um,e_y_um,k_xx_N_m,k_xy_N_m,k_yx_N_m,k_yy_N_m,c_xx_Ns_m,c_xy_Ns_m,c_yx_Ns_m,c_yy_Ns_m\n",
+        "speed_rpm,joint,eccentricity_ratio,e_x_um,e_y_um,force_x_N,force_y_N,k_xx_N_m,k_xy_N_m,k_yx_N_m,k_yy_N_m,c_xx_Ns_m,c_xy_Ns_m,c_yx_Ns_m,c_yy_Ns_m\n",
     );
     let mut single: Vec<(String, String)> = Vec::new();
     let head = [
         "joint",
         "speed (rpm)",
         "e/c",
+        "F_x (N)",
+        "F_y",
         "k_xx (N/m)",
         "k_xy",
         "k_yx",
@@ -61,12 +64,15 @@ pub(super) fn found(
             let ratio = own.eccentricity.map_or(String::new(), |own| own.to_string());
             let [x, y] = own.displacement.map(|own| 1e6 * own);
             let rpm = words::rpm(speed);
-            writeln!(all, "{rpm},{label},{ratio},{x},{y},{numbers}").expect("text can be written");
+            let [f_x, f_y] = own.force;
+            writeln!(all, "{rpm},{label},{ratio},{x},{y},{f_x},{f_y},{numbers}")
+                .expect("text can be written");
             let mut cells = vec![
                 label.clone(),
                 words::speed(speed),
                 own.eccentricity.map_or("-".to_owned(), |own| format!("{own:.4}")),
             ];
+            cells.extend(own.force.map(|value| shown(value, 5, 1e-3..1e6)));
             cells.extend(values.map(|value| format!("{value:.4e}")));
             rows.push(cells);
             if !single.iter().any(|(name, _)| *name == label) {

@@ -1,4 +1,5 @@
-//! `whirl analyse`, `modes`, `campbell`, `response` and `coefficients`: small motions about the state in which a machine stands at constant speeds.
+//! `whirl analyse` and a command for each kind of analysis: small motions about the state in which a machine stands at constant
+//! speeds.
 //!
 //! A case → its machine → bodies made round ([`LinearMachine`]) → each analysis over its speeds → a text, tables and figures.
 
@@ -6,9 +7,12 @@ mod campbell;
 mod coefficients;
 mod found;
 mod lost;
+mod map;
+mod matrices;
 mod modes;
 mod response;
 mod speeds;
+mod stability;
 mod words;
 
 use std::path::{Path, PathBuf};
@@ -16,8 +20,10 @@ use std::path::{Path, PathBuf};
 use whirl_codegen::diagnostic::{Diagnostics, Located, suggest};
 use whirl_solver::linear::LinearMachine;
 
-use crate::arguments::{AnalyseArguments, AnalysisOutput, ModesArguments};
-use crate::case::{self, Analysis, AnalysisKind, Case, ORDERS};
+use crate::arguments::{
+    AnalyseArguments, AnalysisOutput, MapArguments, MatricesArguments, ModesArguments,
+};
+use crate::case::{self, Analysis, AnalysisKind, Case, MODES, MatrixFormat, ORDERS};
 use crate::errors::Failure;
 use crate::output::Output;
 use crate::progress::{self, ProgressMode};
@@ -42,13 +48,59 @@ pub(crate) fn analyse(arguments: &AnalyseArguments) -> Result<(), Failure> {
 /// As [`analyse`].
 pub(crate) fn of_kind(kind: AnalysisKind, arguments: &ModesArguments) -> Result<(), Failure> {
     let case = read(&arguments.case)?;
-    let analysis = described(&case, kind, arguments)?;
+    let ModesArguments { of, speeds, count, orders, .. } = arguments;
+    let analysis = described(&case, kind, (of.as_deref(), speeds.as_deref()), (*count, orders))?;
     let folder = match (&arguments.results.out, kind) {
         (Some(folder), _) => Some(folder.clone()),
         (None, AnalysisKind::Modes | AnalysisKind::Coefficients) => None,
-        (None, AnalysisKind::Campbell | AnalysisKind::Response) => Some(usual(&case)),
+        (None, _) => Some(usual(&case)),
     };
     run(&case, &[analysis], folder.as_deref(), &arguments.results)
+}
+
+/// Draws the map that the command line describes.
+///
+/// # Errors
+/// As [`analyse`].
+pub(crate) fn map_of(arguments: &MapArguments) -> Result<(), Failure> {
+    let case = read(&arguments.case)?;
+    let stiffness = match &arguments.stiffness {
+        Some(text) => case::stiffness(&Located::alone("--stiffness", text)).map_err(|own| {
+            let mut errors = Diagnostics::new();
+            errors.push(*own);
+            errors
+        })?,
+        None => Vec::new(),
+    };
+    let (of, count) = (arguments.of.as_deref(), arguments.count);
+    let analysis =
+        Analysis { stiffness, ..described(&case, AnalysisKind::Map, (of, None), (count, &[]))? };
+    let folder = arguments.results.out.clone().unwrap_or_else(|| usual(&case));
+    run(&case, &[analysis], Some(&folder), &arguments.results)
+}
+
+/// Writes the matrices of small motions.
+///
+/// # Errors
+/// As [`analyse`].
+pub(crate) fn matrices(arguments: &MatricesArguments) -> Result<(), Failure> {
+    let case = read(&arguments.case)?;
+    let (of, speeds) = asked(&case, arguments.of.as_deref(), arguments.speeds.as_deref())?;
+    let analysis = Analysis {
+        name: AnalysisKind::Matrices.word().to_owned(),
+        kind: AnalysisKind::Matrices,
+        of,
+        speeds,
+        ratios: Vec::new(),
+        count: MODES,
+        orders: ORDERS.to_vec(),
+        stiffness: Vec::new(),
+        format: arguments.format,
+    };
+    let folder = arguments.out.clone().unwrap_or_else(|| usual(&case));
+    let (quiet, cache) = (arguments.quiet, arguments.cache.clone());
+    let results = AnalysisOutput { out: None, no_figures: true, quiet, cache };
+    run(&case, &[analysis], Some(&folder), &results)
 }
 
 fn read(name: &str) -> Result<Case, Failure> {
@@ -84,39 +136,51 @@ fn chosen(case: &Case, name: Option<&str>) -> Result<Vec<Analysis>, Failure> {
 fn described(
     case: &Case,
     kind: AnalysisKind,
-    arguments: &ModesArguments,
+    (of, speeds): (Option<&str>, Option<&str>),
+    (count, orders): (usize, &[f64]),
 ) -> Result<Analysis, Failure> {
-    let mut errors = Diagnostics::new();
-    let of = arguments.of.as_ref().and_then(|name| {
-        let name = Located::alone("--of", name);
-        case::turning(&case.machine, &name).map_err(|own| errors.push(*own)).ok()
-    });
-    let speeds = arguments.speeds.as_ref().and_then(|text| {
-        case::speeds(&Located::alone("--speeds", text)).map_err(|own| errors.push(*own)).ok()
-    });
-    errors.into_result(())?;
-    if let Some(order) = arguments.orders.iter().find(|order| !(**order > 0.0)) {
+    let (of, speeds) = asked(case, of, speeds)?;
+    if let Some(order) = orders.iter().find(|order| !(**order > 0.0)) {
         return Err(Failure::Argument {
             message: format!("`{order}` is no order of a rotation"),
             help: "write positive numbers, such as `--orders 1,2`".to_owned(),
         });
     }
-    if arguments.count == 0 {
+    if count == 0 {
         return Err(Failure::Argument {
             message: "no modes are asked for".to_owned(),
             help: "write `--count 10`".to_owned(),
         });
     }
-    let orders = arguments.orders.clone();
     Ok(Analysis {
         name: kind.word().to_owned(),
         kind,
         of,
-        speeds: speeds.unwrap_or_default(),
+        speeds,
         ratios: Vec::new(),
-        count: arguments.count,
-        orders: if orders.is_empty() { ORDERS.to_vec() } else { orders },
+        count,
+        orders: if orders.is_empty() { ORDERS.to_vec() } else { orders.to_vec() },
+        stiffness: Vec::new(),
+        format: MatrixFormat::default(),
     })
+}
+
+/// The body and the speeds that arguments name.
+fn asked(
+    case: &Case,
+    of: Option<&str>,
+    speeds: Option<&str>,
+) -> Result<(Option<usize>, Vec<f64>), Failure> {
+    let mut errors = Diagnostics::new();
+    let of = of.and_then(|name| {
+        case::turning(&case.machine, &Located::alone("--of", name))
+            .map_err(|own| errors.push(*own))
+            .ok()
+    });
+    let speeds = speeds.and_then(|text| {
+        case::speeds(&Located::alone("--speeds", text)).map_err(|own| errors.push(*own)).ok()
+    });
+    errors.into_result((of, speeds.unwrap_or_default())).map_err(Failure::from)
 }
 
 /// Does analyses one after the other, and writes what they come to into a folder, if there is one.
@@ -152,6 +216,11 @@ fn run(
                 response::found(case, &linear, wanted, &interruption, figures)
             }
             AnalysisKind::Coefficients => coefficients::found(case, &linear, wanted, &interruption),
+            AnalysisKind::Stability => {
+                stability::found(case, &linear, wanted, &interruption, figures)
+            }
+            AnalysisKind::Map => map::found(case, &linear, wanted, &interruption, figures),
+            AnalysisKind::Matrices => matrices::found(case, &linear, wanted, &interruption),
         };
         let found = progress::during(show, "analysing", work)?;
         if !arguments.quiet {

@@ -20,7 +20,7 @@ pub(super) fn found(
 ) -> Result<Found, Failure> {
     let mut text = String::new();
     let mut file = String::from(
-        "speed_rpm,mode,frequency_hz,damping_ratio,log_decrement,whirl,sense,real_1_s,imaginary_1_s\n",
+        "speed_rpm,mode,frequency_hz,damping_ratio,log_decrement,whirl,sense,real_1_s,imaginary_1_s,beside_hz\n",
     );
     let (mut near, mut lost) = (None, Lost::default());
     for &speed in &wanted.speeds {
@@ -29,7 +29,8 @@ pub(super) fn found(
             None => Vec::new(),
         };
         let Some(at) = lost.take(speed, linear.standing(&speeds, near.as_ref()))? else { continue };
-        let modes = linear.modes(&linear.linearised(&at), analysis.count)?;
+        let equations = linear.linearised(&at)?;
+        let modes = linear.modes(&equations, analysis.count)?;
         line(&mut text, &format!("{}: {}", case.name, case.title));
         for (body, own) in linear.machine().bodies.iter().enumerate() {
             if at.speeds[body] != 0.0 {
@@ -52,13 +53,14 @@ pub(super) fn found(
             let values = values.map(|value| value.to_string()).join(",");
             writeln!(
                 file,
-                "{},{},{values},{},{},{},{}",
+                "{},{},{values},{},{},{},{},{}",
                 words::rpm(speed),
                 place + 1,
                 whirl,
                 mode.sense,
                 mode.value.re,
-                mode.value.im
+                mode.value.im,
+                words::beside(mode)
             )
             .expect("text can be written");
         }
@@ -70,6 +72,7 @@ pub(super) fn found(
         if !modes.is_stable() {
             line(&mut text, "the machine is NOT STABLE in this state: a motion grows");
         }
+        text.push_str(&words::doubts(&linear.doubts(&at, &equations, &modes.oscillating)?));
         text.push('\n');
         near = Some(at);
     }

@@ -23,9 +23,10 @@ const SHOWN: usize = 4;
 /// Peaks nearer than this share of their speed are one.
 const SAME: f64 = 1e-5;
 
-/// A body with unbalance and what the points do at each speed.
+/// A body and an order of its rotation, with what the points do at each speed.
 struct Source {
     body: usize,
+    order: f64,
     /// By speeds, by points.
     motions: Vec<Vec<Vibration>>,
     /// By points.
@@ -42,14 +43,6 @@ pub(super) fn found(
 ) -> Result<Found, Failure> {
     let of = wanted.of.expect("a body that turns");
     let points = linear.points();
-    let bodies: Vec<usize> = linear.unbalanced().collect();
-    if bodies.is_empty() {
-        return Err(Failure::Argument {
-            message: format!("no body of `{}` has an unbalance", case.name),
-            help: "add `unbalance.NAME = { mass = \"1 g\", radius = \"50 mm\", z = \"300 mm\" }` to a body that turns"
-                .to_owned(),
-        });
-    }
     if points.is_empty() {
         return Err(Failure::Argument {
             message: format!("`{}` has no point whose response could be given", case.name),
@@ -60,11 +53,8 @@ pub(super) fn found(
         linear.standing(&linear.speeds(of, speed, &analysis.ratios), near)
     };
     let (mut near, mut speeds): (Option<Standstill>, Vec<f64>) = (None, Vec::new());
-    let mut sources: Vec<Source> = bodies
-        .iter()
-        .map(|&body| Source { body, motions: Vec::new(), peaks: vec![Vec::new(); points.len()] })
-        .collect();
-    let mut ratios = vec![0.0; bodies.len()];
+    let mut sources: Vec<Source> = Vec::new();
+    let mut ratios = vec![0.0; linear.machine().bodies.len()];
     let (mut done, mut lost) = (0, Lost::default());
     for &speed in &wanted.speeds {
         if interruption.asked() {
@@ -72,14 +62,22 @@ pub(super) fn found(
         }
         done += 1;
         let Some(here) = lost.take(speed, at(speed, near.as_ref()))? else { continue };
-        let equations = linear.linearised(&here);
-        for (source, ratio) in sources.iter_mut().zip(&mut ratios) {
-            source.motions.push(linear.unbalance_response(
-                (&here, &equations),
-                source.body,
-                &points,
-            )?);
-            *ratio = if speed == 0.0 { *ratio } else { (here.speeds[source.body] / speed).abs() };
+        let equations = linear.linearised(&here)?;
+        for body in linear.turning() {
+            for (order, motions) in linear.response((&here, &equations), body, &points)? {
+                let place = sources.iter().position(|own| own.body == body && own.order == order);
+                let place = place.unwrap_or_else(|| {
+                    let (motions, peaks) = (Vec::new(), vec![Vec::new(); points.len()]);
+                    sources.push(Source { body, order, motions, peaks });
+                    sources.len() - 1
+                });
+                let own = &mut sources[place];
+                own.motions.resize(speeds.len(), still(points.len()));
+                own.motions.push(motions);
+            }
+            if speed != 0.0 {
+                ratios[body] = (here.speeds[body] / speed).abs();
+            }
         }
         speeds.push(speed);
         near = Some(here);
@@ -88,27 +86,40 @@ pub(super) fn found(
     if speeds.is_empty() {
         return Err(nothing());
     }
+    if sources.is_empty() {
+        return Err(Failure::Argument {
+            message: format!("no body of `{}` has an unbalance, nor a load that turns with it", case.name),
+            help: "add `unbalance.NAME = { mass = \"1 g\", radius = \"50 mm\", z = \"300 mm\" }` to a body that turns"
+                .to_owned(),
+        });
+    }
+    sources.iter_mut().for_each(|own| own.motions.resize(speeds.len(), still(points.len())));
+    sources.sort_by(|a, b| a.body.cmp(&b.body).then(a.order.total_cmp(&b.order)));
     let interrupted = done < wanted.speeds.len();
     if let ([first, .., last], false) = (speeds.as_slice(), interrupted) {
-        for (source, &ratio) in sources.iter_mut().zip(&ratios).filter(|own| *own.1 > 0.0) {
+        for source in &mut sources {
+            let order = source.order * ratios[source.body];
+            if order == 0.0 {
+                continue;
+            }
             let range = Range {
                 of,
                 speeds: coarse(&speeds),
                 ratios: analysis.ratios.clone(),
                 count: analysis.count,
-                orders: vec![ratio],
+                orders: vec![order],
             };
             let seeds = linear.campbell(&range, &|| true)?.criticals;
             let own = |place: usize| {
                 let mut near: Option<Standstill> = None;
                 let mut response = |speed: f64| -> Result<f64, Error> {
                     let here = at(speed, near.as_ref())?;
-                    let equations = linear.linearised(&here);
+                    let equations = linear.linearised(&here)?;
                     let point = &points[place..=place];
-                    let moved =
-                        linear.unbalance_response((&here, &equations), source.body, point)?;
+                    let all = linear.response((&here, &equations), source.body, point)?;
                     near = Some(here);
-                    Ok(moved[0].orbit().major)
+                    let own = all.iter().find(|own| own.0 == source.order);
+                    Ok(own.map_or(0.0, |own| own.1[0].orbit().major))
                 };
                 peaks(&seeds, [*first, *last], &mut response)
             };
@@ -127,6 +138,11 @@ pub(super) fn found(
     }
     let text = text(case, linear, &points, &sources) + &lost;
     Ok(Found { text, files, interrupted })
+}
+
+/// Points that do not move.
+fn still(points: usize) -> Vec<Vibration> {
+    vec![Vibration::default(); points]
 }
 
 /// Some of many speeds, both ends among them.
@@ -157,7 +173,7 @@ fn peaks(
 
 fn rows(linear: &LinearMachine, points: &[Point], speeds: &[f64], sources: &[Source]) -> String {
     let mut text = String::from(
-        "speed_rpm,unbalance_of,point,major_um,minor_um,x_um,x_phase_deg,y_um,y_phase_deg\n",
+        "speed_rpm,body,order,point,major_um,minor_um,x_um,x_phase_deg,y_um,y_phase_deg\n",
     );
     for source in sources {
         let body = linear.machine().bodies[source.body].name();
@@ -167,8 +183,9 @@ fn rows(linear: &LinearMachine, points: &[Point], speeds: &[f64], sources: &[Sou
                 let [major, minor] = [orbit.major, orbit.minor].map(|own| 1e6 * own);
                 writeln!(
                     text,
-                    "{},{body},{},{major},{minor},{},{},{},{}",
+                    "{},{body},{},{},{major},{minor},{},{},{},{}",
                     words::rpm(*speed),
+                    source.order,
                     point.name,
                     1e6 * x.norm(),
                     x.arg().to_degrees(),
@@ -184,7 +201,7 @@ fn rows(linear: &LinearMachine, points: &[Point], speeds: &[f64], sources: &[Sou
 
 fn peak_rows(linear: &LinearMachine, points: &[Point], sources: &[Source]) -> String {
     let mut text = String::from(
-        "unbalance_of,point,speed_rpm,major_um,amplification_factor,half_power_below_rpm,half_power_above_rpm\n",
+        "body,order,point,speed_rpm,major_um,amplification_factor,half_power_below_rpm,half_power_above_rpm\n",
     );
     for source in sources {
         let body = linear.machine().bodies[source.body].name();
@@ -194,7 +211,8 @@ fn peak_rows(linear: &LinearMachine, points: &[Point], sources: &[Source]) -> St
                 let [below, above] = own.half_power.map(|speed| given(speed.map(words::rpm)));
                 writeln!(
                     text,
-                    "{body},{},{},{},{},{below},{above}",
+                    "{body},{},{},{},{},{},{below},{above}",
+                    source.order,
                     point.name,
                     words::rpm(own.speed),
                     1e6 * own.height,
@@ -211,7 +229,7 @@ fn text(case: &Case, linear: &LinearMachine, points: &[Point], sources: &[Source
     let mut text = format!("{}: {}\n", case.name, case.title);
     for source in sources {
         let body = linear.machine().bodies[source.body].name();
-        let _ = writeln!(text, "response to the unbalance of {body}, zero to peak\n");
+        let _ = writeln!(text, "order {} of {body}, zero to peak\n", source.order);
         let head = ["point", "peak (rpm)", "major semi-axis (um)", "amplification factor"];
         let mut rows = vec![head.map(str::to_owned).to_vec()];
         for (point, peaks) in points.iter().zip(&source.peaks) {
@@ -225,6 +243,7 @@ fn text(case: &Case, linear: &LinearMachine, points: &[Point], sources: &[Source
             }
         }
         match rows.len() {
+            _ if source.order == 0.0 => text.push_str("the mean position\n"),
             1 => text.push_str("no peak in this range\n"),
             _ => text.push_str(&table(&rows)),
         }
@@ -264,7 +283,7 @@ fn figure(
             name: "peaks".to_owned(),
         });
         panels.push(Panel {
-            title: format!("unbalance of {body}"),
+            title: format!("order {} of {body}", source.order),
             x: x.clone(),
             y: "major semi-axis (µm, zero to peak)".to_owned(),
             lines: lines(&|own| 1e6 * own.orbit().major),

@@ -31,9 +31,12 @@ pub(super) fn wanted(
 ) -> Result<Wanted, Failure> {
     let top = |body: usize| case.machine.top_speed(body, case.run());
     let fastest = linear.turning().max_by(|a, b| top(*a).total_cmp(&top(*b)).then(b.cmp(a)));
+    let at_one = matches!(
+        analysis.kind,
+        AnalysisKind::Modes | AnalysisKind::Coefficients | AnalysisKind::Matrices
+    );
     let Some(of) = analysis.of.or(fastest) else {
-        let at_rest = matches!(analysis.kind, AnalysisKind::Modes | AnalysisKind::Coefficients);
-        if at_rest && analysis.speeds.is_empty() {
+        if at_one && analysis.speeds.is_empty() {
             return Ok(Wanted { of: None, speeds: vec![0.0] });
         }
         return Err(Failure::Argument {
@@ -45,7 +48,7 @@ pub(super) fn wanted(
         return Ok(Wanted { of: Some(of), speeds: analysis.speeds.clone() });
     }
     let top = top(of);
-    if matches!(analysis.kind, AnalysisKind::Modes | AnalysisKind::Coefficients) {
+    if at_one || analysis.kind == AnalysisKind::Map {
         return Ok(Wanted { of: Some(of), speeds: vec![top] });
     }
     if top == 0.0 {

@@ -1,6 +1,8 @@
 //! What modes are called, and in which units they are shown.
 
-use whirl_solver::linear::{LinearMachine, Mode, Whirl};
+use std::fmt::Write;
+
+use whirl_solver::linear::{Campbell, Doubt, LinearMachine, Mode, Whirl};
 use whirl_text::{rounded, shown};
 
 /// rad/s in rpm.
@@ -51,4 +53,57 @@ pub(super) fn movers(linear: &LinearMachine, mode: &Mode) -> String {
     let named = large
         .map(|(body, share)| format!("{} {} %", bodies[*body].name(), (100.0 * share).round()));
     named.collect::<Vec<_>>().join(", ")
+}
+
+/// Frequencies (Hz) with which a mode moves besides, where a body is not round, largest parts first.
+pub(super) fn beside(mode: &Mode) -> String {
+    let mut parts = mode.beside.clone();
+    parts.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let hertz = parts.iter().map(|own| (own.0 / std::f64::consts::TAU).to_string());
+    hertz.collect::<Vec<_>>().join(" ")
+}
+
+/// What limits the worth of modes, a line each.
+pub(super) fn doubts(all: &[Doubt]) -> String {
+    all.iter().map(|own| format!("note: {own}\n")).collect()
+}
+
+/// Where modes begin or end to grow, whether the machine is stable, and speeds at which it does not stand.
+pub(super) fn thresholds(all: &Campbell) -> String {
+    let mut text = String::new();
+    for own in &all.thresholds {
+        let how = own.mode.as_ref().map_or("without oscillation".to_owned(), |mode| {
+            let share = rounded(mode.value.im / own.speed.abs(), 4);
+            let whirl = whirl(mode, own.speed);
+            format!("{} Hz, {share} of the rotation, {whirl}", hertz(mode))
+        });
+        let what = if own.grows { "UNSTABLE" } else { "stable" };
+        let _ = writeln!(text, "{what} above {} rpm: {how}", speed(own.speed));
+    }
+    match all.stable.iter().filter(|stable| !**stable).count() {
+        0 if !all.thresholds.is_empty() => {}
+        0 if all.lost.is_empty() => text.push_str("stable at all speeds of the range\n"),
+        0 => text.push_str("stable at the speeds of the range at which it stands\n"),
+        some if some == all.speeds.len() => text.push_str("UNSTABLE at all these speeds\n"),
+        _ => {}
+    }
+    if let Some((_, error)) = all.lost.first() {
+        let speeds: Vec<String> = all.lost.iter().map(|own| speed(own.0)).collect();
+        let _ = writeln!(text, "left out: {} rpm, as {error}", speeds.join(", "));
+    }
+    text
+}
+
+/// The same as rows of a file.
+pub(super) fn thresholds_file(all: &Campbell) -> String {
+    let mut text = String::from("what,speed_rpm,frequency_hz,whirl\n");
+    for own in &all.thresholds {
+        let what = if own.grows { "unstable above" } else { "stable above" };
+        let how = own
+            .mode
+            .as_ref()
+            .map_or(",".to_owned(), |mode| format!("{},{}", mode.hertz(), whirl(mode, own.speed)));
+        writeln!(text, "{what},{},{how}", rpm(own.speed)).expect("text can be written");
+    }
+    text
 }

@@ -1,5 +1,6 @@
 //! The tables `[analysis.NAME]`: small motions about the state in which the machine stands at constant speeds.
 
+use clap::ValueEnum;
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, suggest};
 use whirl_codegen::document::Table;
 use whirl_codegen::document::tree::Place;
@@ -31,6 +32,10 @@ pub(crate) struct Analysis {
     pub(crate) count: usize,
     /// Orders of critical speeds.
     pub(crate) orders: Vec<f64>,
+    /// Stiffnesses of the joints of a map (N/m), ascending; the usual ones where there are none.
+    pub(crate) stiffness: Vec<f64>,
+    /// Of matrices.
+    pub(crate) format: MatrixFormat,
 }
 
 /// What an analysis finds.
@@ -44,16 +49,48 @@ pub(crate) enum AnalysisKind {
     Response,
     /// Stiffness and damping of joints over speeds.
     Coefficients,
+    /// The least stable motion over speeds, with thresholds.
+    Stability,
+    /// Undamped critical speeds over the stiffness of the joints.
+    Map,
+    /// Matrices of small motions at one speed or a few.
+    Matrices,
+}
+
+/// A format in which matrices are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub(crate) enum MatrixFormat {
+    /// One archive, for NumPy
+    #[default]
+    Npz,
+    /// Matrix Market: a text file for each matrix
+    #[value(name = "mtx")]
+    Market,
+    /// One file of MATLAB 5
+    Mat,
+}
+
+impl MatrixFormat {
+    pub(super) const WORDS: &'static [&'static str] = &["npz", "mtx", "mat"];
+    const ALL: [MatrixFormat; 3] = [MatrixFormat::Npz, MatrixFormat::Market, MatrixFormat::Mat];
+
+    fn of(word: &str) -> Option<Self> {
+        let place = MatrixFormat::WORDS.iter().position(|own| *own == word)?;
+        Some(MatrixFormat::ALL[place])
+    }
 }
 
 impl AnalysisKind {
     pub(super) const WORDS: &'static [&'static str] =
-        &["modes", "campbell", "response", "coefficients"];
-    const ALL: [AnalysisKind; 4] = [
+        &["modes", "campbell", "response", "coefficients", "stability", "map", "matrices"];
+    const ALL: [AnalysisKind; 7] = [
         AnalysisKind::Modes,
         AnalysisKind::Campbell,
         AnalysisKind::Response,
         AnalysisKind::Coefficients,
+        AnalysisKind::Stability,
+        AnalysisKind::Map,
+        AnalysisKind::Matrices,
     ];
 
     /// As a case names it.
@@ -78,9 +115,11 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
     let word = table.optional_word("kind");
     let kind = AnalysisKind::ALL.into_iter().find(|own| Some(own.word()) == word);
     let (of, speeds) = (table.optional_string("of"), table.optional_string("speeds"));
+    let stiffness = table.optional_string("stiffness");
     let ratios = table.named_values("ratios");
     let count = table.optional_count("count").unwrap_or(MODES);
     let orders = table.positive_numbers("orders");
+    let format = table.optional_word("format").and_then(MatrixFormat::of);
     let mut analysis = Analysis {
         name: name.to_owned(),
         kind: kind?,
@@ -89,11 +128,19 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
         ratios: Vec::new(),
         count,
         orders: if orders.is_empty() { ORDERS.to_vec() } else { orders },
+        stiffness: Vec::new(),
+        format: format.unwrap_or_default(),
     };
     let mut errors = Diagnostics::new();
     if let Some(speeds) = &speeds {
         match self::speeds(speeds) {
             Ok(found) => analysis.speeds = found,
+            Err(error) => errors.push(*error),
+        }
+    }
+    if let Some(stiffness) = &stiffness {
+        match self::stiffness(stiffness) {
+            Ok(found) => analysis.stiffness = found,
             Err(error) => errors.push(*error),
         }
     }
@@ -145,15 +192,42 @@ pub(crate) fn turning(joined: &JoinedMachine, name: &Located) -> Result<usize, B
 /// What is no speed.
 pub(crate) fn speeds(text: &Located) -> Result<Vec<f64>, Box<Diagnostic>> {
     let help = "write `speeds = \"0 rpm .. 30000 rpm, 61\"`, or one such as `\"3000 rpm\"`";
-    let wrong = |dimension: &Dimension| {
-        let message = format!("speeds are angular speeds, and this is {dimension}");
+    levels(text, &Dimension::ANGULAR_SPEED, ["speeds are angular speeds", "a speed"], help)
+}
+
+/// Stiffnesses as they are written (N/m), ascending and above zero: a range, or one of them.
+///
+/// # Errors
+/// What is no stiffness.
+pub(crate) fn stiffness(text: &Located) -> Result<Vec<f64>, Box<Diagnostic>> {
+    let help = "write `stiffness = \"1e5 N/m .. 1e10 N/m, 41, log\"`, or one such as `\"1e7 N/m\"`";
+    let words = ["the stiffness of joints is one along a line", "a stiffness"];
+    let all = levels(text, &Dimension::STIFFNESS, words, help)?;
+    match all.first() {
+        Some(first) if !(*first > 0.0) => {
+            let message = "joints without stiffness do not hold the machine";
+            Err(text.error_here(Code::BAD_VALUE, message).help(help).into())
+        }
+        _ => Ok(all),
+    }
+}
+
+/// Values of a dimension as they are written, ascending.
+fn levels(
+    text: &Located,
+    dimension: &Dimension,
+    [kind, one]: [&str; 2],
+    help: &str,
+) -> Result<Vec<f64>, Box<Diagnostic>> {
+    let wrong = |own: &Dimension| {
+        let message = format!("{kind}, and this is {own}");
         Box::new(text.error_here(Code::WRONG_UNIT, message).help(help))
     };
     let own = text.text();
     if !is_range(own) {
         let read = Quantity::parse(own)
             .map_err(|error| Box::new(text.error_here(error.code, error.message).help(help)))?;
-        if !read.dimension().fits(&Dimension::ANGULAR_SPEED) {
+        if !read.dimension().fits(dimension) {
             return Err(wrong(read.dimension()));
         }
         return Ok(vec![read.si()]);
@@ -161,19 +235,18 @@ pub(crate) fn speeds(text: &Located) -> Result<Vec<f64>, Box<Diagnostic>> {
     let place = Place { source: text.source().clone(), span: text.span() };
     let range = Range::read(own, &place)?;
     let count = range.count.unwrap_or(SPEEDS);
-    let mut speeds = Vec::with_capacity(count);
+    let mut values = Vec::with_capacity(count);
     for k in 0..count {
         let level = range.even(k, count);
         let Some(quantity) = level.quantity() else {
-            return Err(Box::new(
-                text.error_here(Code::WRONG_UNIT, "a speed has a unit").help(help),
-            ));
+            let message = format!("{one} has a unit");
+            return Err(Box::new(text.error_here(Code::WRONG_UNIT, message).help(help)));
         };
-        if !quantity.dimension().fits(&Dimension::ANGULAR_SPEED) {
+        if !quantity.dimension().fits(dimension) {
             return Err(wrong(quantity.dimension()));
         }
-        speeds.push(quantity.si());
+        values.push(quantity.si());
     }
-    speeds.sort_by(f64::total_cmp);
-    Ok(speeds)
+    values.sort_by(f64::total_cmp);
+    Ok(values)
 }

@@ -25,7 +25,7 @@ pub(super) struct Cycle {
 /// Periods of what is slowest that a common cycle has at most.
 pub(super) const MOST_PERIODS: usize = 64;
 /// What the cycle is of what turns without a load that repeats in time.
-pub(crate) const TWO_REVOLUTIONS: &str = "a cycle of two revolutions";
+pub(crate) const TWO_REVOLUTIONS: &str = "two revolutions";
 /// Part of a period by which periods may miss the end of a common cycle: what an engineer writes has so many digits.
 const MISSED: f64 = 1e-4;
 

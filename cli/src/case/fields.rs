@@ -63,8 +63,8 @@ impl Fields {
             shown(begun),
             shown(end)
         );
-        let help = "give times within the run; they count from t = 0, as those of tables do, also where a run goes on from \
-                    another one";
+        let help = "give times within the run; they count from t = 0, like those of tables, also in a run that \
+             continues another one";
         Some(self.times_place.error_here(Code::BAD_VALUE, message).help(help))
     }
 }

@@ -227,7 +227,7 @@ fn tolerance(march: &Table, automatic: bool) -> Option<f64> {
     }
     let given = march.number_or_middle(key);
     if !automatic {
-        let message = "`step_tolerance` has no effect on a `time_step` that is given";
+        let message = "`step_tolerance` has no effect with a fixed `time_step`";
         let help = "write `time_step = \"auto\"`, or leave out `step_tolerance`";
         refuse(march, key, message, help.to_owned());
     }
@@ -239,18 +239,18 @@ fn has_a_steady_state(march: &Table, settings: &MarchSettings, has_cycle: bool) 
     let write =
         "write `cycle_frequency = \"25 Hz\"`, with the frequency at which the motion repeats";
     if !has_cycle {
-        let message = "no cycle is known by which a steady state could be told: nothing turns at a known speed, \
+        let message = "no cycle is known in which a steady state could be detected: nothing turns at a known speed, \
                        and no load has a frequency";
         refuse(march, "stop_when_steady", message, write.to_owned());
     } else if settings.no_common_cycle {
         let message = format!(
-            "loads and rotation have no common period of up to {MOST_PERIODS} of the slowest: the motion does \
-             not repeat, and no steady state can be told"
+            "loads and rotation have no common period of up to {MOST_PERIODS} of the slowest: the motion does not \
+             repeat, and no steady state can be detected"
         );
         refuse(march, "stop_when_steady", message, write.to_owned());
     } else if settings.steady_cycle().is_none() {
         let message = format!(
-            "a run of {} s is shorter than {} of {} s ({}): no steady state can be told in it",
+            "a run of {} s is shorter than {} of {} s ({}): no steady state can be detected in it",
             plain(settings.duration()),
             settings.steady_cycles(),
             three_digits(settings.cycle, f64::round),
@@ -271,9 +271,9 @@ fn sensible(march: &Table, key: &'static str, step: f64) -> bool {
     let is_sensible = (SHORTEST..=LONGEST).contains(&step);
     if !is_sensible {
         let message = format!(
-            "`{key}` is {step:e} s, where steps are from {SHORTEST:e} s to {LONGEST:e} s long"
+            "`{key}` is {step:e} s, but steps are from {SHORTEST:e} s to {LONGEST:e} s long"
         );
-        let help = "write a small part of the time in which the fastest motion of interest repeats";
+        let help = "write a small fraction of the period of the fastest motion of interest";
         refuse(march, key, message, help.to_owned());
     }
     is_sensible
@@ -286,7 +286,7 @@ fn shown(march: &Table, time_step: f64, (cycle, key, called): (f64, &str, &str))
         return;
     }
     let message = format!(
-        "{called} of {} s takes {} steps of `time_step`: {LEAST_STEPS} at least show what happens in it",
+        "{called} of {} s takes {} steps of `time_step`: at least {LEAST_STEPS} are needed to resolve it",
         three_digits(cycle, f64::round),
         three_digits(steps, f64::round)
     );
@@ -305,7 +305,7 @@ fn shown_by_rows(march: &Table, output_step: f64, (cycle, automatic): (f64, bool
         return;
     }
     let message = format!(
-        "a cycle of {} s has {} rows of `output_step`: {LEAST_STEPS} at least show what happens in it",
+        "a cycle of {} s has {} rows of `output_step`: at least {LEAST_STEPS} are needed to resolve it",
         three_digits(cycle, f64::round),
         three_digits(cycle / output_step, f64::round)
     );

@@ -41,13 +41,17 @@ use whirl_codegen::diagnostic::Source;
 
 use crate::errors::Failure;
 
-pub(crate) use analyses::{Analysis, AnalysisKind, MODES, ORDERS, speeds, turning};
+pub(crate) use analyses::{
+    Analysis, AnalysisKind, MODES, MatrixFormat, ORDERS, speeds, stiffness, turning,
+};
 pub(crate) use columns::Columns;
 pub(crate) use cycle::TWO_REVOLUTIONS;
 pub(crate) use embedded::embedded_cases;
 pub(crate) use fields::Fields;
 pub(crate) use gravity::Gravity;
-pub(crate) use joined_machine::{InputForm, JoinedMachine, Load as JoinedLoad};
+pub(crate) use joined_machine::{
+    Drive as JoinedDrive, InputForm, JoinedMachine, Load as JoinedLoad,
+};
 pub(crate) use joint::{Joint, JointKind, OtherLaw, Side as JointSide};
 pub(crate) use law::{LawSource, NamedLaw};
 pub(crate) use library::{FileStore, refused};
@@ -73,7 +77,7 @@ pub(crate) use units::mesh_units;
 pub struct Case {
     /// Name under which results are kept: that of the file without its ending.
     pub(crate) name: String,
-    /// One line for people.
+    /// One-line description.
     pub(crate) title: String,
     /// Paper, standard or book; empty if the case does not say.
     pub(crate) origin: String,
@@ -126,7 +130,7 @@ impl Case {
         &self.name
     }
 
-    /// One line for people.
+    /// One-line description.
     pub fn title(&self) -> &str {
         &self.title
     }

@@ -7,7 +7,7 @@ use whirl_codegen::document::schema::Shape::{
 use whirl_codegen::document::schema::{Key, Shape, key, merged, needed};
 
 use super::Case;
-use super::analyses::AnalysisKind;
+use super::analyses::{AnalysisKind, MatrixFormat};
 use super::joined::schema as joined;
 use super::march::{AUTOMATIC, ESTIMATE, GENERALIZED_ALPHA, MOST_STEPS, NEWMARK, ONE_CYCLE};
 use super::shapes::{
@@ -28,8 +28,8 @@ impl Case {
 const SETS: Shape = Tuple(&Text, 3);
 
 const CASE: &[Key] = &[
-    key("include", NAMES, "files whose keys hold where this one says nothing"),
-    merged("title", Text, "one line for people").like("\"what this case is\""),
+    key("include", NAMES, "files whose keys apply where this one does not give them"),
+    merged("title", Text, "one-line description").like("\"what this case is\""),
     key("source", Text, "paper, standard or book"),
     key("material", Named(&Table(&[MATERIAL])), "materials by name"),
     key("shaft", Table(&[BODY, SHAFT]), "the rotating body"),
@@ -49,16 +49,12 @@ const CASE: &[Key] = &[
     key("gravity", Tuple(&GRAVITY, 3), "along x, y and z, on all bodies")
         .like("[\"-9.81 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]"),
     key("mass", Table(&[LUMPED]), "instead of shaft and support: one mass"),
-    key("stop", List(&Table(&[STOP])), "what the mass may strike"),
-    key("start", Table(&[BEGINNING]), "how the machine begins; at rest if left out"),
+    key("stop", List(&Table(&[STOP])), "what the mass may hit"),
+    key("start", Table(&[BEGINNING]), "initial state; at rest if left out"),
     key("march", Table(&[MARCH]), "steps in time; a case that is only analysed needs none"),
     key("reduction", Table(&[REDUCTION]), "how bodies are reduced"),
     key("output", Named(&Table(&[OUTPUT])), "further columns of history.csv, by name"),
-    key(
-        "analysis",
-        Named(&Table(&[ANALYSIS])),
-        "modes about the state at constant speeds, by name",
-    ),
+    key("analysis", Named(&Table(&[ANALYSIS])), "linear analyses at constant speeds, by name"),
     key("fields", Table(&[FIELDS]), "motions of whole bodies as VTU files"),
     key("figures", Table(&[FIGURES]), "laws drawn, and numbers of the figures in the paper"),
 ];
@@ -328,10 +324,9 @@ const ANALYSIS: &[Key] = &[
     merged(
         "kind",
         Words(AnalysisKind::WORDS),
-        "modes at a speed or followed over speeds, response to unbalance, coefficients of joints",
+        "modes at a speed or followed over speeds, response, coefficients of joints, stability, undamped critical speeds, matrices for other programs",
     ),
-    key("of", Text, "the body whose speed it is over; the first that turns if left out")
-        .like("\"rotor\""),
+    key("of", Text, "the body whose speed it is; the fastest if left out").like("\"rotor\""),
     key(
         "speeds",
         Text,
@@ -342,6 +337,9 @@ const ANALYSIS: &[Key] = &[
         .like("{ outer = -1.5 }"),
     key("count", Count(1, 200), "how many modes, the slowest ones; 10 if left out"),
     key("orders", List(&Number), "of critical speeds; 1 if left out").like("[1, 2]"),
+    key("stiffness", Text, "of the joints of a map, one or a range with a number")
+        .like("\"1e5 N/m .. 1e10 N/m, 41, log\""),
+    key("format", Words(MatrixFormat::WORDS), "of the files of matrices; npz if left out"),
 ];
 
 const FIELDS: &[Key] = &[

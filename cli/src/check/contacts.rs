@@ -73,14 +73,15 @@ pub(super) fn say_loads(
             worst.iter().map(|(load, part)| format!("{load} {:.2} %", 100.0 * part)).collect();
         line!(
             text,
-            "of {name}: part of the static displacement under each load, with its retained nodes held, that it lacks: {}",
+            "part of the static displacement under each load that the reduced {name} lacks (retained nodes held): {}",
             parts.join(", ")
         );
         let most = worst.iter().fold(0.0, |most: f64, (_, part)| most.max(*part));
         if most > MUCH {
             line!(
                 text,
-                "leave `static_correction = false` out of `[{name}]` to keep the answers to these loads beside the {} modes",
+                "remove `static_correction = false` from `[{name}]` to keep the answers to these loads in addition \
+                 to the {} modes",
                 body.spec.modes
             );
         }
@@ -101,7 +102,7 @@ pub(super) fn say(
     let mut bodies = reduced_bodies(case, plan);
     bodies.retain(|(_, _, body)| !body.bores.is_empty());
     if bodies.is_empty() {
-        line!(text, "no bore is on a body that is reduced");
+        line!(text, "no reduced body has a bore");
     }
     for own in bodies {
         let (name, _, body) = &own;
@@ -116,8 +117,8 @@ pub(super) fn say(
 fn say_body(text: &mut String, name: &str, body: &BodyPlan, found: &[[f64; HARMONICS]]) {
     line!(
         text,
-        "\nof {name}: part of the static compliance of its bores, under loads cos nψ around them and with its retained \
-         nodes held, that its modes lack"
+        "\npart of the static compliance of its bores that the reduced {name} lacks, under loads cos nψ (retained \
+         nodes held)"
     );
     let heads = std::iter::once(String::new()).chain((0..HARMONICS).map(|n| format!("n = {n}")));
     let mut rows = vec![heads.collect::<Vec<String>>()];
@@ -131,8 +132,8 @@ fn say_body(text: &mut String, name: &str, body: &BodyPlan, found: &[[f64; HARMO
     if worst > MUCH {
         line!(
             text,
-            "`static_correction = true` in `[{name}]` keeps the answers to these loads beside the {} modes; so do more `modes`, \
-             slowly",
+            "`static_correction = true` in `[{name}]` keeps the answers to these loads in addition to the {} modes; \
+             more `modes` also help, but slowly",
             body.spec.modes
         );
     }

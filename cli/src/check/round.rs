@@ -32,7 +32,7 @@ pub(super) fn say(text: &mut String, case: &Case, built: &Built) -> Result<(), F
         };
         line!(
             text,
-            "{} is not round: {reason}. Under loads fixed in space, such as its weight, its deflection moves at twice its \
+            "{} is not round: {reason}. Under loads fixed in space, such as its weight, it vibrates at twice its \
              speed{at}; a start in equilibrium leaves that motion out",
             body.name()
         );

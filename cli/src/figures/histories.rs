@@ -216,7 +216,7 @@ pub(crate) fn stretched(orbits: &Figure) -> Figure {
         ..panel.clone()
     };
     Figure {
-        title: format!("{}, axes stretched", orbits.title),
+        title: format!("{}, axes not to scale", orbits.title),
         panels: orbits.panels.iter().map(panel).collect(),
         columns: orbits.columns,
     }

@@ -1,6 +1,6 @@
 //! Spectra of what oscillates: over the last part of a run, and over a run-up.
 //!
-//! Amplitudes are those of sines, from 0 to the peak, 2 |X| / Σ w with Hann's window w, the mean taken off. A span of whole
+//! Amplitudes are those of sines, from 0 to the peak, 2 |X| / Σ w with Hann window w, the mean taken off. A span of whole
 //! cycles puts what repeats with them on lines of the spectrum, where the amplitude is exact; zeros behind it put more lines
 //! between these.
 
@@ -160,7 +160,7 @@ pub(crate) fn spectrum(
         Panel {
             title: own.title.clone(),
             x: "frequency (Hz)".to_string(),
-            y: format!("{}, 0 to peak ({})", own.quantity, own.unit),
+            y: format!("{}, zero to peak ({})", own.quantity, own.unit),
             lines: lines
                 .map(|(((_, name), spectrum), style)| {
                     let name = name.to_lowercase();
@@ -175,7 +175,7 @@ pub(crate) fn spectrum(
     };
     Ok(Some(Figure {
         title: format!(
-            "Spectra of the last {} ms (Hann's window)",
+            "Spectra of the last {} ms (Hann window)",
             whirl_text::rounded(1e3 * span, 4)
         ),
         panels: panels.into_iter().map(panel).collect(),
@@ -215,7 +215,7 @@ pub(crate) fn waterfall(
     let slices = slices(history, &all, step)?;
     let panels: Vec<Panel> = (0..all.len()).filter_map(|k| stacked(&all[k], k, &slices)).collect();
     Ok((!panels.is_empty()).then(|| Figure {
-        title: "Spectra over the run (Hann's window)".to_string(),
+        title: "Spectra over the run (Hann window)".to_string(),
         panels,
         columns: 2,
     }))
@@ -348,7 +348,7 @@ mod tests {
             assert!((found.0 - frequency).abs() < 1e-6, "{found:?}");
             assert!((found.1 / amplitude - 1.0).abs() < 1e-6, "{found:?}");
         }
-        // Between lines that are there Hann's window leaks a little.
+        // Between lines that are there Hann window leaks a little.
         assert!(peak(90.0).1 < 0.02);
         let marks: Vec<f64> = panel.marks.iter().map(|mark| mark.x).collect();
         assert!((marks[1] - 50.0).abs() < 1e-6 && (marks[2] - 100.0).abs() < 1e-6, "{marks:?}");

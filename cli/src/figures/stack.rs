@@ -29,7 +29,7 @@ pub(crate) fn stack(
         lines.push(Line {
             points: points.map(|(x, y)| (*x, own.height + scale * y)).collect(),
             style: Style::Thin,
-            name: "amplitude over its line of zero".to_string(),
+            name: "amplitude spectra".to_string(),
         });
     }
     let styles = [Style::Third, Style::Second, Style::Fourth];
@@ -47,7 +47,7 @@ pub(crate) fn stack(
     Panel {
         title,
         x: format!(
-            "frequency (Hz); {bar} {amplitudes} are as high as {}{in_unit}",
+            "frequency (Hz); amplitude scale: {bar} {amplitudes} per {}{in_unit}",
             whirl_text::rounded(height, 2)
         ),
         y: if unit.is_empty() { quantity.to_string() } else { format!("{quantity} ({unit})") },

@@ -20,7 +20,7 @@ impl HistoryFile {
     /// Opens a history.
     ///
     /// # Errors
-    /// It cannot be read, or has no line of names.
+    /// It cannot be read, or has no header line.
     pub(crate) fn open(path: &Path) -> io::Result<HistoryFile> {
         let mut file = File::open(path)?;
         let length = file.metadata()?.len();
@@ -28,7 +28,7 @@ impl HistoryFile {
         BufReader::new(&mut file).read_until(b'\n', &mut head)?;
         let names = String::from_utf8_lossy(&head);
         let Some(names) = names.strip_suffix('\n') else {
-            return Err(invalid(path, "has no line of names"));
+            return Err(invalid(path, "has no header line"));
         };
         let names = names.split(',').map(str::to_string).collect();
         let first = head.len() as u64;
@@ -45,7 +45,7 @@ impl HistoryFile {
         let history = HistoryFile::open(path)?;
         match history.names == names {
             true => Ok(history),
-            false => Err(invalid(path, "its first line has not the names that the run wrote")),
+            false => Err(invalid(path, "its header is not the one that the run wrote")),
         }
     }
 

@@ -32,7 +32,7 @@ pub(crate) struct Thinned {
     bucket: f64,
     count: usize,
     few: [(f64, f64); FEW],
-    /// First, least and largest x, least and largest y, last, with their places in the bucket.
+    /// First, minimum and maximum x, minimum and maximum y, last, with their places in the bucket.
     kept: [(usize, (f64, f64)); FEW],
 }
 

@@ -13,7 +13,7 @@ const OFF: f64 = 0.05;
 pub(crate) fn described(own: &Fineness) -> String {
     let kind = if own.order == 1 { "linear" } else { "quadratic" };
     format!(
-        "{kind} cells in layers of up to {}: frequencies of bending are about {} % above those of a beam with shear",
+        "{kind} cells in layers of up to {}: bending frequencies are about {} % above those of a Timoshenko beam",
         mm(own.longest),
         rounded(100.0 * own.error, 2)
     )

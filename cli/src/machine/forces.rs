@@ -9,13 +9,14 @@ use whirl_solver::curve::Curve;
 use whirl_solver::loads::{Frame, Onset, Target, TimeFunction};
 use whirl_solver::model::{Attachment, AttachmentKind, LoadAction, LoadModel, Place};
 
-use crate::case::{self, Columns, Gravity};
+use crate::case::{Columns, Gravity, JoinedDrive, JoinedLoad};
 
 /// A load of a case.
-pub(super) fn load(own: &case::Load, body: usize, place: &Place) -> LoadModel {
-    let (place, time_function) = (place.clone(), own.time_function.clone());
-    let (action, onset, frame) = (own.acting, own.onset, own.frame);
-    LoadModel { body, place, action, time_function, onset, frame }
+pub(super) fn load(own: &JoinedLoad, place: &Place) -> LoadModel {
+    let JoinedLoad { name, body, load: own, .. } = own;
+    let (name, body, place) = (format!("load.{}", name.text()), *body, place.clone());
+    let (action, time_function) = (own.acting, own.time_function.clone());
+    LoadModel { name, body, place, action, time_function, onset: own.onset, frame: own.frame }
 }
 
 /// The force of an unbalance on a body that turns in its frame at a speed (rad/s): a sine each along x and y.
@@ -23,7 +24,8 @@ pub(super) fn of_unbalance((body, speed): (usize, f64)) -> impl Fn(&Attachment) 
     move |own| {
         let AttachmentKind::Unbalance([x, y]) = own.kind else { return Vec::new() };
         let (force, angle) = (x.hypot(y) * speed * speed, y.atan2(x));
-        let along = |parts: [f64; 3], phase: f64| LoadModel {
+        let along = |axis: &str, parts: [f64; 3], phase: f64| LoadModel {
+            name: format!("unbalance.{axis}"),
             body,
             place: own.at.clone(),
             action: LoadAction::Force(parts),
@@ -31,7 +33,7 @@ pub(super) fn of_unbalance((body, speed): (usize, f64)) -> impl Fn(&Attachment) 
             onset: Onset::Start,
             frame: Frame::Space,
         };
-        vec![along([force, 0.0, 0.0], angle + 0.5 * PI), along([0.0, force, 0.0], angle)]
+        vec![along("x", [force, 0.0, 0.0], angle + 0.5 * PI), along("y", [0.0, force, 0.0], angle)]
     }
 }
 
@@ -39,7 +41,9 @@ pub(super) fn of_unbalance((body, speed): (usize, f64)) -> impl Fn(&Attachment) 
 const CHECKED: &str = "rows that rise and close";
 
 /// The couple of a drive, if it acts.
-pub(super) fn drive(own: &case::Drive, body: usize, place: &Place) -> Option<LoadModel> {
+pub(super) fn drive(own: &JoinedDrive, place: &Place) -> Option<LoadModel> {
+    let JoinedDrive { name, body, couple: own, .. } = own;
+    let (name, body) = (format!("drive.{}", name.text()), *body);
     let (torque, time_function) = match &own.table {
         Some(columns) => (1.0, curve(columns)),
         None => {
@@ -50,7 +54,8 @@ pub(super) fn drive(own: &case::Drive, body: usize, place: &Place) -> Option<Loa
     };
     let (action, onset, frame) =
         (LoadAction::Couple([0.0, 0.0, torque]), Onset::Start, Frame::Body);
-    own.acts.then(|| LoadModel { body, place: place.clone(), action, time_function, onset, frame })
+    let place = place.clone();
+    own.acts.then_some(LoadModel { name, body, place, action, time_function, onset, frame })
 }
 
 fn curve(columns: &Columns) -> TimeFunction {

@@ -50,8 +50,7 @@ fn has_mass(mesh: &Mesh, place: &Located) -> Result<(), Failure> {
     {
         return Ok(());
     }
-    let error =
-        place.error_here(Code::BAD_VALUE, "nothing of this body has mass: its density is 0");
+    let error = place.error_here(Code::BAD_VALUE, "this body has no mass: its density is 0");
     let help =
         "give its material a density, which may be small, or parts of it another one by `regions`";
     Err(Diagnostics::from(error.help(help)).into())
@@ -190,7 +189,7 @@ fn in_regions(mut mesh: Mesh, regions: &[case::Region]) -> Result<Mesh, Failure>
         let twice = labels.filter_map(|label| taken.insert(label, set)).next();
         if let Some(other) = twice {
             let message = format!(
-                "`{}` and `{}` share cells, whose material is open",
+                "`{}` and `{}` share cells, whose material is ambiguous",
                 other.text(),
                 set.text()
             );
@@ -238,7 +237,7 @@ pub(super) fn inverted(error: &Error) -> Failure {
     let mut diagnostics = Diagnostics::new();
     for cell in cells {
         let message = format!(
-            "cell {} ({}) is turned inside out or flat: its smallest det J is {:.3e}",
+            "cell {} ({}) is inverted or flat: its smallest det J is {:.3e}",
             cell.label, cell.element, cell.jacobian
         );
         let help = "look for nodes in another order (the first face's normal must point towards the \

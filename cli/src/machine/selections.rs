@@ -113,8 +113,8 @@ fn uneven(mesh: &Mesh, name: &Located, selection: &Selection) -> Result<Option<S
         )
     });
     Ok(Some(format!(
-        "{}: the faces of `{}` cover {} % of {of_band} of {}, and their middle is {} off its axis{there}: see to `z`, `radius` \
-         and `within` unless that is meant",
+        "{}: the faces of `{}` cover {} % of {of_band} of {}, and their middle is {} off its axis{there}: check \
+         `z`, `radius` and `within` unless this is intended",
         name.source().path.display(),
         name.text(),
         rounded(100.0 * share, 3),

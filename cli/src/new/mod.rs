@@ -113,7 +113,7 @@ fn check_name(kind: NewKind, name: &str) -> Result<(), Failure> {
 
 fn taken(path: &Path) -> Failure {
     let source = Source::new(path, "");
-    let message = format!("`{}` is there already and is left as it is", path.display());
+    let message = format!("`{}` already exists and is left unchanged", path.display());
     let error = Diagnostic::new(&source, Code::BAD_NAME, None, message);
     Failure::Input(error.help("choose another name, or another folder with `--dir DIR`").into())
 }

@@ -14,7 +14,7 @@ use crate::history::ReadHistory;
 
 /// What phases mean.
 const REFERENCE: &str =
-    "x = A cos(n θ + φ): A from 0 to the peak in the unit of the signal, θ the column `angle`";
+    "x = A cos(n θ + φ): A zero to peak in the unit of the signal, θ the column `angle`";
 /// Orders that are fitted beside the constant; the last two over two revolutions or more.
 const ORDERS: [f64; 5] = [1.0, 2.0, 3.0, 0.5, 1.5];
 /// Rows for one unknown, at least.
@@ -272,7 +272,7 @@ mod tests {
             let signals = vec![of_rows(count, 4.0).expect("orders")];
             super::super::of_orders(Some(&OrderFacts { reference: REFERENCE, signals }))
         };
-        let said = "few rows: 14 a revolution; what oscillates 12 times or more in one may be counted as 1X or 2X";
+        let said = "few rows: 14 a revolution; components at 12 times the speed or more may alias to 1X or 2X";
         assert!(few(14).contains(said), "{}", few(14));
         assert!(!few(24).contains("few rows"), "{}", few(24));
     }

@@ -334,7 +334,7 @@ impl Summary {
         let facts = &self.steady_state;
         let left = |left: f64| match left.is_finite() {
             true => format!("{} % left to change", whirl_text::shown(100.0 * left, 2, 1e-3..1e6)),
-            false => "what changes from cycle to cycle does not get less".to_owned(),
+            false => "the change from cycle to cycle does not decrease".to_owned(),
         };
         match (facts.time_s, facts.left) {
             _ if !facts.checked => format!(
@@ -354,7 +354,7 @@ impl Summary {
         let AutomaticFacts { shortest_step_s, longest_step_s, steps, rejected_steps, .. } = own;
         let [shortest, longest] = [shortest_step_s, longest_step_s].map(|own| rounded(*own, 3));
         format!(
-            "{steps} steps of {shortest:e} to {longest:e} s, {rejected_steps} more done again in halves\n"
+            "{steps} steps of {shortest:e} to {longest:e} s, {rejected_steps} more repeated in halves\n"
         )
     }
 

@@ -64,14 +64,14 @@ pub(crate) fn of_orders(facts: Option<&OrderFacts>) -> String {
     let fewest_rows = rows_each.fold(f64::INFINITY, f64::min);
     let few = match fewest_rows < FEW_ROWS {
         true => format!(
-            "few rows: {:.0} a revolution; what oscillates {:.0} times or more in one may be counted as 1X or 2X; a shorter \
-             `output_step` or `time_step` shows\n",
+            "few rows: {:.0} a revolution; components at {:.0} times the speed or more may alias to 1X or 2X; \
+             compare with a shorter `output_step` or `time_step`\n",
             fewest_rows,
             fewest_rows.round() - 2.0
         ),
         false => String::new(),
     };
-    format!("orders of {over}: A cos(nθ + φ), A from 0 to the peak\n{}{few}", table(&rows))
+    format!("orders of {over}: A cos(nθ + φ), A zero to peak\n{}{few}", table(&rows))
 }
 
 fn statistics(

@@ -114,12 +114,12 @@ impl FindingFacts {
     /// `key`: what a case sets to have shorter steps.
     fn diverged([done, asked]: [usize; 2], key: &str) -> Self {
         FindingFacts {
-            what: "steps done before one that does not converge".to_owned(),
+            what: "steps before one that does not converge".to_owned(),
             value: done as f64,
             limit: asked as f64,
             unit: "steps".to_owned(),
             remedy: format!(
-                "see `error`: a shorter `{key}` may pass, a law without a value there never will"
+                "see `error`: a shorter `{key}` may help, unless a law has no value there"
             ),
         }
     }
@@ -127,12 +127,12 @@ impl FindingFacts {
     /// What the run `before` got wrong stands in the state in which it ended.
     fn inherited(before: &str) -> Self {
         FindingFacts {
-            what: format!("runs before this one that are not sound ({before})"),
+            what: format!("unsound runs before this one ({before})"),
             value: 1.0,
             limit: 0.0,
             unit: "runs".to_owned(),
             remedy: format!(
-                "mend {before} by what its own verdict says, and start from its new end"
+                "correct {before} as its own verdict says, and start from its new final state"
             ),
         }
     }

@@ -92,7 +92,7 @@ fn say_points(text: &mut String, sweep: &Sweep) {
         };
         line!(
             text,
-            "  {} of them after each other, each from the state of the one before, {way}",
+            "  {} of them one after the other, each from the state of the previous one, {way}",
             sweep.chain()
         );
     }
@@ -140,8 +140,7 @@ fn say_bodies(text: &mut String, sweep: &Sweep, cache: Option<&Cache>) {
     } else {
         String::new()
     };
-    let have =
-        if kept > 0 { format!("; {kept} of them are kept from before") } else { String::new() };
+    let have = if kept > 0 { format!("; {kept} of them are in the cache") } else { String::new() };
     line!(
         text,
         "{count} {} reduced, each once{each}{have}",
@@ -179,7 +178,7 @@ fn say_effort(
         Ok(_) | Err(Failure::Unfinished { .. }) => {
             line!(text, "a step takes longer than {TRIAL:?}")
         }
-        Err(failure) => line!(text, "point {} cannot be begun: {failure}", first.number()),
+        Err(failure) => line!(text, "point {} cannot be started: {failure}", first.number()),
     }
     let columns = built.columns().len() as f64;
     let supports = case.supports().len() as f64;

@@ -13,7 +13,7 @@ use crate::case::CaseText;
 pub struct Sweep {
     /// Name under which results are kept: that of the file without its ending.
     pub(super) name: String,
-    /// One line for people.
+    /// One-line description.
     pub(super) title: String,
     /// The case, as far as its points have it alike.
     pub(super) base: CaseText,
@@ -44,7 +44,7 @@ impl Sweep {
         &self.name
     }
 
-    /// One line for people; empty if it says none.
+    /// One-line description; empty if it says none.
     pub fn title(&self) -> &str {
         &self.title
     }

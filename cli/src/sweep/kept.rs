@@ -102,8 +102,10 @@ impl Kept {
         };
         let mut differs = before.changed_in(identity);
         if kept.others > 0 {
-            differs
-                .push(format!("the points: {} that are done are no longer asked for", kept.others));
+            differs.push(format!(
+                "the points: {} finished ones are no longer part of the sweep",
+                kept.others
+            ));
         }
         if differs.is_empty() {
             Ok(Some(kept))
@@ -157,7 +159,7 @@ pub(super) fn going_on(kept: Option<&Kept>, results: &SweepFolder, sweep: &Sweep
     match kept {
         Some(kept) => {
             let (done, all) = (kept.done(), sweep.count());
-            format!("going on after {done} of {all} points")
+            format!("resuming after {done} of {all} points")
         }
         None => {
             let folder = results.folder().display();

@@ -107,7 +107,7 @@ fn asked(order: &Order) -> Result<Sweep, Failure> {
     match (is_sweep(name), order.vary) {
         (true, []) => Sweep::of_file(Path::new(name)),
         (true, _) => Err(Failure::Argument {
-            message: format!("`{name}` says itself what varies, and so does `--vary`"),
+            message: format!("both `{name}` and `--vary` say what varies"),
             help: "change its `[vary]`, or name a case in place of it".to_owned(),
         }),
         (false, []) => read::of_no_sweep(name),
@@ -134,7 +134,7 @@ fn report(
     let unfinished = |reason: String| Failure::Unfinished {
         reason,
         kept: None,
-        help: Some("the same command with `--resume` goes on from there".to_owned()),
+        help: Some("run the same command with `--resume` to continue".to_owned()),
     };
     let Ended { begun, stopped, warnings } = ended;
     if !begun {

@@ -256,10 +256,10 @@ fn grid(keys: &[Varied], options: &Options, errors: &mut Diagnostics) -> Vec<Axi
         }
         if let (Some(range), None) = (range.filter(|range| range.falls()), group) {
             let help = format!(
-                "write `{}`; keys that vary `together` may fall, and `continue = \"down\"` begins at the end",
+                "write `{}`; keys that vary `together` may descend, and `continue = \"down\"` starts at the end",
                 range.reversed()
             );
-            let message = format!("the range of `{}` runs backwards", key.name);
+            let message = format!("the range of `{}` is descending", key.name);
             errors.push(key.error(Code::BAD_VALUE, message).help(help));
         }
         match group {
@@ -299,7 +299,7 @@ fn groups(keys: &[Varied], options: &Options, errors: &mut Diagnostics) -> Vec<V
                 Ok(place)
                     if group.contains(&place) || groups.iter().any(|all| all.contains(&place)) =>
                 {
-                    let message = format!("`{}` stands twice in `together`", name.text());
+                    let message = format!("`{}` is listed twice in `together`", name.text());
                     errors.push(name.error_here(Code::BAD_VALUE, message));
                 }
                 Ok(place) => group.push(place),
@@ -367,7 +367,7 @@ fn hypercube(
                 errors.push(key.error(Code::BAD_VALUE, message).help("write both ends only"));
             }
             if range.falls() {
-                let message = format!("the range of `{}` runs backwards", key.name);
+                let message = format!("the range of `{}` is descending", key.name);
                 errors.push(
                     key.error(Code::BAD_VALUE, message)
                         .help(format!("write `{}`", range.reversed())),
@@ -407,10 +407,8 @@ fn along(
         super::column::numbers(&keys[key], axis.count).map(|(_, values)| values);
     let rises = values.is_some_and(|all| all.windows(2).all(|pair| pair[0] < pair[1]));
     if !rises {
-        let message = format!(
-            "the values of `{}` do not rise, along which the sweep is continued",
-            keys[key].name
-        );
+        let message =
+            format!("the sweep continues along `{}`, whose values do not rise", keys[key].name);
         let help = "write numbers of one unit in rising order, or name another key by `along`";
         errors.push(keys[key].error(Code::BAD_VALUE, message).help(help));
     }

@@ -20,7 +20,7 @@ impl Sweep {
 }
 
 const SWEEP: &[Key] = &[
-    key("title", Text, "one line for people"),
+    key("title", Text, "one-line description"),
     needed("case", Text, "the path of a case file, or the name of a built-in case")
         .like("\"hu2003-5\""),
     needed(

@@ -179,9 +179,9 @@ fn follow(
 fn goes_on_from(last: Option<usize>) -> String {
     match last {
         Some(number) => format!(
-            "goes on from point {number}, as the points between failed: it may stand on another branch of solutions"
+            "continues from point {number}, because the points between failed: it may be on another branch of solutions"
         ),
-        None => "begins as the case says, as the points before it failed".to_owned(),
+        None => "starts as the case says, because the points before it failed".to_owned(),
     }
 }
 

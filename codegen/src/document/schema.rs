@@ -114,7 +114,7 @@ impl Key {
 /// Keys that every spec has beside its kind.
 pub(crate) const HEAD: &[Key] = &[
     needed("name", Shape::Text, "the name by which others refer to it"),
-    needed("title", Shape::Text, "one line for people"),
+    needed("title", Shape::Text, "one-line description"),
     needed("source", Shape::Text, "paper and equation, standard, or book"),
 ];
 

@@ -32,7 +32,7 @@ pub(super) enum Builtin {
 /// Most arguments of `min` and `max`: every one of them is compared with what the others leave.
 const MOST_COMPARED: usize = 32;
 
-/// All but the functions of one number: name, and the least and largest number of arguments.
+/// All but the functions of one number: name, and the minimum and maximum number of arguments.
 const OTHERS: &[(&str, Builtin, [usize; 2])] = &[
     ("sqrt", Builtin::Sqrt, [1, 1]),
     ("atan2", Builtin::Atan2, [2, 2]),
@@ -63,7 +63,7 @@ pub(super) fn names() -> impl Iterator<Item = &'static str> {
 }
 
 impl Builtin {
-    /// What is called `name`, with the least and largest number of its arguments.
+    /// What is called `name`, with the minimum and maximum number of its arguments.
     pub(super) fn named(name: &str) -> Option<(Builtin, [usize; 2])> {
         let other = OTHERS.iter().find(|(known, ..)| *known == name);
         let other = other.map(|(_, builtin, count)| (*builtin, *count));

@@ -53,7 +53,7 @@ pub struct Kind {
 pub struct About<'a> {
     /// The name by which others refer to it.
     pub name: &'a str,
-    /// One line for people.
+    /// One-line description.
     pub title: &'a str,
     /// Paper and equation, standard, or book.
     pub reference: &'a str,

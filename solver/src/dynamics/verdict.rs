@@ -71,7 +71,7 @@ pub fn findings(
     let resolved = quality.mode_step.map_or(0.1 * time_step, |step| step.min(0.5 * time_step));
     let measured = [
         (
-            "energy made or lost by the steps, as a fraction of what flowed",
+            "energy created or lost by the steps, as a fraction of what flowed",
             (quality.bearing, None),
             quality.energy_made_share,
             ENERGY_MADE,
@@ -93,8 +93,8 @@ pub fn findings(
             resolved,
         ),
         (
-            "inertia forces that steps add to motion that stands or is slow in space, of a body that turns, and that one \
-             step in twenty exceeds, as a fraction of its largest elastic force",
+            "false inertia forces of a body that turns, whose motion is constant or slow in space, that one step in \
+             twenty exceeds, as a fraction of its largest elastic force",
             (None, quality.inertia_error_of),
             quality.inertia_error,
             INERTIA_ERROR,
@@ -165,7 +165,7 @@ fn rings(ringing: &Ringing, time_step: f64, automatic: Option<AutomaticStep>) ->
     let shorter = automatic.map_or_else(|| shorter(0.1 * time_step), narrower);
     Some(Finding {
         what: format!(
-            "part of {called} that changes its sign every step, for forty steps and more, as a fraction of its range"
+            "part of {called} that alternates from step to step, for forty steps or more, as a fraction of its range"
         ),
         bearing,
         part,
@@ -176,8 +176,8 @@ fn rings(ringing: &Ringing, time_step: f64, automatic: Option<AutomaticStep>) ->
         remedy: match ringing.damped {
             true => format!("set a smaller `spectral_radius` in [march], or {shorter}"),
             false => format!(
-                "set `integrator = \"generalized-alpha\"` in [march], which damps what is far faster than the \
-                 step, or {shorter}"
+                "set `integrator = \"generalized-alpha\"` in [march], which damps motion far faster than the step, \
+                 or {shorter}"
             ),
         },
     })
@@ -197,8 +197,8 @@ fn halved(
         None => [None; 2],
     };
     let cause = match at {
-        Some(HalvedAt::Bearing(_)) => "forces that do not come to rest",
-        _ => "an equation that stays unsolved",
+        Some(HalvedAt::Bearing(_)) => "forces that do not settle",
+        _ => "an equation that remains unsolved",
     };
     let jumps = "look for a law, or a table of a load, that jumps or is very steep there";
     often.then(|| Finding {
@@ -223,7 +223,7 @@ fn runaway(quality: &Quality) -> Option<Finding> {
     let (value, limit) = (quality.largest_displacement, quality.sensible_displacement);
     let too_far = value.is_nan() || value > limit;
     too_far.then(|| Finding {
-        what: "displacement, which is larger than the machine".to_owned(),
+        what: "displacement larger than the machine".to_owned(),
         bearing: None,
         part: quality.farthest.map(|body| MovingPart { body, turns: false }),
         coordinate: None,
@@ -231,8 +231,7 @@ fn runaway(quality: &Quality) -> Option<Finding> {
         limit,
         unit: "m".to_owned(),
         remedy:
-            "look for a stiffness or damping that is negative or missing at this body, and for \
-                 a load that nothing holds"
+            "look for a stiffness or damping that is negative or missing at this body, and for a load that nothing carries"
                 .to_owned(),
     })
 }
@@ -405,7 +404,7 @@ mod tests {
         }
         let joint = found(times(51, 1000, Some(HalvedAt::Bearing(1))));
         assert_eq!((joint.coordinate, joint.bearing), (None, Some(1)));
-        assert!(joint.what.contains("forces that do not come to rest"), "{}", joint.what);
+        assert!(joint.what.contains("forces that do not settle"), "{}", joint.what);
     }
 
     #[test]

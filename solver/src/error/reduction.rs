@@ -63,7 +63,7 @@ pub enum ReductionError {
     },
     /// Rounding of the stiffest dof hides all lower modes.
     #[error(
-        "node {node} is so stiff along {} against its mass (at {stiffest:.1e} Hz) that rounding hides the modes, \
+        "node {node} is so stiff along {} for its mass (at {stiffest:.1e} Hz) that rounding hides the modes, \
          which lie at {modes:.1e} Hz", ["x", "y", "z"][*component]
     )]
     Hidden {
@@ -78,8 +78,9 @@ pub enum ReductionError {
     },
     /// The block Lanczos iteration stopped before all modes had converged.
     #[error(
-        "only {converged} of {asked} modes converged in {slices} slices of the spectrum: they lie closer together than \
-         rounding can tell; ask for fewer modes, or leave out cells that are much smaller or stiffer than the others"
+        "only {converged} of {asked} modes converged in {slices} slices of the spectrum: they lie closer together \
+         than rounding can resolve; ask for fewer modes, or leave out cells that are much smaller or stiffer than \
+         the others"
     )]
     NotConverged {
         /// Modes that converged.

@@ -13,6 +13,7 @@ mod lu;
 mod matrix;
 mod memory;
 mod packed;
+mod periodic;
 mod product;
 mod quadratic;
 mod rough_inverse;
@@ -29,6 +30,7 @@ pub use lu::Lu;
 pub use matrix::{Columns, Matrix};
 pub(crate) use matrix::{copy_block_from, dot};
 pub use memory::{MemoryLimit, Stage, readable_bytes, readable_estimate};
+pub(crate) use periodic::{Harmonic, Periodic, PeriodicPair};
 pub(crate) use product::{
     beside, multiply_add_beside, multiply_in_place_beside, transpose_multiply_beside,
 };
@@ -36,7 +38,7 @@ pub use product::{
     congruence, congruence_diagonal, multiply, multiply_add, multiply_transpose_add,
     transpose_multiply,
 };
-pub(crate) use quadratic::{QuadraticPair, quadratic_eigen};
+pub(crate) use quadratic::quadratic_eigen;
 pub(crate) use rough_inverse::RoughInverse;
 pub use sparse::{Inertia, SparseCholesky, SparseLdlt};
 pub(crate) use sums::{largest_and_sum, sum_of};

@@ -1,29 +1,18 @@
 //! Modes followed over speeds: Campbell diagram, critical speeds, thresholds of stability.
 
-use std::num::NonZero;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
-use std::thread;
-
-use super::linearised::Standstill;
-use super::modes::{Mode, Modes, apply};
+use super::doubts::Doubt;
+use super::modes::Mode;
+use super::points::{Along, Point};
+use super::roots::{Root, Roots};
 use super::round::LinearMachine;
+use super::shapes::apply;
 use super::track::{Matched, mac, matched};
 use crate::error::Error;
-use crate::linalg::Matrix;
 
-/// Modes that are followed beyond those that are asked for, so that these may change places with them.
-const BEYOND: usize = 4;
-/// Speeds that follow each other, each state found from the one before.
-const TOGETHER: usize = 8;
 /// Smallest part of a step between speeds in which it is halved to tell modes apart.
 const HALVINGS: u32 = 8;
-/// Share of a speed to which critical speeds and thresholds are found.
-const FOUND: f64 = 1e-9;
-/// Share of |λ| that may be left there.
-const ROOT: f64 = 1e-6;
-/// Evaluations until then at most.
-const TRIES: usize = 40;
+/// The same where a body that turns is not round, whose modes change shape as they lock.
+const FEW_HALVINGS: u32 = 3;
 
 /// What is asked for.
 #[derive(Debug, Clone, PartialEq)]
@@ -61,10 +50,10 @@ pub struct Critical {
 pub struct Threshold {
     /// rad/s.
     pub speed: f64,
-    /// The mode there.
-    pub mode: Mode,
-    /// Its branch.
-    pub branch: usize,
+    /// The mode there; none of a motion that does not oscillate.
+    pub mode: Option<Mode>,
+    /// Its branch, if it is one of those.
+    pub branch: Option<usize>,
     /// Whether it grows beyond.
     pub grows: bool,
 }
@@ -86,14 +75,21 @@ pub struct Campbell {
     pub lost: Vec<(f64, Error)>,
     /// Steps between speeds, by the place of the first, in which modes could not be told apart for sure.
     pub unclear: Vec<usize>,
+    /// In which motions modes were looked for, if not in all.
+    pub reduced: Option<Reduced>,
+    /// What limits the worth of the modes at the last speed.
+    pub doubts: Vec<Doubt>,
 }
 
-/// A machine at a speed.
-struct Point {
-    speed: f64,
-    mass: Matrix,
-    at: Standstill,
-    modes: Modes,
+/// Slow motions in which the modes of a large machine were looked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reduced {
+    /// How many at most.
+    pub columns: usize,
+    /// Of so many coordinates.
+    pub of: usize,
+    /// The largest share of |λ| by which a mode was found to differ from one of all coordinates.
+    pub error: f64,
 }
 
 impl LinearMachine {
@@ -106,20 +102,15 @@ impl LinearMachine {
         range: &Range,
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Campbell, Error> {
-        let (mut points, mut lost) = (Vec::with_capacity(range.speeds.len()), Vec::new());
-        for (speed, point) in self.along(range, goes_on)? {
-            match point {
-                Ok(point) => points.push(point),
-                Err(error) => lost.push((speed, error)),
-            }
-        }
+        let Along { points, lost, slow } = self.along(range, goes_on)?;
         if let (true, Some((_, error))) = (points.is_empty(), lost.first()) {
             return Err(error.clone());
         }
-        let mut followed = Followed { machine: self, range, points: &points, unclear: Vec::new() };
+        let roots = Roots { machine: self, range, slow: slow.as_ref(), points: &points };
+        let mut followed = Followed { roots: &roots, unclear: Vec::new() };
         let branches = followed.branches()?;
         let criticals = followed.criticals(&branches)?;
-        let thresholds = followed.thresholds(&branches)?;
+        let thresholds = followed.thresholds(&branches, &criticals)?;
         let unclear = followed.unclear;
         let listed =
             |own: &Vec<Option<usize>>| own.iter().flatten().any(|place| *place < range.count);
@@ -129,6 +120,14 @@ impl LinearMachine {
             let modes = branches[*own].iter().zip(&points);
             modes.map(|(place, point)| Some(point.modes.oscillating[(*place)?].clone())).collect()
         };
+        let doubts = match points.last() {
+            Some(last) => {
+                let count = range.count.min(last.modes.oscillating.len());
+                let modes = &last.modes.oscillating[..count];
+                self.doubts(&last.at, &self.linearised(&last.at)?, modes)?
+            }
+            None => Vec::new(),
+        };
         Ok(Campbell {
             speeds: points.iter().map(|own| own.speed).collect(),
             branches: kept.iter().map(take).collect(),
@@ -137,87 +136,34 @@ impl LinearMachine {
                 .filter_map(|own| Some(Critical { branch: of(own.branch)?, ..own }))
                 .collect(),
             thresholds: (thresholds.into_iter())
-                .filter_map(|own| Some(Threshold { branch: of(own.branch)?, ..own }))
+                .map(|own| Threshold { branch: own.branch.and_then(of), ..own })
                 .collect(),
             lost,
             unclear,
+            doubts,
+            reduced: slow.map(|own| Reduced {
+                columns: own.columns().last().unwrap_or(0),
+                of: self.machine.active(),
+                error: own.error,
+            }),
         })
-    }
-
-    /// The machine at the speeds, up to the first that was not done; where it does not stand, why.
-    fn along(
-        &self,
-        range: &Range,
-        goes_on: &(dyn Fn() -> bool + Sync),
-    ) -> Result<Vec<(f64, Result<Point, Error>)>, Error> {
-        let work = |speeds: &[f64]| -> Result<Vec<(f64, Result<Point, Error>)>, Error> {
-            let mut own: Vec<(f64, Result<Point, Error>)> = Vec::with_capacity(speeds.len());
-            for &speed in speeds.iter().take_while(|_| goes_on()) {
-                let near = own.iter().rev().find_map(|(_, point)| point.as_ref().ok());
-                let point = self.point(range, speed, near.map(|own| &own.at));
-                match point {
-                    Err(error) if !error.is_of_balance() => return Err(error),
-                    point => own.push((speed, point)),
-                }
-            }
-            Ok(own)
-        };
-        // The same parts on any number of processors, so that the numbers are the same to the bit.
-        let parts: Vec<&[f64]> = range.speeds.chunks(TOGETHER).collect();
-        let done: Vec<_> = parts.iter().map(|_| Mutex::new(None)).collect();
-        let next = AtomicUsize::new(0);
-        let worker = || {
-            loop {
-                let place = next.fetch_add(1, Ordering::Relaxed);
-                let Some(speeds) = parts.get(place) else { return };
-                let own = work(speeds);
-                *done[place].lock().unwrap_or_else(PoisonError::into_inner) = Some(own);
-            }
-        };
-        let processors = thread::available_parallelism().map_or(1, NonZero::get);
-        thread::scope(|scope| {
-            for _ in 1..processors.min(parts.len()) {
-                scope.spawn(worker);
-            }
-            worker();
-        });
-        let mut all = Vec::with_capacity(range.speeds.len());
-        for (own, speeds) in done.into_iter().zip(&parts) {
-            let own = own.into_inner().unwrap_or_else(PoisonError::into_inner);
-            let own = own.expect("all parts were done")?;
-            let whole = own.len() == speeds.len();
-            all.extend(own);
-            if !whole {
-                break;
-            }
-        }
-        Ok(all)
-    }
-
-    fn point(&self, range: &Range, speed: f64, near: Option<&Standstill>) -> Result<Point, Error> {
-        let speeds = self.speeds(range.of, speed, &range.ratios);
-        let at = self.standing_round(&speeds, near)?;
-        let equations = self.linearised(&at);
-        let modes = self.modes(&equations, range.count + BEYOND)?;
-        Ok(Point { speed, mass: equations.mass, at, modes })
     }
 }
 
 struct Followed<'a> {
-    machine: &'a LinearMachine,
-    range: &'a Range,
-    points: &'a [Point],
+    roots: &'a Roots<'a>,
     unclear: Vec<usize>,
 }
 
 impl Followed<'_> {
     /// Which mode at every speed is which: places of the modes of a point by branch.
     fn branches(&mut self) -> Result<Vec<Vec<Option<usize>>>, Error> {
-        let Some(first) = self.points.first() else { return Ok(Vec::new()) };
+        let Some(first) = self.roots.points.first() else { return Ok(Vec::new()) };
         let mut branches: Vec<Vec<Option<usize>>> =
             (0..first.modes.oscillating.len()).map(|place| vec![Some(place)]).collect();
-        for (step, pair) in self.points.windows(2).enumerate() {
-            let (to, is_sure) = self.between(&pair[0], &pair[1], HALVINGS)?;
+        for (step, pair) in self.roots.points.windows(2).enumerate() {
+            let halvings = if pair[0].is_uneven { FEW_HALVINGS } else { HALVINGS };
+            let (to, is_sure) = self.between(&pair[0], &pair[1], halvings)?;
             if !is_sure {
                 self.unclear.push(step);
             }
@@ -251,7 +197,8 @@ impl Followed<'_> {
             let is_clear = is_sure || self.crosses(a, b, &to);
             return Ok((to, is_clear));
         }
-        let middle = self.machine.point(self.range, 0.5 * (a.speed + b.speed), Some(&a.at))?;
+        let Roots { machine, range, slow, .. } = self.roots;
+        let middle = machine.point(range, *slow, 0.5 * (a.speed + b.speed), Some(&a.at))?;
         let (first, sure) = self.between(a, &middle, halvings - 1)?;
         let (second, too) = self.between(&middle, b, halvings - 1)?;
         let both = first.into_iter().map(|place| place.and_then(|place| second[place]));
@@ -260,7 +207,7 @@ impl Followed<'_> {
 
     /// Whether all modes that go on keep their shape.
     fn crosses(&self, a: &Point, b: &Point, to: &[Option<usize>]) -> bool {
-        let asked = to.iter().enumerate().take(self.range.count);
+        let asked = to.iter().enumerate().take(self.roots.range.count);
         asked.filter_map(|(i, j)| Some((i, (*j)?))).all(|(i, j)| {
             let moved = apply(&a.mass, &a.modes.oscillating[i].shape);
             mac(&moved, &b.modes.oscillating[j].shape) > 0.5
@@ -269,11 +216,11 @@ impl Followed<'_> {
 
     fn criticals(&self, branches: &[Vec<Option<usize>>]) -> Result<Vec<Critical>, Error> {
         let mut found = Vec::new();
-        for &order in &self.range.orders {
+        for &order in &self.roots.range.orders {
             let mut own = Vec::new();
             for (branch, places) in branches.iter().enumerate() {
                 let off = move |speed: f64, mode: &Mode| mode.value.im - order * speed.abs();
-                for (speed, mode, _) in self.roots(places, &off)? {
+                for Root { speed, mode, .. } in self.roots.of_branch(places, &off, &off)? {
                     own.push(Critical { order, speed, mode, branch });
                 }
             }
@@ -283,91 +230,54 @@ impl Followed<'_> {
         Ok(found)
     }
 
-    fn thresholds(&self, branches: &[Vec<Option<usize>>]) -> Result<Vec<Threshold>, Error> {
+    fn thresholds(
+        &self,
+        branches: &[Vec<Option<usize>>],
+        criticals: &[Critical],
+    ) -> Result<Vec<Threshold>, Error> {
         let mut found = Vec::new();
-        for (branch, places) in branches.iter().enumerate() {
-            for (speed, mode, grows) in self.roots(places, &|_, mode| mode.growth())? {
-                found.push(Threshold { speed, mode, branch, grows });
+        let is_uneven = self.roots.points.iter().any(|own| own.is_uneven);
+        // Modes that lock to the rotation are two with one frequency, of which either may be followed.
+        for (branch, places) in branches.iter().enumerate().filter(|_| !is_uneven) {
+            let (grows, rate) = (|_, mode: &Mode| mode.growth(), |_, mode: &Mode| mode.value.re);
+            for Root { speed, mode, rises } in self.roots.of_branch(places, &grows, &rate)? {
+                let (mode, branch) = (Some(mode), Some(branch));
+                found.push(Threshold { speed, mode, branch, grows: rises });
+            }
+        }
+        let between = |pair: [&Point; 2]| -> Result<Option<Threshold>, Error> {
+            let [before, after] = pair.map(|own| own.modes.is_stable());
+            if before == after {
+                return Ok(None);
+            }
+            let (speed, mode) = self.roots.stability(pair)?;
+            Ok(Some(Threshold { speed, mode, branch: None, grows: before }))
+        };
+        // Motions that do not oscillate, and those that no branch shows.
+        for pair in self.roots.points.windows(2) {
+            let inside = |speed: f64| speed >= pair[0].speed && speed <= pair[1].speed;
+            if found.iter().any(|own: &Threshold| inside(own.speed)) {
+                continue;
+            }
+            // What locks between two speeds may grow there.
+            let mut locked: Vec<f64> =
+                criticals.iter().map(|own| own.speed).filter(|own| inside(*own)).collect();
+            locked.sort_by(f64::total_cmp);
+            let inner: Vec<f64> = match is_uneven {
+                true => locked.windows(2).map(|own| 0.5 * (own[0] + own[1])).collect(),
+                false => Vec::new(),
+            };
+            let Roots { machine, range, slow, .. } = self.roots;
+            let inner =
+                inner.iter().map(|speed| machine.point(range, *slow, *speed, Some(&pair[0].at)));
+            let inner: Vec<Point> = inner.collect::<Result<_, Error>>()?;
+            let all: Vec<&Point> =
+                std::iter::once(&pair[0]).chain(&inner).chain(std::iter::once(&pair[1])).collect();
+            for own in all.windows(2) {
+                found.extend(between([own[0], own[1]])?);
             }
         }
         found.sort_by(|a, b| a.speed.total_cmp(&b.speed));
         Ok(found)
-    }
-
-    /// Speeds at which something of a branch changes its sign, with the mode there and whether it rises.
-    fn roots(
-        &self,
-        places: &[Option<usize>],
-        of: &dyn Fn(f64, &Mode) -> f64,
-    ) -> Result<Vec<(f64, Mode, bool)>, Error> {
-        let mut found = Vec::new();
-        for (pair, places) in self.points.windows(2).zip(places.windows(2)) {
-            let (Some(a), Some(b)) = (places[0], places[1]) else { continue };
-            let ends = [(&pair[0], a), (&pair[1], b)].map(|(point, place)| {
-                let mode = &point.modes.oscillating[place];
-                (point.speed, of(point.speed, mode), mode)
-            });
-            // A value of zero belongs to the step that it ends.
-            if ends[0].1 == 0.0 || ends[0].1.signum() == ends[1].1.signum() && ends[1].1 != 0.0 {
-                continue;
-            }
-            let rises = ends[0].1 < 0.0;
-            let (speed, mode) = self.root(&pair[0], ends, of)?;
-            // Where a mode ends between the speeds another one may have been followed.
-            if of(speed, &mode).abs() <= ROOT * mode.value.norm() {
-                found.push((speed, mode, rises));
-            }
-        }
-        Ok(found)
-    }
-
-    /// Where it is zero between two ends, by false position that halves the value of an end that stays (Illinois).
-    fn root(
-        &self,
-        near: &Point,
-        ends: [(f64, f64, &Mode); 2],
-        of: &dyn Fn(f64, &Mode) -> f64,
-    ) -> Result<(f64, Mode), Error> {
-        let [mut a, mut b] = ends.map(|(speed, value, mode)| (speed, value, mode.clone()));
-        let mut last = 0;
-        for _ in 0..TRIES {
-            if b.1 == 0.0 || (b.0 - a.0).abs() <= FOUND * b.0.abs() {
-                break;
-            }
-            let speed = b.0 - b.1 * (b.0 - a.0) / (b.1 - a.1);
-            let point = self.machine.point(self.range, speed, Some(&near.at))?;
-            let nearest = if (speed - a.0).abs() < (b.0 - speed).abs() { &a.2 } else { &b.2 };
-            let moved = apply(&point.mass, &nearest.shape);
-            let apart = |own: &Mode| {
-                let change = (own.value - nearest.value).norm() / nearest.value.norm();
-                1.0 - mac(&moved, &own.shape) + change
-            };
-            let modes = point.modes.oscillating.iter();
-            let Some(mode) = modes.min_by(|x, y| apart(x).total_cmp(&apart(y))) else { break };
-            let value = of(speed, mode);
-            let next = (speed, value, mode.clone());
-            if value.signum() == b.1.signum() {
-                let moved = (b.0 - speed).abs();
-                b = next;
-                if last == 1 {
-                    a.1 *= 0.5;
-                }
-                last = 1;
-                if moved <= FOUND * speed.abs() {
-                    break;
-                }
-            } else {
-                let moved = (a.0 - speed).abs();
-                a = next;
-                if last == -1 {
-                    b.1 *= 0.5;
-                }
-                last = -1;
-                if moved <= FOUND * speed.abs() {
-                    return Ok((a.0, a.2));
-                }
-            }
-        }
-        Ok((b.0, b.2))
     }
 }

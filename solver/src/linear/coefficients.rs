@@ -18,6 +18,8 @@ pub struct JointCoefficients {
     pub damping: [[f64; 2]; 2],
     /// Displacement of the journal against the bore (m).
     pub displacement: [f64; 2],
+    /// The force on the journal that it carries there (N).
+    pub force: [f64; 2],
     /// Eccentricity over clearance, where there is one.
     pub eccentricity: Option<f64>,
 }
@@ -27,7 +29,8 @@ impl LinearMachine {
     pub fn coefficients(&self, at: &Standstill) -> Vec<JointCoefficients> {
         let found = &at.found;
         let joints = self.machine.monitors.iter().zip(&found.eccentricities);
-        let joints = joints.zip(&found.displacements).map(|((joint, (name, ratio)), moved)| {
+        let joints = joints.zip(found.displacements.iter().zip(&found.forces));
+        let joints = joints.map(|((joint, (name, ratio)), (moved, force))| {
             let mut sums = [[[0.0; 2]; 2]; 2];
             for &plane in &joint.planes {
                 for (sum, own) in sums.iter_mut().zip(&found.tangents.planes[plane]) {
@@ -51,6 +54,7 @@ impl LinearMachine {
                 stiffness: in_space(position, stiffness),
                 damping: in_space(position, damping),
                 displacement: *moved,
+                force: *force,
                 eccentricity: *ratio,
             }
         });

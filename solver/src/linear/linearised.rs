@@ -1,17 +1,18 @@
-//! The equations of small motions about a state that stands, seen from space.
+//! The equations of small motions about a state that stands.
 
 use super::round::LinearMachine;
 use crate::dynamics::{Standing, standing_at};
-use crate::equations::Tangents;
 use crate::error::Error;
-use crate::linalg::{Matrix, multiply};
+use crate::linalg::{Matrix, Periodic};
 use crate::machine::Machine;
 
 /// A state in which the machine stands at constant speeds, with the equations of small motions about it.
 pub struct Standstill {
     pub(super) found: Standing,
     /// Places in q of the angles that small motions change: those of bodies whose speed was found.
-    angles: Vec<usize>,
+    pub(super) angles: Vec<usize>,
+    /// Whether it is of bodies made round.
+    pub(super) is_mean: bool,
     /// θ̇ by body (rad/s); 0 of one that stands.
     pub speeds: Vec<f64>,
 }
@@ -23,7 +24,7 @@ impl Standstill {
     }
 }
 
-/// M′z̈ + C′ż + K′z = 0 of motions z seen from space: over the angles of bodies that turn at no given speed, then the
+/// M′z̈ + C′ż + K′z = 0 of motions z: over the angles of bodies that turn at no given speed, then the
 /// coordinates of all bodies in their order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Linearised {
@@ -35,6 +36,17 @@ pub struct Linearised {
     pub damping: Matrix,
     /// K′.
     pub stiffness: Matrix,
+    /// Ω_f (rad/s) of the frame in which they are seen; 0 of space.
+    pub frame: f64,
+    /// What varies with the angle of a body, M′, C′ and K′ being the means over its turns.
+    pub(crate) varying: Option<Periodic>,
+}
+
+impl Linearised {
+    /// Whether they are constant as space sees them.
+    pub fn stands_in_space(&self) -> bool {
+        self.frame == 0.0 && self.varying.is_none()
+    }
 }
 
 impl LinearMachine {
@@ -80,7 +92,8 @@ impl LinearMachine {
         });
         let mut angles: Vec<usize> = free.collect();
         angles.sort_unstable();
-        Ok(Standstill { speeds: speeds.collect(), found, angles })
+        let is_mean = std::ptr::eq(machine, &raw const self.machine);
+        Ok(Standstill { speeds: speeds.collect(), found, angles, is_mean })
     }
 
     /// An error with the speeds at which it was.
@@ -96,34 +109,27 @@ impl LinearMachine {
         Error::NotStanding { at, rows, journals, share }
     }
 
-    /// M′ = M, C′ = C − 2MD and K′ = K − CD + MD², with D = Ω S of each body that turns.
-    pub fn linearised(&self, at: &Standstill) -> Linearised {
-        let first = self.machine.first_unknown();
+    /// Places in q of the coordinates of small motions.
+    pub(super) fn kept(&self, at: &Standstill) -> Vec<usize> {
         let flexible = self.machine.rotations()..self.machine.size();
-        let places = at.angles.iter().copied().chain(flexible).map(|place| place - first);
-        let kept: Vec<usize> = places.collect();
-        let Tangents { mass, damping, stiffness, .. } = &at.found.tangents;
-        let [mass, mut damping, mut stiffness] =
-            [mass, damping, stiffness].map(|own| own.select(&kept, &kept));
-        let (rows, angles) = (mass.rows, at.angles.len());
-        for body in self.turning() {
-            let (block, speed) = (self.block(angles, body), at.speeds[body]);
-            let Some([once, twice]) = self.generators[body].as_ref().filter(|_| speed != 0.0)
-            else {
-                continue;
-            };
-            let by_rate = multiply(damping.columns(block.clone()), once.view());
-            let by_inertia = multiply(mass.columns(block.clone()), once.view());
-            let square = multiply(mass.columns(block.clone()), twice.view());
-            let range = block.start * rows..block.end * rows;
-            for (own, turned) in damping.data[range.clone()].iter_mut().zip(&by_inertia.data) {
-                *own -= 2.0 * speed * turned;
-            }
-            let turned = by_rate.data.iter().zip(&square.data);
-            for (own, (rate, square)) in stiffness.data[range].iter_mut().zip(turned) {
-                *own += speed * (speed * square - rate);
-            }
-        }
-        Linearised { angles, mass: mass.symmetric_part(), damping, stiffness }
+        at.angles.iter().copied().chain(flexible).collect()
+    }
+
+    /// The equations of small motions: seen from space, where all bodies that turn are round. With one that is not, in its frame
+    /// if nothing varies there, or with what varies with its angle seen from space.
+    ///
+    /// # Errors
+    /// Several bodies that are not round at different speeds.
+    pub fn linearised(&self, at: &Standstill) -> Result<Linearised, Error> {
+        let Some((uneven, body)) = self.uneven_at(at)? else {
+            let machine = self.uneven.as_ref().filter(|_| at.is_mean);
+            let tangents = machine.map(|own| self.tangents(own, at, &|_| 0.0));
+            let tangents = tangents.as_ref().unwrap_or(&at.found.tangents);
+            let seen = self.seen(at, &|_| 0.0, (0.0, 0.0));
+            let [mass, damping, stiffness] = self.in_frame((&at.angles, tangents), &seen);
+            let angles = at.angles.len();
+            return Ok(Linearised { angles, mass, damping, stiffness, frame: 0.0, varying: None });
+        };
+        self.varying(at, uneven, body)
     }
 }

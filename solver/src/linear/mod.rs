@@ -2,28 +2,44 @@
 //!
 //! A [`Machine`] with bodies that are made exactly round ([`LinearMachine`]) → the balance of forces at the speeds
 //! ([`LinearMachine::standing`]) → M, C′ and K′ of small motions seen from space ([`Linearised`]) → modes ([`Modes`]) → modes
-//! followed over speeds ([`Campbell`]) → critical speeds and thresholds of stability.
+//! followed over speeds ([`Campbell`]) → critical speeds and thresholds of stability; or → what acts on them and is seen of them
+//! ([`StateSpace`]), for other programs.
 //!
 //! In the frames of bodies that turn the machine of section 5 varies with their angles. Round ones, whose tensors a turn
 //! exp(αS) leaves as they are, do not if their coordinates are turned back: with q = exp(−Dt) z, D = Ω S for each body, the
-//! equations M′z̈ + C′ż + K′z = 0 are constant, z being the motion seen from space.
+//! equations M′z̈ + C′ż + K′z = 0 are constant, z being the motion seen from space. With a body that is not round they are
+//! constant in its own frame, if all else is round and nothing stands in space (`varying`), or vary with its angle (Hill's
+//! method, [`crate::linalg`]).
 
 mod campbell;
 mod coefficients;
+mod doubts;
+mod frame;
 mod linearised;
+mod map;
 mod modes;
+mod motions;
 mod peaks;
+mod points;
 mod response;
+mod roots;
 mod round;
+mod shapes;
+mod slow;
+mod state_space;
 mod track;
+mod varying;
 
-pub use campbell::{Branch, Campbell, Critical, Range, Threshold};
+pub use campbell::{Branch, Campbell, Critical, Range, Reduced, Threshold};
 pub use coefficients::JointCoefficients;
+pub use doubts::Doubt;
 pub use linearised::{Linearised, Standstill};
+pub use map::{Undamped, Unsupported};
 pub use modes::{Mode, Modes, Orbit, Whirl};
 pub use peaks::{Peak, peak};
 pub use response::{Point, Vibration};
 pub use round::LinearMachine;
+pub use state_space::StateSpace;
 
 #[cfg(doc)]
 use crate::machine::Machine;

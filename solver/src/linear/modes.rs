@@ -5,9 +5,11 @@ use std::f64::consts::TAU;
 use num_complex::Complex64;
 
 use super::linearised::Linearised;
+use super::motions::Motion;
 use super::round::LinearMachine;
+use super::shapes::{apply, inner};
 use crate::error::Error;
-use crate::linalg::{Matrix, QuadraticPair, hermitian_eigen, quadratic_eigen};
+use crate::linalg::{Matrix, hermitian_eigen};
 
 /// Motions with a larger damping ratio are not listed: those that creep in the frame of a body that turns are seen from space
 /// at its speed.
@@ -42,6 +44,9 @@ pub struct Mode {
     pub sense: f64,
     /// Shares of xᴴM′x by body, in their order.
     pub shares: Vec<f64>,
+    /// Frequencies (rad/s) with which it moves besides, where a body that turns is not round, with their shares of the largest
+    /// part.
+    pub beside: Vec<(f64, f64)>,
 }
 
 impl Mode {
@@ -129,13 +134,29 @@ impl LinearMachine {
     /// # Errors
     /// A mass that is not positive definite, or values that are not finite.
     pub fn modes(&self, equations: &Linearised, count: usize) -> Result<Modes, Error> {
-        let Linearised { angles, mass, damping, stiffness } = equations;
-        let (pairs, largest) = quadratic_eigen(mass, damping, stiffness)?;
-        // Slower ones are rounding of what nothing holds.
-        let least = mass.rows as f64 * f64::EPSILON * largest;
-        let (moving, still): (Vec<_>, Vec<_>) = pairs
+        self.modes_in(equations, None, count)
+    }
+
+    /// The same of motions in a basis of slow ones, if there is one.
+    pub(super) fn modes_in(
+        &self,
+        equations: &Linearised,
+        basis: Option<&Matrix>,
+        count: usize,
+    ) -> Result<Modes, Error> {
+        self.modes_of(equations, self.motions(equations, basis, count)?, count)
+    }
+
+    /// The modes among all motions.
+    pub(super) fn modes_of(
+        &self,
+        equations: &Linearised,
+        motions: Vec<Motion>,
+        count: usize,
+    ) -> Result<Modes, Error> {
+        let Linearised { angles, mass, .. } = equations;
+        let (mut moving, still): (Vec<_>, Vec<_>) = motions
             .into_iter()
-            .filter(|own| own.value.norm_sqr() > least)
             .partition(|own| own.value.im > 0.0 && -own.value.re < MOST_DAMPED * own.value.norm());
         let mut growing: Vec<f64> = still
             .iter()
@@ -143,16 +164,14 @@ impl LinearMachine {
             .map(|own| own.value.re)
             .collect();
         growing.sort_by(|a, b| b.total_cmp(a));
-        let mut moving = moving;
         moving.sort_by(|a, b| a.value.im.total_cmp(&b.value.im));
         let unstable = moving.iter().map(|own| own.value);
         let unstable = unstable.filter(|value| growth(*value) > 0.0).collect();
         let mut oscillating: Vec<Mode> = Vec::with_capacity(moving.len());
         let mut rest = moving.as_slice();
         while let (Some(first), true) = (rest.first(), oscillating.len() < count) {
-            let same = |own: &QuadraticPair| {
-                (own.value - first.value).norm() <= EQUAL * first.value.norm()
-            };
+            let same =
+                |own: &Motion| (own.value - first.value).norm() <= EQUAL * first.value.norm();
             let alike = rest.iter().take_while(|own| same(own)).count();
             let (cluster, other) = rest.split_at(alike);
             oscillating.extend(self.separated((*angles, mass), cluster)?);
@@ -166,12 +185,12 @@ impl LinearMachine {
     fn separated(
         &self,
         (angles, mass): (usize, &Matrix),
-        cluster: &[QuadraticPair],
+        cluster: &[Motion],
     ) -> Result<Vec<Mode>, Error> {
         let mut shapes: Vec<Vec<Complex64>> = Vec::with_capacity(cluster.len());
         for pair in cluster {
             // Orthonormal in M within the cluster.
-            let mut own = pair.vector.clone();
+            let mut own = pair.shape.clone();
             for other in &shapes {
                 let part = inner(&apply(mass, other), &own);
                 own.iter_mut().zip(other).for_each(|(own, other)| *own -= part * other);
@@ -206,18 +225,18 @@ impl LinearMachine {
                 inner(&shape[block.clone()], &moved[block]).re / whole
             };
             let shares = (0..self.machine.bodies.len()).map(share).collect();
-            Mode { value: if single { pair.value } else { value }, shape, sense, shares }
+            let value = if single { pair.value } else { value };
+            Mode { value, shape, sense, shares, beside: pair.beside.clone() }
         });
         Ok(modes.collect())
     }
 
     /// −iS x, of all bodies whose S is known.
-    fn turned(&self, angles: usize, shape: &[Complex64]) -> Vec<Complex64> {
+    pub(super) fn turned(&self, angles: usize, shape: &[Complex64]) -> Vec<Complex64> {
         let mut out = vec![Complex64::ZERO; shape.len()];
         for body in 0..self.machine.bodies.len() {
-            let generator =
-                self.generators[body].as_ref().map(|own| &own[0]).or(self.senses[body].as_ref());
-            if let Some(generator) = generator {
+            let generator = self.generators[body].as_ref().or(self.senses[body].as_ref());
+            if let Some([generator, _]) = generator {
                 let block = self.block(angles, body);
                 let turned = apply(generator, &shape[block.clone()]);
                 let own = out[block].iter_mut().zip(turned);
@@ -226,16 +245,4 @@ impl LinearMachine {
         }
         out
     }
-}
-
-/// A x.
-pub(super) fn apply(matrix: &Matrix, x: &[Complex64]) -> Vec<Complex64> {
-    let part = |of: fn(&Complex64) -> f64| matrix.apply(&x.iter().map(of).collect::<Vec<f64>>());
-    let both = part(|own| own.re).into_iter().zip(part(|own| own.im));
-    both.map(|(re, im)| Complex64::new(re, im)).collect()
-}
-
-/// xᴴy.
-pub(super) fn inner(x: &[Complex64], y: &[Complex64]) -> Complex64 {
-    x.iter().zip(y).map(|(x, y)| x.conj() * y).sum()
 }

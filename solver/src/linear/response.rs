@@ -1,16 +1,27 @@
-//! Response to unbalance: circles that forces turning with a body make of the state that stands.
+//! Response to what turns with a body: unbalance, loads fixed to it or going by its angle.
+
+use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
 use super::linearised::{Linearised, Standstill};
 use super::modes::Orbit;
 use super::round::LinearMachine;
+use crate::equations::Equations;
 use crate::error::Error;
-use crate::linalg::solve_complex;
+use crate::linalg::{dot, solve_complex};
 use crate::output::{Motion, Wanted};
 
-/// Share of the inertia of a body below which its unbalance is rounding.
-const ROUNDING: f64 = 1e-10;
+/// Turns over which forces are sampled, as those of engines come again after two.
+const HALVES: f64 = 2.0;
+/// Samples of them.
+const SAMPLES: usize = 96;
+/// Harmonics on both sides, in steps of the equations, of a machine with a body that is not round.
+const HARMONICS: i32 = 3;
+/// What is smaller than this share of the largest is nothing.
+const NOTHING: f64 = 1e-9;
+/// Share of the forces that act that is rounding of them.
+const ROUNDING: f64 = 1e-9;
 
 /// A point whose motion is wanted.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,7 +33,7 @@ pub struct Point {
 }
 
 /// How a point moves: Re(w e^{iωt}).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Vibration {
     /// Complex amplitudes along x and y (m).
     pub amplitudes: [Complex64; 2],
@@ -57,61 +68,196 @@ impl LinearMachine {
         joints.chain(outputs).collect()
     }
 
-    /// Bodies that have unbalance, by their places.
-    pub fn unbalanced(&self) -> impl Iterator<Item = usize> {
-        self.turning().filter(|&body| self.unbalance(body).iter().any(|own| *own != 0.0))
-    }
-
-    /// What turns with a body of its y0: −(Sᵀ)² y0. What is so small beside its inertia, √(J0 Y_jj), is rounding of its mesh.
-    fn unbalance(&self, body: usize) -> Vec<f64> {
-        let (Some(shaft), Some([_, square])) =
-            (self.still.bodies[body].shaft(), &self.generators[body])
-        else {
-            return Vec::new();
-        };
-        let bound = |j: usize| ROUNDING * (shaft.j0 * shaft.spin_inertia[(j, j)]).sqrt();
-        let turns = square.apply_transpose(&shaft.y0).into_iter().enumerate();
-        turns.map(|(j, own)| if own.abs() <= bound(j) { 0.0 } else { -own }).collect()
-    }
-
-    /// X = (K′ + iωC′ − ω²M′)⁻¹ f of the unbalance of a body at its speed ω = Ω, f = Ω² (y + iSᵀy), by points. Phases count from
-    /// the angle θ = 0 of the body.
+    /// How points move by what turns with a body: its unbalance, loads that are fixed to it or go by its angle; and, of one
+    /// that is not round, by the loads that stand, too. By orders of its rotation, in rising order, each with the points in
+    /// theirs; phases count from its angle θ = 0. Of the order 0, which a body that is not round has, the real parts are the
+    /// displacement of the mean position.
     ///
     /// # Errors
     /// A matrix that is singular: a critical speed without damping.
-    pub fn unbalance_response(
+    pub fn response(
         &self,
         (at, equations): (&Standstill, &Linearised),
         body: usize,
         points: &[Point],
-    ) -> Result<Vec<Vibration>, Error> {
-        let Linearised { angles, mass, damping, stiffness } = equations;
-        let omega = at.speeds[body];
-        let load = self.unbalance(body);
-        let Some([once, _]) = &self.generators[body] else {
-            return Ok(vec![Vibration { amplitudes: [Complex64::ZERO; 2] }; points.len()]);
-        };
-        let across = once.apply_transpose(&load);
-        let n = mass.rows;
-        let mut force = vec![Complex64::ZERO; n];
-        let parts = load.iter().zip(&across);
-        for (own, (along, across)) in force[self.block(*angles, body)].iter_mut().zip(parts) {
-            *own = omega * omega * Complex64::new(*along, *across);
+    ) -> Result<Vec<(f64, Vec<Vibration>)>, Error> {
+        let speed = at.speeds[body];
+        if speed == 0.0 {
+            return Ok(Vec::new());
         }
-        let entry = |m: f64, c: f64, k: f64| Complex64::new(k - omega * omega * m, omega * c);
-        let entries = mass.data.iter().zip(&damping.data).zip(&stiffness.data);
-        let matrix: Vec<Complex64> = entries.map(|((m, c), k)| entry(*m, *c, *k)).collect();
-        let moved = solve_complex(n, &matrix, &force)?;
-        let of = |point: &Point| {
-            let amplitudes = [0, 1].map(|axis| {
-                let parts = point.rows.iter().map(|(body, rows)| {
-                    let own = &moved[self.block(*angles, *body)];
-                    rows[axis].iter().zip(own).map(|(row, own)| row * own).sum::<Complex64>()
-                });
-                parts.sum()
-            });
+        let forces = self.forces(at, body);
+        let angles = equations.angles;
+        let uneven = self.uneven_at(at)?.map(|(_, own)| own);
+        let mut moved: Vec<(i32, Vec<Complex64>)> = Vec::new();
+        let mut add = |order: i32, own: Vec<Complex64>| {
+            // Re(z e^{−iωt}) is Re(z̄ e^{iωt}).
+            let own: Vec<Complex64> = match order < 0 {
+                true => own.iter().map(Complex64::conj).collect(),
+                false => own,
+            };
+            match moved.iter_mut().find(|other| other.0 == order.abs()) {
+                Some((_, sum)) => sum.iter_mut().zip(own).for_each(|(sum, own)| *sum += own),
+                None => moved.push((order.abs(), own)),
+            }
+        };
+        if let Some(uneven) = uneven {
+            let periodic = self.periodic(at)?;
+            let is_alike = at.speeds[uneven] == speed;
+            for (order, force) in &forces {
+                let frequency = f64::from(*order) / HALVES * speed;
+                let of = |k: i32| (k == 0).then(|| force.clone());
+                let parts = periodic.forced(HARMONICS, frequency, &of)?.into_iter();
+                // Another body makes other frequencies of it, which are no orders of this one.
+                for (k, own) in parts.filter(|(k, _)| is_alike || *k == 0) {
+                    add(order + k * HALVES as i32, own);
+                }
+            }
+            if uneven == body {
+                add(0, self.standing_at_coordinates(at, angles));
+            }
+        } else {
+            let Linearised { mass, damping, stiffness, .. } = equations;
+            for (order, force) in &forces {
+                let omega = f64::from(*order) / HALVES * speed;
+                let entry =
+                    |m: f64, c: f64, k: f64| Complex64::new(k - omega * omega * m, omega * c);
+                let entries = mass.data.iter().zip(&damping.data).zip(&stiffness.data);
+                let matrix: Vec<Complex64> = entries.map(|((m, c), k)| entry(*m, *c, *k)).collect();
+                add(*order, solve_complex(mass.rows, &matrix, force)?);
+            }
+        }
+        let of = |point: &Point, moved: &[Complex64]| {
+            let amplitudes = self
+                .rows(at, point)
+                .map(|row| row.iter().zip(moved).map(|(row, own)| row * own).sum::<Complex64>());
             Vibration { amplitudes }
         };
-        Ok(points.iter().map(of).collect())
+        moved.sort_by_key(|own| own.0);
+        let all: Vec<(f64, Vec<Vibration>)> = moved
+            .iter()
+            .map(|(order, own)| {
+                let order = f64::from(*order) / HALVES;
+                let motions = points.iter().map(|point| of(point, own)).map(|mut own| {
+                    if order == 0.0 {
+                        own.amplitudes.iter_mut().for_each(|own| own.im = 0.0);
+                    }
+                    own
+                });
+                (order, motions.collect())
+            })
+            .collect();
+        let size = |own: &[Vibration]| own.iter().map(|own| own.orbit().major).fold(0.0, f64::max);
+        let most = all.iter().map(|own| size(&own.1)).fold(0.0, f64::max);
+        Ok(all.into_iter().filter(|own| size(&own.1) > NOTHING * most).collect())
+    }
+
+    /// The coordinates of small motions at the state that stands.
+    fn standing_at_coordinates(&self, at: &Standstill, angles: usize) -> Vec<Complex64> {
+        let first = self.machine.rotations();
+        let own = at.found.state.q[first..].iter().map(|own| Complex64::from(*own));
+        std::iter::repeat_n(Complex64::ZERO, angles).chain(own).collect()
+    }
+
+    /// What acts by harmonics of half the angle of a body beside what stands: (2/N) Σ e^{−inθ/2} R⁻ᵀ r, r sampled over two
+    /// turns.
+    fn forces(&self, at: &Standstill, body: usize) -> Vec<(i32, Vec<Complex64>)> {
+        let (angles, kept) = (at.angles.len(), self.kept(at));
+        let loads = self.loaded.loads.iter().zip(&at.found.released).zip(&at.found.ended);
+        let released: Vec<bool> = loads
+            .map(|((load, released), ended)| if load.body == body { *ended } else { *released })
+            .collect();
+        let mut equations = Equations::new(&self.loaded);
+        equations.release(&released);
+        // Bodies that are not round and turn alike are one.
+        let uneven: Vec<usize> = self.not_round().collect();
+        let turns = |other: usize| {
+            let both = [body, other].iter().all(|own| uneven.contains(own));
+            other == body || both && at.speeds[other] == at.speeds[body]
+        };
+        let mut sample = |angle: f64| -> Vec<f64> {
+            let state = self.turned_on(at, &|other| if turns(other) { angle } else { 0.0 });
+            equations.evaluate(0.0, &state);
+            let mut own: Vec<f64> = kept.iter().map(|&k| equations.residual()[k]).collect();
+            for other in self.turning().filter(|other| turns(*other)) {
+                let Some(seen) = self.own(other, angle, 0.0) else { continue };
+                let block = self.block(angles, other);
+                let turned = seen.back().apply_transpose(&own[block.clone()]);
+                own[block].copy_from_slice(&turned);
+            }
+            own
+        };
+        let turned: Vec<Vec<f64>> =
+            (0..SAMPLES).map(|k| sample(HALVES * TAU * k as f64 / SAMPLES as f64)).collect();
+        let still = {
+            let mut equations = Equations::new(&self.machine);
+            equations.release(&at.found.released);
+            equations.evaluate(0.0, &at.found.state);
+            kept.iter().map(|&k| equations.residual()[k]).collect::<Vec<f64>>()
+        };
+        let part = |order: usize| -> Vec<Complex64> {
+            let weight = if order == 0 { 1.0 } else { 2.0 } / SAMPLES as f64;
+            let mut sum = vec![Complex64::ZERO; kept.len()];
+            for (k, own) in turned.iter().enumerate() {
+                // Whole turns are taken off first, so that even angles have even factors.
+                let angle = -TAU * ((k * order) % SAMPLES) as f64 / SAMPLES as f64;
+                let factor = weight * Complex64::from_polar(1.0, angle);
+                sum.iter_mut()
+                    .zip(own.iter().zip(&still))
+                    .for_each(|(sum, (own, still))| *sum += factor * (own - still));
+            }
+            sum
+        };
+        // Beside the forces of the springs at rest, which rounding is a share of.
+        let scale = equations
+            .spring
+            .iter()
+            .chain(&equations.load)
+            .fold(0.0, |most: f64, own| most.max(own.abs()));
+        let all: Vec<(i32, Vec<Complex64>)> =
+            (0..SAMPLES / 2).map(|order| (order as i32, part(order))).collect();
+        let size = |own: &[Complex64]| own.iter().map(|own| own.norm()).fold(0.0, f64::max);
+        let most = all.iter().map(|own| size(&own.1)).fold(0.0, f64::max);
+        let bound = (NOTHING * most).max(ROUNDING * scale);
+        all.into_iter().filter(|own| size(&own.1) > bound).collect()
+    }
+
+    /// Bodies that have unbalance, by their places.
+    pub(super) fn unbalanced(&self) -> impl Iterator<Item = usize> {
+        self.turning().filter(|&body| self.unbalance(body).iter().any(|own| *own != 0.0))
+    }
+
+    /// f of the unbalance of a body, Ω² (y + iSᵀy), over the coordinates of [`Linearised`].
+    pub(super) fn unbalance_force(&self, at: &Standstill, body: usize) -> Vec<Complex64> {
+        let mut force = vec![Complex64::ZERO; self.kept(at).len()];
+        let load = self.unbalance(body);
+        let Some([once, _]) = &self.generators[body] else { return force };
+        let square = at.speeds[body] * at.speeds[body];
+        let across = once.apply_transpose(&load);
+        let own = self.block(at.angles.len(), body);
+        for (own, (along, across)) in force[own].iter_mut().zip(load.iter().zip(&across)) {
+            *own = square * Complex64::new(*along, *across);
+        }
+        force
+    }
+
+    /// Motion of a point along x and y of space by a unit of each coordinate of [`Linearised`]. An angle turns the displacement
+    /// in which its body stands.
+    pub(super) fn rows(&self, at: &Standstill, point: &Point) -> [Vec<f64>; 2] {
+        let mut all = [0, 1].map(|_| vec![0.0; self.kept(at).len()]);
+        for (body, rows) in &point.rows {
+            let place = &self.machine.places()[*body];
+            let block = self.block(at.angles.len(), *body);
+            for (all, row) in all.iter_mut().zip(rows) {
+                all[block.clone()].iter_mut().zip(row).for_each(|(sum, own)| *sum += own);
+            }
+            let angle = at.angles.iter().position(|own| Some(*own) == place.rotation);
+            if let Some(angle) = angle {
+                let stands = &at.found.state.q[place.flexible.clone()];
+                let [x, y] = rows.each_ref().map(|row| dot(row, stands));
+                all[0][angle] -= y;
+                all[1][angle] += x;
+            }
+        }
+        all
     }
 }

@@ -7,16 +7,24 @@ use crate::error::Error;
 use crate::linalg::{Matrix, multiply};
 use crate::machine::Machine;
 use crate::roundness::Roundness;
+use crate::shaft::Shaft;
+
+/// Share of the inertia of a body below which its unbalance is rounding.
+const ROUNDING: f64 = 1e-10;
 
 /// A machine whose turning bodies have the means of their tensors over turns.
 pub struct LinearMachine {
     pub(super) machine: Machine,
     /// As it is: at rest nothing needs to be round.
     pub(super) still: Machine,
+    /// With those bodies as they are that are not round, if there are any.
+    pub(super) uneven: Option<Machine>,
+    /// The same with what turns with round bodies: unbalance.
+    pub(super) loaded: Machine,
     /// By body S and S², of one that turns.
     pub(super) generators: Vec<Option<[Matrix; 2]>>,
-    /// By body S of one that stands, as far as its rows show how it turns.
-    pub(super) senses: Vec<Option<Matrix>>,
+    /// By body S and S² of one that stands, as far as its rows show how it turns.
+    pub(super) senses: Vec<Option<[Matrix; 2]>>,
     /// By body how round it was, of one that turns.
     pub(super) roundness: Vec<Option<Roundness>>,
 }
@@ -25,38 +33,54 @@ impl LinearMachine {
     /// Makes the bodies round, and leaves out what turns with them: unbalance.
     ///
     /// # Errors
-    /// A body that turns and is not round.
+    /// A body that turns of which nothing shows how.
     pub fn new(mut machine: Machine) -> Result<LinearMachine, Error> {
         let still = machine.clone();
+        let mut uneven = Vec::new();
         let (mut generators, mut senses, mut all) = (Vec::new(), Vec::new(), Vec::new());
-        for body in &mut machine.bodies {
+        for (place, body) in machine.bodies.iter_mut().enumerate() {
             let Body::Turning { name, shaft, rotation } = body else {
                 let support = body.support().expect("a body that stands");
-                senses.push(support.roundness().ok().map(|own| own.generator));
+                senses.push(support.roundness().ok().map(|own| with_square(own.generator)));
                 generators.push(None);
                 all.push(None);
                 continue;
             };
             let roundness = shaft.roundness()?;
-            let generator = if turns(rotation) {
-                if !roundness.is_round_at(0.0) {
+            let both = with_square(roundness.generator.clone());
+            if turns(rotation) {
+                if !roundness.has_pairs() {
                     let (body, lack) = (name.clone(), roundness.lack());
                     return Err(Error::NotRound { body, lack });
                 }
-                roundness.generator.clone()
-            } else {
-                // Its frame stands, and so do its coordinates.
-                roundness.generator.clone()
-            };
-            let square = multiply(generator.view(), generator.view());
-            if turns(rotation) {
-                *shaft = shaft.mean_over_turns(&generator, &square);
+                if !roundness.is_round_at(0.0) {
+                    uneven.push(place);
+                }
+                *shaft = shaft.mean_over_turns(&both[0], &both[1]);
             }
             senses.push(None);
-            generators.push(Some([generator, square]));
+            generators.push(Some(both));
             all.push(Some(roundness));
         }
-        Ok(LinearMachine { machine, still, generators, senses, roundness: all })
+        let mut loaded = machine.clone();
+        for (place, body) in loaded.bodies.iter_mut().enumerate() {
+            if uneven.contains(&place) {
+                *body = still.bodies[place].clone();
+            } else if let (Body::Turning { shaft, .. }, Some([_, square]), Some(own)) =
+                (body, &generators[place], still.bodies[place].shaft())
+            {
+                let turning = unbalance(own, square);
+                shaft.y0.iter_mut().zip(turning).for_each(|(sum, own)| *sum += own);
+            }
+        }
+        let uneven = (!uneven.is_empty()).then(|| {
+            let mut own = machine.clone();
+            for place in uneven {
+                own.bodies[place] = still.bodies[place].clone();
+            }
+            own
+        });
+        Ok(LinearMachine { machine, still, uneven, loaded, generators, senses, roundness: all })
     }
 
     /// The machine with its round bodies.
@@ -67,6 +91,13 @@ impl LinearMachine {
     /// How round a body was, if it turns.
     pub fn roundness(&self, body: usize) -> Option<&Roundness> {
         self.roundness[body].as_ref()
+    }
+
+    /// The bodies that turn and are not round.
+    pub fn not_round(&self) -> impl Iterator<Item = usize> {
+        let is_uneven =
+            |body: &usize| self.roundness[*body].as_ref().is_some_and(|own| !own.is_round_at(0.0));
+        self.turning().filter(is_uneven)
     }
 
     /// Speeds of all bodies with body `of` at `speed` (rad/s): those of `ratios` by their ratio to it, others with a given
@@ -92,6 +123,14 @@ impl LinearMachine {
         speeds.collect()
     }
 
+    /// What turns with a body of its y0; none of one that stands.
+    pub(super) fn unbalance(&self, body: usize) -> Vec<f64> {
+        match (self.still.bodies[body].shaft(), &self.generators[body]) {
+            (Some(shaft), Some([_, square])) => unbalance(shaft, square),
+            _ => Vec::new(),
+        }
+    }
+
     /// Bodies whose frames turn, by their places.
     pub fn turning(&self) -> impl Iterator<Item = usize> {
         let bodies = self.machine.bodies.iter().enumerate();
@@ -103,6 +142,19 @@ impl LinearMachine {
         let (place, first) = (&self.machine.places()[body].flexible, self.machine.rotations());
         angles + place.start - first..angles + place.end - first
     }
+}
+
+/// What turns with a body of its y0: −(Sᵀ)² y0. What is so small beside its inertia, √(J0 Y_jj), is rounding of its mesh.
+fn unbalance(shaft: &Shaft, square: &Matrix) -> Vec<f64> {
+    let bound = |j: usize| ROUNDING * (shaft.j0 * shaft.spin_inertia[(j, j)]).sqrt();
+    let turns = square.apply_transpose(&shaft.y0).into_iter().enumerate();
+    turns.map(|(j, own)| if own.abs() <= bound(j) { 0.0 } else { -own }).collect()
+}
+
+/// S and S².
+fn with_square(generator: Matrix) -> [Matrix; 2] {
+    let square = multiply(generator.view(), generator.view());
+    [generator, square]
 }
 
 /// Whether the frame of a body turns.

@@ -4,7 +4,8 @@ use num_complex::Complex64;
 use pathfinding::kuhn_munkres::kuhn_munkres_min;
 use pathfinding::matrix::Matrix as Costs;
 
-use super::modes::{Mode, apply, inner};
+use super::modes::Mode;
+use super::shapes::{apply, inner};
 use crate::linalg::Matrix;
 
 /// MAC from which on two shapes are one mode.
@@ -28,7 +29,7 @@ pub(super) fn mac(moved: &[Complex64], other: &[Complex64]) -> f64 {
     inner(moved, other).norm_sqr()
 }
 
-/// Assigns modes by (1 − MAC) + |Δω|/ω, all together.
+/// Assigns modes by (1 − MAC) + |Δλ|/|λ|, all together.
 pub(super) fn matched(mass: &Matrix, from: &[Mode], to: &[Mode]) -> Matched {
     if from.is_empty() || to.is_empty() {
         return Matched { to: vec![None; from.len()], is_sure: true };
@@ -41,7 +42,7 @@ pub(super) fn matched(mass: &Matrix, from: &[Mode], to: &[Mode]) -> Matched {
     for (i, a) in from.iter().enumerate() {
         for (j, b) in to.iter().enumerate() {
             macs[i][j] = alike(i, j);
-            let apart = (a.value.im - b.value.im).abs() / a.value.im.max(b.value.im);
+            let apart = (a.value - b.value).norm() / a.value.norm().max(b.value.norm());
             costs[(i, j)] = ((1.0 - macs[i][j] + apart) * UNIT) as i64;
         }
     }

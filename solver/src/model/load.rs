@@ -8,6 +8,8 @@ use crate::loads::{Frame, Load, Onset, TimeFunction};
 /// A force or a couple on a place of a body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadModel {
+    /// Its name; empty, if it has none.
+    pub name: String,
     /// The body, by its place in the model.
     pub body: usize,
     /// Where it acts.
@@ -57,6 +59,6 @@ impl LoadModel {
                 vec![force(top.clone(), [0.0, half, 0.0]), force(bottom.clone(), [0.0, -half, 0.0])]
             }
         };
-        loads.into_iter().map(|load| load.from(self.onset)).collect()
+        loads.into_iter().map(|load| load.named(&self.name).from(self.onset)).collect()
     }
 }

@@ -1,7 +1,19 @@
 //! The pipeline of this crate: meshes → bodies → machine → integration.
 //!
 //! A [`Model`] is a machine as it is described. [`Model::reduce`] makes its bodies, each by itself; [`Model::machine`] joins
-//! and loads them; [`crate::dynamics::march`] integrates the machine.
+//! and loads them; [`crate::dynamics::march`] integrates the machine. Each stage is an immutable type of its own:
+//!
+//! | Stage | Module |
+//! |---|---|
+//! | mesh, from a file, from dimensions, or matrices in its place | [`crate::mesh`] |
+//! | sparse K, M, Y, H, and G under the centrifugal stress | [`crate::assembly`], `stiffening` |
+//! | what is held, tied and retained | [`crate::constraints`], [`crate::reduction`] |
+//! | reduced body, which a cache keeps | [`crate::reduced`], [`crate::cache`] |
+//! | body that turns, body that stands, rigid body | [`crate::shaft`], [`crate::support`], [`crate::rigid`] |
+//! | bodies in the order of q, with joints and loads: the machine | [`crate::bodies`], [`crate::bearing`], [`crate::machine`] |
+//! | residual and tangents at an instant | [`crate::equations`] |
+//! | march, from a start to a history | [`crate::dynamics`], [`crate::history`] |
+//! | modes at constant speeds, in place of a march | [`crate::linear`] |
 //!
 //! ```
 //! use std::ops::ControlFlow;
@@ -34,6 +46,7 @@
 //!     laws: Vec::new(),
 //!     bearings: Vec::new(),
 //!     loads: vec![LoadModel {
+//!         name: "load.spin".to_owned(),
 //!         body: 0,
 //!         place: Place::Mean(0),
 //!         action: LoadAction::Couple([0.0, 0.0, 2.0]),

@@ -110,11 +110,12 @@ fn a_check_says_masses_and_joints() {
         .file("case.toml", &ring(10.0, 10.0, "", &march("1e-4 s", 600)));
     let said = bench.whirl(&["check", "case.toml"]).stdout;
     for words in [
-        "rotor  9000 rpm        0.2",
+        "rotor        0.2",
+        "rotor: prescribed, 9000 rpm",
         "0.0000012",
         "5 active coordinates",
-        "bearing inner: journal rotor, bore ring, c = 20 µm",
-        "bearing outer: journal ring, bore ground, c = 40 µm",
+        "bearing inner: journal rotor, bore ring, law ocvirk (",
+        "bearing outer: journal ring, bore ground, law ocvirk (",
     ] {
         assert!(said.contains(words), "{words}:\n{said}");
     }

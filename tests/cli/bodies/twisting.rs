@@ -214,7 +214,7 @@ stiffness = {{ xx = "1e7 N/m", yy = "1e7 N/m" }}
                 found.unwrap_or_else(|| panic!("{of}: {}", outcome.stdout)).to_owned()
             };
             assert!(line("the frame of rotor").contains(frame), "{}", outcome.stdout);
-            line("natural frequencies of rotor")
+            line("rotor, at rest")
         };
         let plain = said(|label| label, 0.0);
         assert_eq!(plain, said(|label| 100 - label, 0.0));

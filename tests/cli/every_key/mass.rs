@@ -133,7 +133,7 @@ fn a_mass_moves_in_chosen_steps() {
     assert_eq!(results.summary["march"]["time_step_s"], serde_json::Value::Null);
     let said = results.bench.whirl(&["check", "chosen.toml"]).stdout;
     assert!(
-        said.contains("steps are chosen by the program, 3e-3 s at most, for a local error of 1e-5"),
+        said.contains("the program chooses the steps, at most 3e-3 s, for a local error of 1e-5"),
         "{said}"
     );
 }

@@ -55,7 +55,7 @@ impl Room {
         // A run-out turns.
         let room = Room { along_x: self.along_x && key == "offset", ..*self };
         if let Some(far) = places.iter().find_map(|place| room.beyond(*place)) {
-            let message = format!("this `{key}` is {far}: the journal would stand in the wall");
+            let message = format!("this `{key}` is {far}: the journal would be inside the wall");
             let help = format!("write a smaller one, such as `{key} = [\"5 um\", \"0 um\"]`");
             table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
         }
@@ -81,7 +81,7 @@ pub(super) fn axes(
         format!("that of `{}`{given} at x = {x}, y = {y}", body.name.text())
     };
     let message =
-        format!("the axes of both bodies are apart by {far}: {}, and {}", named(own), named(other));
+        format!("the axes of the two bodies are {far} apart: {}, and {}", named(own), named(other));
     let help = "give both bodies the same `axis`, or axes less than that apart";
     Some((bore.place.clone(), message, help))
 }

@@ -84,7 +84,7 @@ fn section(
             plan.mesh.origin(),
             mm(own.z),
             own.name.text(),
-            if on_axis { "its middle is not on the axis" } else { "it shows no turn" }
+            if on_axis { "its middle is not on the axis" } else { "it defines no rotation" }
         );
         let help = "give a `z` at which the body is around its axis";
         errors.push(own.name.error_here(Code::BAD_VALUE, message).help(help));

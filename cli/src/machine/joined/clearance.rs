@@ -106,8 +106,7 @@ pub(super) fn measure(
             mm(-c)
         );
         let help = format!(
-            "name the bore of this journal, or {WRITE}: nodes of a mesh made from dimensions are not all on the circle that \
-             it stands for"
+            "name the bore of this journal, or {WRITE}: nodes of a mesh made from dimensions are not all on the true circle"
         );
         return note(&key, message, help);
     }
@@ -115,8 +114,8 @@ pub(super) fn measure(
     for (key, places) in [("run_out", &joint.run_out), ("offset", &joint.offset)] {
         if let Some(far) = places.iter().find_map(|place| far(*place)) {
             let message = format!(
-                "this `{key}` is {}, more than the radial clearance of {} that the meshes leave: the journal would stand in \
-                 the wall",
+                "this `{key}` is {}, more than the radial clearance of {} that the meshes leave: the journal would \
+                 be inside the wall",
                 mm(far),
                 mm(c)
             );
@@ -128,7 +127,7 @@ pub(super) fn measure(
     let axes = [0, 1].map(|k| all[k] - own[k] + sides.apart[k]);
     if let Some(far) = far(axes) {
         let message = format!(
-            "the axes of both bodies are apart by {}, more than the radial clearance of {} that the meshes leave",
+            "the axes of the two bodies are {} apart, more than the radial clearance of {} that the meshes leave",
             mm(far),
             mm(c)
         );

@@ -132,7 +132,7 @@ fn turning_section(
     let place = plan.mean_of(std::slice::from_ref(set), &nodes);
     if !plan.spec.means[place].turns_about(2) {
         let message = format!(
-            "the nodes of `{}` stand on the axis of {}: they show no turn about it",
+            "the nodes of `{}` are on the axis of {}: they define no rotation about it",
             set.text(),
             plan.mesh.origin()
         );

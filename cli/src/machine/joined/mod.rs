@@ -141,9 +141,12 @@ impl JoinedPlan {
         (own.bearing.radial_clearance, own.circles)
     }
 
-    /// Rings of springs of a joint.
-    pub(crate) fn rings(&self, joint: usize) -> usize {
-        self.joints[joint].bearing.rings()
+    /// z of the rings of springs of a joint, or of the planes in which its law acts (m).
+    pub(crate) fn stations(&self, joint: usize) -> Vec<f64> {
+        let own = &self.joints[joint];
+        let [left, _, right] = own.z;
+        let along = joints::stations(&own.bearing, [left, right]);
+        along.into_iter().map(|part| left + part * (right - left)).collect()
     }
 
     /// Checks for what would keep the bodies from being reduced, without reducing them.
@@ -213,13 +216,12 @@ pub(super) fn model<'a>(
         });
     }
     let loads = joined.loads.iter().zip(&plan.loads);
-    let loads = loads.map(|(load, place)| forces::load(&load.load, load.body, place));
+    let loads = loads.map(|(load, place)| forces::load(load, place));
     let spinning = planned().enumerate().filter_map(|(body, ((own, _), carried))| {
         Some(carried.iter().flat_map(forces::of_unbalance((body, own.spin()?))))
     });
     let drives = joined.drives.iter().zip(&plan.drives);
-    let drives =
-        drives.filter_map(|(drive, place)| forces::drive(&drive.couple, drive.body, place));
+    let drives = drives.filter_map(|(drive, place)| forces::drive(drive, place));
     let used = (laws.used(), laws.hashes());
     let model = Model {
         bodies,

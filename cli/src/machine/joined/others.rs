@@ -72,7 +72,7 @@ fn section(
     let tilts = own.kind == MotionKind::Tilts;
     if tilts && !(0..2).all(|axis| plan.spec.means[place].turns_about(axis)) {
         let message = format!(
-            "the nodes of `{}` stand in a line on {}: they do not show both tilts",
+            "the nodes of `{}` are on one line on {}: they do not define both tilts",
             name.text(),
             plan.mesh.origin()
         );

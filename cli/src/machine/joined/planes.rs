@@ -106,7 +106,7 @@ fn ends_of_surfaces(
             mm(second[0]),
             mm(second[1])
         );
-        let help = "name surfaces that are around each other";
+        let help = "name surfaces that overlap along z";
         errors.push(side.sets[0].error_here(Code::BAD_VALUE, message).help(help));
         return None;
     }
@@ -134,7 +134,7 @@ fn apart_on_meshes(
         second.place.text(),
         mm(z[0])
     );
-    let help = "name sets that stand at the same z";
+    let help = "name sets at the same z";
     errors.push(second.place.error_here(Code::BAD_VALUE, message).help(help));
     None
 }

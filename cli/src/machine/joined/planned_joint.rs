@@ -77,8 +77,8 @@ impl PlannedJoint {
         let torque = joint.kind != JointKind::Coupling && self.bearing.law.source.gives_torque();
         (torque && self.sides.torque_section.is_none()).then(|| {
             format!(
-                "{}: the nodes of the journal of `{}` show no turn of a section of {}: the torque of its law turns the body as a \
-                 whole and twists nothing; name sets of nodes around the axis",
+                "{}: the nodes of the journal of `{}` define no rotation of a section of {}: the torque of its law \
+                 turns the body as a whole and does not twist it; name sets of nodes around the axis",
                 joint.name.source().path.display(),
                 joint.name.text(),
                 plan.mesh.origin()

@@ -31,7 +31,7 @@ fn of_coefficients(joint: &Joint, parameters: &[SetParameter], called: &str) -> 
         if least < -1e-9 * [xx, xy, yx, yy].map(f64::abs).into_iter().fold(0.0, f64::max) {
             let along = if called == "axial " { "" } else { " along one direction at least" };
             warnings.push(format!(
-                "the {called}{what} of the bushing `{}` is negative{along} ({} {unit}): it drives what it joins apart",
+                "the {called}{what} of the bushing `{}` is negative{along} ({} {unit}): it drives the two sides apart",
                 joint.name.text(),
                 rounded(least, 6)
             ));

@@ -51,7 +51,7 @@ pub(super) fn tie(
     }
     let Some(nodes) = whole(&plan.mesh) else {
         let message = format!(
-            "all nodes of {} stand on one line along its axis: nothing tells its rotation",
+            "all nodes of {} are on one line along its axis: they define no rotation",
             plan.mesh.origin()
         );
         let help =

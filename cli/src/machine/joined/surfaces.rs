@@ -18,7 +18,7 @@ pub(super) fn ends(plan: &BodyPlan, set: &Located, errors: &mut Diagnostics) -> 
     let surface = Surface::of_set(&plan.mesh, set.text(), [0.0; 2]).ok()?;
     if surface.is_empty() {
         let message = format!(
-            "the nodes of `{}` have no face of {} between them: they are no surface",
+            "the nodes of `{}` span no face of {}: they are not a surface",
             set.text(),
             plan.mesh.origin()
         );
@@ -40,7 +40,7 @@ pub(super) fn journal(
 ) -> Option<[usize; 3]> {
     let mean = plan.mean_of(std::slice::from_ref(set), nodes);
     if !(0..2).all(|about| plan.spec.means[mean].turns_about(about)) {
-        let message = format!("the nodes of `{}` show no tilt of the journal", set.text());
+        let message = format!("the nodes of `{}` define no tilt of the journal", set.text());
         let help = "name a set with the faces of the journal, from one end to the other";
         errors.push(set.error_here(Code::BAD_VALUE, message).help(help));
         return None;
@@ -80,7 +80,7 @@ pub(super) fn bore(
             let Some(point) = surface.at(angle, z) else {
                 let [from, to] = surface.ends();
                 let message = format!(
-                    "`{}` has no face at {:.1}° and z = {}, where a spring stands; it reaches from z = {} to {}",
+                    "`{}` has no face at {:.1}° and z = {}, where a spring belongs; it extends from z = {} to {}",
                     set.text(),
                     angle.to_degrees(),
                     mm(z),
@@ -146,7 +146,7 @@ pub(super) fn compare(
             let help = match place {
                 0 => "name the surface of a journal about the axis of its body, or correct the `axis` of the body".to_owned(),
                 _ => format!(
-                    "write `offset = [\"{}\", \"{}\"]` if the bore stands there, or correct the `axis` of the body",
+                    "write `offset = [\"{}\", \"{}\"]` if the bore is meant to be there, or correct the `axis` of the body",
                     mm(found.centre[0] - planned.sides.bore_axis[0]),
                     mm(found.centre[1] - planned.sides.bore_axis[1])
                 ),
@@ -158,8 +158,8 @@ pub(super) fn compare(
         && (bore - journal - c).abs() > GAP * c + DIGITS * bore
     {
         warnings.push(format!(
-            "{}: the meshes leave {} between the surfaces of the joint `{}` (radii {} and {}), the case says a clearance of \
-             {}, which is used",
+            "{}: the meshes leave {} between the surfaces of the joint `{}` (radii {} and {}), but the case gives a \
+             clearance of {}, which is used",
             joint.name.source().path.display(),
             mm(bore - journal),
             joint.name.text(),

@@ -44,10 +44,10 @@ impl BodyPlan {
             if couple[axis] != 0.0 && !self.spec.means[mean].turns_about(axis) {
                 let sets: Vec<&str> = load.sets.iter().map(Located::text).collect();
                 let message = format!(
-                    "the nodes of `{}` show no turn about {letter}, on which a couple could act",
+                    "the nodes of `{}` define no rotation about {letter}, on which a couple could act",
                     sets.join("`, `")
                 );
-                let help = "name sets of nodes that do not stand on one line, such as a section";
+                let help = "name sets of nodes that are not on one line, such as a section";
                 errors.push(load.place.error_here(Code::BAD_VALUE, message).help(help));
             }
         }
@@ -122,13 +122,13 @@ impl BodyPlan {
         }
         let mean = self.mean_of(std::slice::from_ref(set), &nodes);
         if !self.spec.means[mean].turns_about(2) {
-            let message = format!("the nodes of `{}` show no turn about z", set.text());
+            let message = format!("the nodes of `{}` define no rotation about z", set.text());
             let help = "name a set of nodes around the axis, such as those of a section";
             errors.push(set.error_here(Code::BAD_VALUE, message).help(help));
             return (mean, None);
         }
         let turn = self.retain_mean(set, mean, MeanComponent::Rotation(2));
-        let name = format!("torsion (mean turn of {})", set.text());
+        let name = format!("torsion (mean rotation of {})", set.text());
         (mean, Some(Turn { name, terms: vec![(turn, 1.0)] }))
     }
 

@@ -40,7 +40,7 @@ pub(in crate::machine) fn driven(section: &[Located], shaft: &Mesh, errors: &mut
     if !(x.abs() > LEAST_ARM * x.hypot(y)) {
         note(
             format!(
-                "{names} stand at x = {} and {}: their couple of forces along y has an arm of {} only",
+                "{names} are at x = {} and {}: their forces along y have a lever arm of only {}",
                 mm(a[0]),
                 mm(b[0]),
                 mm(x.abs())
@@ -50,7 +50,7 @@ pub(in crate::machine) fn driven(section: &[Located], shaft: &Mesh, errors: &mut
     } else if !(z.abs() <= SECTION * x.abs()) {
         note(
             format!(
-                "{names} stand in different sections: at z = {} and {}, {} apart",
+                "{names} are in different sections: at z = {} and {}, {} apart",
                 mm(a[2]),
                 mm(b[2]),
                 mm(z.abs())

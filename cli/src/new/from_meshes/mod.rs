@@ -38,7 +38,7 @@ pub(super) fn case(
     let Some(axis) = shaft.mesh().round_axis() else {
         return Err(Failure::Argument {
             message: format!("`{}` has no cylinders about an axis along z", files[0].display()),
-            help: "name the mesh of a shaft whose axis is parallel to z as `--shaft`; turn it in the program it comes from"
+            help: "name the mesh of a shaft whose axis is parallel to z as `--shaft`; rotate it in the program that made it"
                 .to_owned(),
         });
     };

@@ -36,11 +36,11 @@ pub(super) fn case(draft: &Draft) -> String {
     let mut text = String::new();
     line!(
         text,
-        "# Made by `whirl new case` from two meshes: bearings stand where cylinders of both meet. Lines that end in"
+        "# Made by `whirl new case` from two meshes: bearings are where cylinders of both meet. Check the lines that"
     );
     line!(
         text,
-        "# `guessed` are to be looked at, and those behind `#` to be filled in or left out. `whirl list` names laws."
+        "# end in `guessed`; fill in or delete those that begin with `#`. `whirl list` names the laws."
     );
     line!(text, "title = {}", quoted(&format!("{} in {}", shaft.name, support.name)));
     line!(text, "gravity = [\"-9.81 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]   # x is up: guessed");
@@ -108,7 +108,10 @@ fn turning(text: &mut String, draft: &Draft) {
 fn standing(text: &mut String, draft: &Draft) {
     let name = &draft.support.name;
     body(text, &draft.support, draft.axis, "turns = \"no\"");
-    line!(text, "static_correction = true               # its bores yield as those of the mesh");
+    line!(
+        text,
+        "static_correction = true               # its bores are as compliant as those of the mesh"
+    );
     match &draft.held {
         Some(Held::Set(set)) => {
             line!(text, "held = [{}]                        # by its name: guessed", quoted(set))

@@ -14,7 +14,7 @@ pub(super) fn figure(topic: &Topic, grid: &Grid, cells: &[Cell]) -> Figure {
     let panels: Vec<Panel> = topic.groups.iter().map(|own| panel(own, grid, cells)).collect();
     let ends = topic.groups.iter().flat_map(|own| &own.series).any(|own| own.columns.len() > 1);
     let title =
-        if ends { format!("{}, least and largest", topic.title) } else { topic.title.into() };
+        if ends { format!("{}, minimum and maximum", topic.title) } else { topic.title.into() };
     Figure { title, columns: panels.len().min(2), panels }
 }
 

@@ -73,7 +73,7 @@ impl Quantities {
                 eccentricities(case, &mut wanted),
             ),
         }
-        add("orders", "Amplitudes once and twice a revolution", orders(&mut wanted));
+        add("orders", "Amplitudes at 1X and 2X", orders(&mut wanted));
         add("stresses", "Largest von Mises stresses", stresses(&mut wanted));
         Quantities { topics, wanted: wanted.names }
     }

@@ -49,7 +49,7 @@ pub(super) fn figure(topic: &Topic, samples: &Samples, cells: &[Cell]) -> Figure
     }
     let ends = topic.groups.iter().flat_map(|own| &own.series).any(|own| own.columns.len() > 1);
     let title =
-        if ends { format!("{}, largest size", topic.title) } else { topic.title.to_owned() };
+        if ends { format!("{}, largest magnitude", topic.title) } else { topic.title.to_owned() };
     Figure { title, columns: samples.keys.len(), panels }
 }
 

@@ -39,7 +39,7 @@ pub(super) fn bifurcation(grid: &Grid, cells: &[Cell]) -> Option<Figure> {
             panels.push(panel);
         }
     }
-    let title = "Bifurcation diagram: positions once a cycle".to_owned();
+    let title = "Bifurcation diagram: sampled once a cycle".to_owned();
     let columns = panels.len().min(2);
     (columns > 0).then_some(Figure { title, panels, columns })
 }
@@ -87,7 +87,7 @@ pub(super) fn waterfall(grid: &Grid, cells: &[Cell]) -> Option<Figure> {
             panels.push(stack(&all, end, amplitudes, (title, heights)));
         }
     }
-    let title = "Spectra of the last cycles (Hann's window)".to_owned();
+    let title = "Spectra of the last cycles (Hann window)".to_owned();
     let columns = panels.len().min(2);
     (columns > 0).then_some(Figure { title, panels, columns })
 }

@@ -41,12 +41,14 @@ const CLEARANCE: &[Key] = &[
     key("laws", Named(&Table(&[LAWS])), "what laws of springs and of rings may take and give"),
 ];
 
-const COORDINATES: Shape =
-    Named(&Table(&[&[needed("unit", Text, "SI unit"), key("title", Text, "one line for people")]]));
+const COORDINATES: Shape = Named(&Table(&[&[
+    needed("unit", Text, "SI unit"),
+    key("title", Text, "one-line description"),
+]]));
 
 const MEASURE: &[Key] = &[
     needed("value", Formula, "a length or an angle"),
-    key("title", Text, "one line for people"),
+    key("title", Text, "one-line description"),
     key("rate", Text, "name of its rate, as laws call it"),
     key("force", Text, "name of the force that works on it"),
 ];

@@ -20,7 +20,7 @@ pub(crate) const RINGS: usize = 3;
 pub struct ClearanceSpec {
     /// Name of the spec.
     pub name: String,
-    /// One line for people.
+    /// One-line description.
     pub title: String,
     /// Paper and equation.
     pub(crate) reference: String,
@@ -97,7 +97,7 @@ pub(crate) struct Apart {
 pub struct Coordinate {
     /// Name, such as `theta`.
     pub name: String,
-    /// One line for people.
+    /// One-line description.
     pub title: String,
     /// SI unit.
     pub unit: String,

@@ -15,7 +15,7 @@ use crate::kinds::kind::About;
 pub struct ElementSpec {
     /// Name by which the solver refers to it.
     pub name: String,
-    /// One line for people.
+    /// One-line description.
     pub title: String,
     /// Book or paper.
     pub(crate) reference: String,

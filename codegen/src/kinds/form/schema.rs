@@ -26,4 +26,4 @@ const FORM: &[Key] = &[
 ];
 
 const PROPERTY: &[Key] =
-    &[needed("unit", Text, "SI unit"), needed("title", Text, "one line for people")];
+    &[needed("unit", Text, "SI unit"), needed("title", Text, "one-line description")];

@@ -15,7 +15,7 @@ use crate::units::Unit;
 pub struct FormSpec {
     /// Name.
     pub name: String,
-    /// One line for people.
+    /// One-line description.
     pub title: String,
     /// Book or paper.
     pub(crate) reference: String,
@@ -38,7 +38,7 @@ pub struct FormSpec {
 pub struct Property {
     /// Name in the spec.
     pub name: String,
-    /// One line for people.
+    /// One-line description.
     pub title: String,
     /// SI unit.
     pub unit: Unit,

@@ -81,6 +81,42 @@ impl fmt::Display for LawReport {
     }
 }
 
+impl LawReport {
+    /// What a user of the law should know of it: values that jump, poles, springs that pull or have a negative stiffness,
+    /// friction that drives. Most laws have nothing of this.
+    pub fn remarks(&self) -> Vec<String> {
+        self.outputs.iter().flat_map(OutputReport::remarks).collect()
+    }
+}
+
+impl OutputReport {
+    fn remarks(&self) -> Vec<String> {
+        let OutputReport { name, unit, extent: [least, _], .. } = self;
+        let mut all = Vec::new();
+        if name == "Q" && *least < 0.0 {
+            let least = short(*least);
+            all.push(format!("`Q` pulls journal and bore together in places: {least} {unit}"));
+        }
+        let over_gap = self.trends.iter().find(|(input, _)| name == "Q" && input == "h");
+        if let Some((_, Trend::Rising | Trend::Mixed)) = over_gap {
+            all.push("`Q` rises with rising h in places: a negative stiffness".to_owned());
+        }
+        if let Some((motion, false)) = self.opposes.as_ref().filter(|_| name == "T") {
+            all.push(format!("`T` drives {motion} in places, which friction opposes"));
+        }
+        let jumps = self.breaks.iter().filter(|found| found.jumps());
+        all.extend(jumps.map(|found| found.words(name, unit)));
+        let poles = self.poles.iter();
+        all.extend(
+            poles.map(|(input, at)| format!("`{name}` has a pole at {input} = {}", short(*at))),
+        );
+        if self.undefined.is_some() {
+            all.push(format!("`{name}` has no finite value in places"));
+        }
+        all
+    }
+}
+
 impl fmt::Display for TableReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let TableReport { name, file, rows, input: [input, unit], span: [first, last], extend } =

@@ -40,7 +40,7 @@ const LAW: &[Key] = &[
 
 const VARIABLE: &[Key] = &[
     needed("unit", Text, "unit in which formulas take or give it, such as \"mm\""),
-    key("title", Text, "one line for people"),
+    key("title", Text, "one-line description"),
     key("range", Tuple(&Number, 2), "where the law is plotted and analysed"),
 ];
 
@@ -60,7 +60,7 @@ const PIECE: &[Key] = &[
 const PARAMETER: &[Key] = &[
     needed("value", Number, "in the unit beside it"),
     needed("unit", Text, "any unit; \"1\" for a pure number"),
-    key("title", Text, "one line for people"),
+    key("title", Text, "one-line description"),
     key(
         "bearing",
         Words(BearingValue::WORDS),

@@ -20,7 +20,7 @@ use crate::units::Unit;
 pub struct LawSpec {
     /// Name by which cases refer to it.
     pub name: String,
-    /// One line for people.
+    /// One-line description.
     pub title: String,
     /// Paper and equation.
     pub(crate) reference: String,
@@ -64,7 +64,7 @@ pub(super) enum NameCode {
 pub struct LawInput {
     /// Symbol, such as `h`.
     pub name: String,
-    /// One line for people.
+    /// One-line description.
     pub title: String,
     /// Unit in which the file's formulas take it.
     pub unit: Unit,
@@ -79,7 +79,7 @@ pub struct LawInput {
 pub struct Parameter {
     /// Symbol, such as `c0`.
     pub name: String,
-    /// One line for people.
+    /// One-line description.
     pub title: String,
     /// Unit in which the file gives it.
     pub unit: Unit,
@@ -116,7 +116,7 @@ pub(crate) struct Definition {
 pub struct LawOutput {
     /// Symbol, such as `Q`.
     pub name: String,
-    /// One line for people.
+    /// One-line description.
     pub title: String,
     /// Unit in which the file's formulas give it.
     pub unit: Unit,

@@ -50,7 +50,7 @@ pub(crate) const COORDINATES: &[(&str, Shape)] =
 pub struct MotionSpec {
     /// Name by which cases refer to it.
     pub name: String,
-    /// One line for people.
+    /// One-line description.
     pub title: String,
     /// Paper and equation.
     pub(crate) reference: String,

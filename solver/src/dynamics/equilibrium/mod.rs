@@ -25,10 +25,10 @@ use turning::TurningStart;
 use super::march::BodyStart;
 #[cfg(doc)]
 use super::march::MarchOptions;
-use crate::equations::{State, Tangents};
+use crate::equations::{Equations, State, Tangents};
 use crate::error::Error;
 use crate::linalg::Matrix;
-use crate::loads::{Action, Frame, Load};
+use crate::loads::Position;
 use crate::machine::Machine;
 
 /// A state that stands in space at speeds that stay.
@@ -42,8 +42,13 @@ pub(crate) struct Standing {
     pub(crate) eccentricities: Vec<(String, Option<f64>)>,
     /// Displacement of the journal against the bore in each (m, along x and y of space).
     pub(crate) displacements: Vec<[f64; 2]>,
+    /// Force on the journal in each (N, along x and y of space).
+    pub(crate) forces: Vec<[f64; 2]>,
     /// As [`Equilibrium::left`].
     pub(crate) left: f64,
+    /// By load whether it does not act on small motions, as it turns with a body, and whether it has ended.
+    pub(crate) released: Vec<bool>,
+    pub(crate) ended: Vec<bool>,
     /// Of small motions about it, in the frames of the bodies.
     pub(crate) tangents: Tangents,
 }
@@ -70,21 +75,42 @@ pub(crate) fn standing_at(
         return Err(unbalanced(&mut balance, &nearest));
     }
     // What turns with a body acts on no small motion but by its couple on the rotation.
-    let turns = |load: &Load| {
-        let along =
-            matches!(load.action, Action::Couple { couple: [x, y, _], .. } if x == 0.0 && y == 0.0);
-        load.frame == Frame::Body && !along
-    };
-    let released: Vec<bool> =
-        machine.loads.iter().map(|load| turns(load) || balance.released(load)).collect();
+    let ended: Vec<bool> = machine.loads.iter().map(|load| balance.released(load)).collect();
+    let both = machine.loads.iter().zip(&ended);
+    let released =
+        both.map(|(load, ended)| load.turns_with_its_body() || *ended).collect::<Vec<_>>();
     let left = balance.worst();
     let (eccentricities, unknowns) = (balance.ratios(), balance.unknowns());
     let state = balance.state.clone();
     let displacements = balance.eccentricities(&state.q);
     balance.equations.release(&released);
     balance.equations.evaluate(0.0, &state);
+    let forces = forces(&balance.equations, &state);
     let tangents = balance.equations.tangents(&state);
-    Ok(Standing { state, unknowns, eccentricities, displacements, left, tangents })
+    Ok(Standing {
+        state,
+        unknowns,
+        eccentricities,
+        displacements,
+        forces,
+        left,
+        released,
+        ended,
+        tangents,
+    })
+}
+
+/// Forces of all joints on their journals at the state that was evaluated last (N, along x and y of space).
+fn forces(equations: &Equations, state: &State) -> Vec<[f64; 2]> {
+    let machine = equations.machine;
+    let joints = machine.monitors.iter().map(|joint| {
+        let planes = joint.planes.iter().map(|&plane| equations.springs.plane_force(plane));
+        let force = planes.fold([0.0; 2], |sum, [_, x, y]| [sum[0] + x, sum[1] + y]);
+        let theta = machine.places()[joint.bodies[0]].rotation;
+        // Forces of planes are in the frame of the journal's body.
+        Position::new(theta.map_or(0.0, |theta| state.q[theta])).to_space(force)
+    });
+    joints.collect()
 }
 
 /// The rows that an error names.

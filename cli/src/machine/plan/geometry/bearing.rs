@@ -64,7 +64,7 @@ impl Comparison<'_, '_> {
                 continue;
             }
             let message = format!(
-                "the journal's node `{}` stands at x = {}, y = {}: {} off the axis about which {} turns",
+                "the journal's node `{}` is at x = {}, y = {}: {} off the axis about which {} turns",
                 set.text(),
                 mm(x),
                 mm(y),

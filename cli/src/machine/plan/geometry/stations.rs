@@ -54,13 +54,13 @@ pub(in crate::machine) fn check(bearing: &Bearing, extent: Extent, errors: &mut 
                 if (left - z).max(z - right) > BEYOND * (right - left) =>
             {
                 let message = format!(
-                    "the station at z = {} is {} outside the bearing, which goes from {} to {}",
+                    "the station at z = {} is {} outside the bearing, which extends from {} to {}",
                     mm(z),
                     mm((left - z).max(z - right)),
                     mm(left),
                     mm(right)
                 );
-                let help = "write a z between these ends, or correct where the bearing stands";
+                let help = "write a z between these ends, or correct the position of the bearing";
                 note(message, help.to_owned());
             }
             (Extent::Plane(plane, allowed), _) if !((z - plane).abs() <= allowed) => {
@@ -71,14 +71,14 @@ pub(in crate::machine) fn check(bearing: &Bearing, extent: Extent, errors: &mut 
                     mm(plane)
                 );
                 let help = format!(
-                    "write `stations = [\"{}\"]`, or correct where the bearing stands",
+                    "write `stations = [\"{}\"]`, or correct the position of the bearing",
                     mm(plane)
                 );
                 note(message, help);
             }
             (_, Some(other)) => {
                 let message = format!(
-                    "a ring of springs stands at z = {} already: it would act twice",
+                    "there is already a ring of springs at z = {}: it would act twice",
                     mm(*other)
                 );
                 note(message, "take one of them out".to_owned());

@@ -162,7 +162,7 @@ impl Columns {
             }
             Which::Named(name) => {
                 let Some(heads) = &self.heads else {
-                    let message = format!("`{shown}` has no line of names");
+                    let message = format!("`{shown}` has no header line");
                     let error = wanted.place.error_here(Code::TABLE, message);
                     let help = "give the number of the column, or write names above the numbers";
                     return Err(error.help(help).into());

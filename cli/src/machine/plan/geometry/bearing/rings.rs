@@ -62,8 +62,7 @@ impl Comparison<'_, '_> {
             let apart = (planes[1] - middle).abs();
             if apart > allowed {
                 let message = format!(
-                    "the journal's middle `{}` at z = {} is {} off the middle between its ends, from where \
-                     `stations` are reckoned",
+                    "the journal's middle `{}` at z = {} is {} off the middle between its ends, to which `stations` refer",
                     journal.sets[1].text(),
                     mm(planes[1]),
                     mm(apart)
@@ -86,7 +85,7 @@ impl Comparison<'_, '_> {
         let meant: Option<Vec<&str>> =
             planes.iter().map(|&z| ring_at(bore.mesh, z, allowed)).collect();
         let help = match meant {
-            Some(sets) => format!("write `bore = {}`, which stand there", list(sets)),
+            Some(sets) => format!("write `bore = {}`, which are there", list(sets)),
             None => {
                 let [left, middle, right] = planes.map(mm);
                 format!("name the sets around the bore at z = {left}, {middle} and {right}")
@@ -107,7 +106,7 @@ impl Comparison<'_, '_> {
             }
             all = false;
             let message = format!(
-                "the nodes of `{}` do not stand in one plane: they are at z = {} to {}",
+                "the nodes of `{}` are not in one plane: they are at z = {} to {}",
                 set.text(),
                 mm(low),
                 mm(high)
@@ -127,7 +126,7 @@ impl Comparison<'_, '_> {
         }
         let set = &bore.sets[ring];
         let message = format!(
-            "the nodes of `{}` stand on a circle about x = {}, y = {}: {} off the axis of {}",
+            "the nodes of `{}` are on a circle about x = {}, y = {}: {} off the axis of {}",
             set.text(),
             mm(x),
             mm(y),

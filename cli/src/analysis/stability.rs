@@ -1,0 +1,116 @@
+//! The least stable motion over speeds, and where it begins to grow.
+
+use std::fmt::Write;
+
+use whirl_solver::linear::{Campbell, LinearMachine, Mode, Range};
+
+use super::found::{Found, nothing};
+use super::speeds::Wanted;
+use super::words;
+use crate::case::{Analysis, Case};
+use crate::errors::Failure;
+use crate::figures::{Figure, Line, Panel, Style, png, svg};
+use crate::report::table;
+use crate::signals::Interruption;
+
+/// The least stable mode at each speed.
+pub(super) fn found(
+    case: &Case,
+    linear: &LinearMachine,
+    (analysis, wanted): (&Analysis, &Wanted),
+    interruption: &Interruption,
+    figures: bool,
+) -> Result<Found, Failure> {
+    let of = wanted.of.expect("a body that turns");
+    let range = Range {
+        of,
+        speeds: wanted.speeds.clone(),
+        ratios: analysis.ratios.clone(),
+        count: analysis.count,
+        orders: Vec::new(),
+    };
+    let all = linear.campbell(&range, &|| !interruption.asked())?;
+    if all.speeds.is_empty() {
+        return Err(nothing());
+    }
+    let least: Vec<Option<&Mode>> = (0..all.speeds.len()).map(|place| least(&all, place)).collect();
+    let name = &analysis.name;
+    let mut files = vec![
+        (format!("{name}.csv"), rows(&all, &least).into_bytes()),
+        (format!("{name}.thresholds.csv"), words::thresholds_file(&all).into_bytes()),
+    ];
+    if figures && all.speeds.len() > 1 {
+        let drawing = svg(&figure(case, linear, of, &all, &least));
+        files.extend(png(&drawing).map(|image| (format!("{name}.png"), image)));
+        files.push((format!("{name}.svg"), drawing.into_bytes()));
+    }
+    let mut text = format!("{}: {}\n", case.name, case.title);
+    let head = ["speed (rpm)", "least log decrement", "frequency (Hz)", "whirl", "moves", ""];
+    let mut lines = vec![head.map(str::to_owned).to_vec()];
+    for ((place, speed), mode) in all.speeds.iter().enumerate().zip(&least) {
+        let Some(mode) = mode else { continue };
+        lines.push(vec![
+            words::speed(*speed),
+            words::decrement(mode),
+            words::hertz(mode),
+            words::whirl(mode, *speed).to_owned(),
+            words::movers(linear, mode),
+            if all.stable[place] { String::new() } else { "UNSTABLE".to_owned() },
+        ]);
+    }
+    text.push('\n');
+    text.push_str(&table(&lines));
+    text.push('\n');
+    text.push_str(&words::thresholds(&all));
+    text.push_str(&words::doubts(&all.doubts));
+    let interrupted = all.speeds.len() + all.lost.len() < wanted.speeds.len();
+    Ok(Found { text, files, interrupted })
+}
+
+/// The listed mode with the smallest logarithmic decrement at a speed.
+fn least(all: &Campbell, place: usize) -> Option<&Mode> {
+    let modes = all.branches.iter().filter_map(|branch| branch[place].as_ref());
+    modes.min_by(|a, b| a.log_decrement().total_cmp(&b.log_decrement()))
+}
+
+fn rows(all: &Campbell, least: &[Option<&Mode>]) -> String {
+    let mut text =
+        String::from("speed_rpm,stable,least_log_decrement,frequency_hz,real_1_s,whirl\n");
+    for ((place, speed), mode) in all.speeds.iter().enumerate().zip(least) {
+        let values = mode.map_or(",,,".to_owned(), |mode| {
+            let whirl = words::whirl(mode, *speed);
+            format!("{},{},{},{whirl}", mode.log_decrement(), mode.hertz(), mode.value.re)
+        });
+        let stable = all.stable[place];
+        writeln!(text, "{},{stable},{values}", words::rpm(*speed)).expect("text can be written");
+    }
+    text
+}
+
+fn figure(
+    case: &Case,
+    linear: &LinearMachine,
+    of: usize,
+    all: &Campbell,
+    least: &[Option<&Mode>],
+) -> Figure {
+    let points = all
+        .speeds
+        .iter()
+        .zip(least)
+        .filter_map(|(speed, mode)| Some((words::rpm(*speed), (*mode)?.log_decrement())));
+    let body = linear.machine().bodies[of].name();
+    let line = Line {
+        points: points.collect(),
+        style: Style::First,
+        name: "the least stable mode".to_owned(),
+    };
+    let panel = Panel {
+        title: "stability".to_owned(),
+        x: format!("speed of {body} (rpm)"),
+        y: "logarithmic decrement (1)".to_owned(),
+        lines: vec![line],
+        ..Panel::default()
+    };
+    Figure { title: format!("{}: {}", case.name, case.title), panels: vec![panel], columns: 1 }
+}

@@ -1,0 +1,132 @@
+//! What `whirl check` says of joints.
+
+use std::fmt::Write;
+
+use whirl_codegen::kinds::law::Acts;
+use whirl_solver::bearing::MotionKind;
+use whirl_solver::mesh::measure::Circle;
+use whirl_text::rounded;
+
+use crate::case::{JoinedMachine, Joint, JointKind, SetParameter};
+use crate::machine::JoinedPlan;
+
+/// Each joint with its law, clearance and place, or its coefficients.
+pub(super) fn say(text: &mut String, joined: &JoinedMachine, plan: &JoinedPlan) {
+    if !joined.joints.is_empty() {
+        line!(text, "\nJoints");
+    }
+    for (place, (joint, law)) in joined.joints.iter().zip(&plan.laws).enumerate() {
+        let (c, circles) = plan.clearance(place);
+        line!(text, "{}", of_joint(joint, &law.name(), c, &plan.stations(place)));
+        if let Some([journal, bore]) = circles {
+            line!(
+                text,
+                "  measured on the meshes: journal of radius {}, bore of radius {}",
+                round(journal),
+                round(bore)
+            );
+        }
+        let turns = |body: usize| joined.bodies[body].turns();
+        let turning = joint.sides[1].body.filter(|body| turns(*body));
+        if let Some(bore) = turning.filter(|_| law.damps_against_bore()) {
+            line!(
+                text,
+                "  its damping turns with {}, as its law takes rates without omega: rotating damping, which destabilises \
+                 above a critical speed",
+                joined.bodies[bore].name.text()
+            );
+        }
+    }
+}
+
+fn of_joint(joint: &Joint, law: &str, c: f64, stations: &[f64]) -> String {
+    let (kind, [first, second]) = joint.kind.words();
+    let [a, b] = joint.sides.each_ref().map(|side| side.place.text());
+    let values = match joint.kind {
+        JointKind::Bearing | JointKind::Stop => {
+            let clearance = match c {
+                0.0 => String::new(),
+                _ => {
+                    let from = if joint.clearance_from_mesh { " from mesh" } else { "" };
+                    format!(", c = {} µm{from}", rounded(1e6 * c, 10))
+                }
+            };
+            format!(", law {law}{clearance}{}", planes(joint, stations))
+        }
+        JointKind::Bushing | JointKind::Coupling => values(joint),
+    };
+    format!("{kind} {}: {first} {a}, {second} {b}{values}", joint.name.text())
+}
+
+/// Its rings of springs, or the planes in which a law of a ring acts.
+fn planes(joint: &Joint, stations: &[f64]) -> String {
+    let rings = match joint.bearing.law.source.acts() {
+        Acts::Spring if joint.angle.is_none() => {
+            let plural = if stations.len() == 1 { "" } else { "s" };
+            format!(", {} ring{plural} of {} springs", stations.len(), joint.bearing.springs)
+        }
+        _ => String::new(),
+    };
+    // A rigid body that does not tilt is alike at any z.
+    let placed = |side: &crate::case::JointSide| !side.sets.is_empty() || side.z.is_some();
+    if !joint.sides.iter().any(placed) && joint.bearing.stations.is_empty() {
+        return rings;
+    }
+    let z: Vec<String> = stations.iter().map(|z| rounded(1e3 * z, 6).to_string()).collect();
+    format!("{rings}{} z = {} mm", if rings.is_empty() { "," } else { " at" }, z.join(", "))
+}
+
+/// All stiffness and damping of a bushing or a coupling.
+fn values(joint: &Joint) -> String {
+    let units = match joint.kind {
+        JointKind::Coupling => TORSIONAL,
+        _ => LINEAR,
+    };
+    let mut text = match &joint.table {
+        Some(file) => format!(", stiffness and damping over speed in {}", file.text()),
+        None => coefficients(&joint.bearing.parameters, "", units, false),
+    };
+    for own in &joint.others {
+        text.push_str(&match own.kind {
+            MotionKind::Tilts => coefficients(&own.parameters, "tilting ", TORSIONAL, false),
+            MotionKind::Along => coefficients(&own.parameters, "axial ", LINEAR, true),
+        });
+    }
+    text
+}
+
+const LINEAR: [&str; 2] = ["N/m", "N s/m"];
+const TORSIONAL: [&str; 2] = ["N m/rad", "N m s/rad"];
+
+/// Stiffness and damping; `one`: only those along x of the law, which stand for another direction.
+fn coefficients(set: &[SetParameter], called: &str, units: [&str; 2], one: bool) -> String {
+    let of = |letter: &str| {
+        let own = set.iter().filter(|own| own.name().starts_with(letter));
+        let own = own.filter(|own| !one || own.name().ends_with("_xx"));
+        // What couples both directions is seldom there.
+        let own = own.filter(|own| own.value() != 0.0 || is_diagonal(own.name()));
+        let shown = own.map(|own| {
+            let value = rounded(own.value(), 10);
+            let direction = own.name().split_once('_').map_or("", |(_, direction)| direction);
+            let direction = if one { "" } else { direction };
+            let space = if direction.is_empty() { "" } else { " " };
+            let plain = value == 0.0 || (1e-3..1e6).contains(&value.abs());
+            let value = if plain { value.to_string() } else { format!("{value:e}") };
+            format!("{direction}{space}{value}")
+        });
+        shown.collect::<Vec<_>>().join(", ")
+    };
+    format!(", {called}stiffness {} {}, damping {} {}", of("k"), units[0], of("c"), units[1])
+}
+
+/// Whether a parameter acts along the motion that it is of.
+fn is_diagonal(name: &str) -> bool {
+    let direction = name.split_once('_').map_or("", |(_, direction)| direction);
+    matches!(direction, "" | "xx" | "yy")
+}
+
+/// Radius and roundness of a circle.
+fn round(circle: Circle) -> String {
+    let micrometres = (1e9 * circle.deviation).round() / 1e3;
+    format!("{} mm (out of round by {micrometres} µm)", rounded(1e3 * circle.radius, 8))
+}

@@ -1,0 +1,134 @@
+//! What may be wrong with modes, and what would mend it.
+
+use std::fmt;
+
+use whirl_text::rounded;
+
+use super::linearised::{Linearised, Standstill};
+use super::modes::Mode;
+use super::round::LinearMachine;
+use crate::error::Error;
+
+/// Share of a mode's inertia from which on a body takes part.
+const TAKES_PART: f64 = 0.2;
+/// Frequencies of a reduction are twice those of the modes that are trusted.
+const TWICE: f64 = 2.0;
+/// Share by which entries of the equations may vary with the angles of bodies unsaid.
+const VARIES: f64 = 1e-6;
+
+/// Something that limits what modes are worth.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Doubt {
+    /// A body that turns and is not round.
+    NotRound {
+        /// Its name.
+        body: String,
+        /// What it lacks.
+        lack: String,
+        /// Whether its equations vary even in its own frame.
+        varies: bool,
+    },
+    /// A body that counts as round below a frequency only, which modes exceed.
+    RoundBelow {
+        /// Its name.
+        body: String,
+        /// That frequency (Hz).
+        hertz: f64,
+    },
+    /// Modes near the last one that a body has.
+    EndOfReduction {
+        /// Its name.
+        body: String,
+        /// The frequency of its last mode with its joints held (Hz).
+        last: f64,
+        /// The frequency of the first mode that is near it (Hz).
+        first: f64,
+    },
+    /// Equations that vary with angles though all bodies are round: joints that are not.
+    Varies {
+        /// The largest share of an entry.
+        share: f64,
+    },
+}
+
+impl fmt::Display for Doubt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let hertz = |own: f64| rounded(own, 4);
+        match self {
+            Doubt::NotRound { body, lack, varies: false } => {
+                write!(
+                    f,
+                    "{body} is not round: {lack}. Modes are those in its frame, where nothing varies"
+                )
+            }
+            Doubt::NotRound { body, lack, varies: true } => write!(
+                f,
+                "{body} is not round: {lack}. The equations vary with its angle (Hill's method), about the state of the mean body"
+            ),
+            Doubt::RoundBelow { body, hertz: band } => write!(
+                f,
+                "{body} counts as round up to {} Hz: modes above are those of its mean over a turn",
+                hertz(*band)
+            ),
+            Doubt::EndOfReduction { body, last, first } => write!(
+                f,
+                "modes from {} Hz on are near the end of {body}, whose last mode with its joints held is at {} Hz: give it more `modes`",
+                hertz(*first),
+                hertz(*last)
+            ),
+            Doubt::Varies { share } => write!(
+                f,
+                "the equations vary with the angles of bodies by {} %, as joints are not alike all round: modes are those at the angle 0",
+                rounded(100.0 * share, 2)
+            ),
+        }
+    }
+}
+
+impl LinearMachine {
+    /// What is to be said of modes at a state.
+    ///
+    /// # Errors
+    /// As [`LinearMachine::linearised`].
+    pub fn doubts(
+        &self,
+        at: &Standstill,
+        equations: &Linearised,
+        modes: &[Mode],
+    ) -> Result<Vec<Doubt>, Error> {
+        let mut doubts = Vec::new();
+        for body in self.not_round().filter(|&body| at.speeds[body] != 0.0) {
+            doubts.push(Doubt::NotRound {
+                body: self.machine.bodies[body].name().to_owned(),
+                lack: self.roundness[body].as_ref().map_or(String::new(), |own| own.lack()),
+                varies: equations.varying.is_some(),
+            });
+        }
+        for (place, body) in self.machine.bodies.iter().enumerate() {
+            let own = || modes.iter().filter(|mode| mode.shares[place] >= TAKES_PART);
+            let highest = own().map(Mode::hertz).fold(0.0, f64::max);
+            let name = || body.name().to_owned();
+            let round = self.roundness[place].as_ref().filter(|own| own.is_round_at(0.0));
+            if let Some(band) = round.map(|own| own.band()).filter(|own| *own < highest) {
+                doubts.push(Doubt::RoundBelow { body: name(), hertz: band });
+            }
+            let last = match (body.shaft(), body.support()) {
+                (Some(shaft), _) => shaft.hertz.last(),
+                (_, Some(support)) => support.hertz.last(),
+                _ => None,
+            };
+            let Some(&last) = last else { continue };
+            let near = own().map(Mode::hertz).find(|hertz| TWICE * hertz > last);
+            if let Some(first) = near {
+                doubts.push(Doubt::EndOfReduction { body: name(), last, first });
+            }
+        }
+        if equations.frame == 0.0 && equations.varying.is_none() {
+            let share = self.varies(at);
+            if share > VARIES {
+                doubts.push(Doubt::Varies { share });
+            }
+        }
+        Ok(doubts)
+    }
+}

@@ -1,0 +1,140 @@
+//! A machine with its modes at the speeds of a range, on all processors.
+
+use std::num::NonZero;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+
+use super::campbell::Range;
+use super::linearised::{Linearised, Standstill};
+use super::modes::Modes;
+use super::round::LinearMachine;
+use super::slow::Slow;
+use crate::error::Error;
+use crate::linalg::Matrix;
+
+/// Modes that are followed beyond those that are asked for, so that these may change places with them.
+const BEYOND: usize = 4;
+/// Speeds that follow each other, each state found from the one before.
+const TOGETHER: usize = 8;
+
+/// A machine at a speed.
+pub(super) struct Point {
+    pub(super) speed: f64,
+    pub(super) mass: Matrix,
+    pub(super) at: Standstill,
+    pub(super) modes: Modes,
+    /// Whether a body that turns is not round.
+    pub(super) is_uneven: bool,
+}
+
+/// The state that stands at a speed, and its equations.
+pub(super) struct Stood {
+    pub(super) speed: f64,
+    pub(super) at: Standstill,
+    pub(super) equations: Linearised,
+}
+
+/// What is found at the speeds of a range.
+pub(super) struct Along {
+    pub(super) points: Vec<Point>,
+    /// Speeds at which the machine does not stand, and why.
+    pub(super) lost: Vec<(f64, Error)>,
+    /// The slow motions in which modes were looked for, if the machine is large.
+    pub(super) slow: Option<Slow>,
+}
+
+impl LinearMachine {
+    /// How many modes are looked for at each speed.
+    pub(super) fn looked_for(range: &Range) -> usize {
+        range.count + BEYOND
+    }
+
+    pub(super) fn stood(
+        &self,
+        range: &Range,
+        speed: f64,
+        near: Option<&Standstill>,
+    ) -> Result<Stood, Error> {
+        let speeds = self.speeds(range.of, speed, &range.ratios);
+        let at = self.standing_round(&speeds, near)?;
+        let equations = self.linearised(&at)?;
+        Ok(Stood { speed, at, equations })
+    }
+
+    /// The machine at a speed, from a state nearby if there is one.
+    pub(super) fn point(
+        &self,
+        range: &Range,
+        slow: Option<&Slow>,
+        speed: f64,
+        near: Option<&Standstill>,
+    ) -> Result<Point, Error> {
+        let Stood { at, equations, .. } = self.stood(range, speed, near)?;
+        let basis = slow.map(|own| own.at(speed));
+        let modes = self.modes_in(&equations, basis, LinearMachine::looked_for(range))?;
+        let is_uneven = equations.frame != 0.0 || equations.varying.is_some();
+        Ok(Point { speed, mass: equations.mass, at, modes, is_uneven })
+    }
+
+    /// The machine at the speeds, up to the first that was not done; where it does not stand, why.
+    pub(super) fn along(
+        &self,
+        range: &Range,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Along, Error> {
+        let slow = Slow::new(self, range, goes_on)?;
+        let work = |speeds: &[f64]| -> Result<Vec<(f64, Result<Point, Error>)>, Error> {
+            let mut own: Vec<(f64, Result<Point, Error>)> = Vec::with_capacity(speeds.len());
+            for &speed in speeds.iter().take_while(|_| goes_on()) {
+                let near = own.iter().rev().find_map(|(_, point)| point.as_ref().ok());
+                let point = self.point(range, slow.as_ref(), speed, near.map(|own| &own.at));
+                match point {
+                    Err(error) if !error.is_of_balance() => return Err(error),
+                    point => own.push((speed, point)),
+                }
+            }
+            Ok(own)
+        };
+        // The same parts on any number of processors, so that the numbers are the same to the bit.
+        let parts: Vec<&[f64]> = range.speeds.chunks(TOGETHER).collect();
+        let (mut points, mut lost) = (Vec::with_capacity(range.speeds.len()), Vec::new());
+        for (own, speeds) in beside(&parts, &|speeds| work(speeds)).into_iter().zip(&parts) {
+            let own = own?;
+            let whole = own.len() == speeds.len();
+            for (speed, point) in own {
+                match point {
+                    Ok(point) => points.push(point),
+                    Err(error) => lost.push((speed, error)),
+                }
+            }
+            if !whole {
+                break;
+            }
+        }
+        Ok(Along { points, lost, slow })
+    }
+}
+
+/// What becomes of each of the parts, in their order, on all processors.
+pub(super) fn beside<P: Sync, R: Send>(parts: &[P], work: &(dyn Fn(&P) -> R + Sync)) -> Vec<R> {
+    let done: Vec<Mutex<Option<R>>> = parts.iter().map(|_| Mutex::new(None)).collect();
+    let next = AtomicUsize::new(0);
+    let worker = || {
+        loop {
+            let place = next.fetch_add(1, Ordering::Relaxed);
+            let Some(part) = parts.get(place) else { return };
+            let own = work(part);
+            *done[place].lock().unwrap_or_else(PoisonError::into_inner) = Some(own);
+        }
+    };
+    let processors = thread::available_parallelism().map_or(1, NonZero::get);
+    thread::scope(|scope| {
+        for _ in 1..processors.min(parts.len()) {
+            scope.spawn(worker);
+        }
+        worker();
+    });
+    let all = done.into_iter().map(|own| own.into_inner().unwrap_or_else(PoisonError::into_inner));
+    all.map(|own| own.expect("all parts were done")).collect()
+}

@@ -1,0 +1,189 @@
+//! Speeds at which something of the modes changes its sign.
+
+use super::campbell::Range;
+use super::modes::Mode;
+use super::points::Point;
+use super::round::LinearMachine;
+use super::shapes::apply;
+use super::slow::Slow;
+use super::track::mac;
+use crate::error::Error;
+
+/// Share of a speed to which one is found, and one at which a whirl begins or ends to be locked to the rotation.
+const FOUND: f64 = 1e-9;
+const EDGE: f64 = 1e-8;
+/// Roots of a branch nearer to each other than this share are one.
+const ONE: f64 = 1e-6;
+/// Share of |λ| that may be left there.
+const ROOT: f64 = 1e-6;
+/// Evaluations until then at most.
+const TRIES: usize = 60;
+/// Share of what it is compared with below which a value is zero, of a machine that is not round: its whirl is locked to the
+/// rotation over whole intervals of speeds.
+const LOCKED: f64 = 1e-8;
+
+/// A value of a mode at a speed.
+#[derive(Clone)]
+struct End {
+    speed: f64,
+    value: f64,
+    mode: Mode,
+}
+
+/// A value of the modes at a speed that is looked for.
+pub(super) struct Root {
+    pub(super) speed: f64,
+    pub(super) mode: Mode,
+    /// Whether it rises there.
+    pub(super) rises: bool,
+}
+
+/// Searches between speeds.
+pub(super) struct Roots<'a> {
+    pub(super) machine: &'a LinearMachine,
+    pub(super) range: &'a Range,
+    pub(super) slow: Option<&'a Slow>,
+    pub(super) points: &'a [Point],
+}
+
+impl Roots<'_> {
+    /// Speeds at which something of a branch changes its sign. Of a machine that is not round it may be zero over whole
+    /// intervals: their ends. `exact`: the same without what keeps rounding from changing it, whose zero is found where it changes
+    /// its sign, too.
+    pub(super) fn of_branch(
+        &self,
+        places: &[Option<usize>],
+        of: &dyn Fn(f64, &Mode) -> f64,
+        exact: &dyn Fn(f64, &Mode) -> f64,
+    ) -> Result<Vec<Root>, Error> {
+        let mut found: Vec<Root> = Vec::new();
+        for (pair, places) in self.points.windows(2).zip(places.windows(2)) {
+            let (Some(a), Some(b)) = (places[0], places[1]) else { continue };
+            let is_uneven = pair.iter().any(|own| own.is_uneven);
+            let value = |speed: f64, mode: &Mode| {
+                let own = of(speed, mode);
+                let is_locked = is_uneven && own.abs() <= LOCKED * mode.value.norm();
+                if is_locked { 0.0 } else { own }
+            };
+            let [a, b] = [(&pair[0], a), (&pair[1], b)].map(|(point, place)| {
+                let mode = point.modes.oscillating[place].clone();
+                End { speed: point.speed, value: value(point.speed, &mode), mode }
+            });
+            // Of a round machine a value of zero belongs to the step that it ends.
+            if sign(a.value) == sign(b.value) || a.value == 0.0 && !is_uneven {
+                continue;
+            }
+            let rises = a.value < b.value;
+            let nearer =
+                [&a, &b].map(|own| End { value: exact(own.speed, &own.mode), ..own.clone() });
+            let changes = !is_uneven && nearer[0].value * nearer[1].value < 0.0;
+            let before = found.len();
+            if changes {
+                self.between(&pair[0], nearer, exact, &mut found)?;
+            } else {
+                self.between(&pair[0], [a, b], &value, &mut found)?;
+            }
+            found[before..].iter_mut().for_each(|own| own.rises = rises);
+        }
+        found.dedup_by(|b, a| (b.speed - a.speed).abs() <= ONE * a.speed.abs());
+        Ok(found)
+    }
+
+    /// Adds the roots between two ends with different signs: one, or two where it is zero between them.
+    fn between(
+        &self,
+        near: &Point,
+        [a, b]: [End; 2],
+        of: &dyn Fn(f64, &Mode) -> f64,
+        found: &mut Vec<Root>,
+    ) -> Result<(), Error> {
+        let (signs, rises) = ([sign(a.value), sign(b.value)], a.value < b.value);
+        let [mut left, mut right] = [a, b];
+        let share = if signs.contains(&0) { EDGE } else { FOUND };
+        for k in 0..TRIES {
+            let is_met = signs[1] != 0 && right.value == 0.0;
+            if is_met || (right.speed - left.speed).abs() <= share * right.speed.abs() {
+                break;
+            }
+            let middle = 0.5 * (left.speed + right.speed);
+            // Every third speed halves what is left, as values need not be straight; beside zeros they never are.
+            let speed = match k % 3 == 2 || signs.contains(&0) {
+                true => middle,
+                false => {
+                    right.speed
+                        - right.value * (right.speed - left.speed) / (right.value - left.value)
+                }
+            };
+            let nearest = if (speed - left.speed).abs() < (right.speed - speed).abs() {
+                &left.mode
+            } else {
+                &right.mode
+            };
+            let Some((own, is_uneven)) = self.nearest(near, speed, nearest)? else { break };
+            let next = End { speed, value: of(speed, &own), mode: own };
+            if sign(next.value) == 0 && !signs.contains(&0) {
+                if is_uneven {
+                    self.between(near, [left, next.clone()], of, found)?;
+                    return self.between(near, [next, right], of, found);
+                }
+                (left, right) = (next.clone(), next);
+            } else if sign(next.value) == signs[1] {
+                right = next;
+            } else {
+                left = next;
+            }
+        }
+        // Where a mode ends between the speeds another one may have been followed.
+        let end = if left.value.abs() < right.value.abs() { left } else { right };
+        if end.value.abs() <= ROOT * end.mode.value.norm() {
+            found.push(Root { speed: end.speed, mode: end.mode, rises });
+        }
+        Ok(())
+    }
+
+    /// The mode at a speed that is most like another one, and whether the machine is not round.
+    fn nearest(
+        &self,
+        near: &Point,
+        speed: f64,
+        like: &Mode,
+    ) -> Result<Option<(Mode, bool)>, Error> {
+        let point = self.machine.point(self.range, self.slow, speed, Some(&near.at))?;
+        let moved = apply(&point.mass, &like.shape);
+        let apart = |own: &Mode| {
+            let change = (own.value - like.value).norm() / like.value.norm();
+            1.0 - mac(&moved, &own.shape) + change
+        };
+        let modes = point.modes.oscillating.into_iter();
+        let mode = modes.min_by(|x, y| apart(x).total_cmp(&apart(y)));
+        Ok(mode.map(|own| (own, point.is_uneven)))
+    }
+
+    /// The speed between two points of which one is stable, with the motion that begins to grow there, if it oscillates.
+    pub(super) fn stability(&self, [a, b]: [&Point; 2]) -> Result<(f64, Option<Mode>), Error> {
+        let mut ends = [a.speed, b.speed];
+        let before = a.modes.is_stable();
+        let growing = |point: &Point| {
+            let modes = point.modes.oscillating.iter().filter(|own| own.grows());
+            modes.max_by(|x, y| x.growth().total_cmp(&y.growth())).cloned()
+        };
+        let mut mode = growing(if before { b } else { a });
+        for _ in 0..TRIES {
+            let speed = 0.5 * (ends[0] + ends[1]);
+            if (ends[1] - ends[0]).abs() <= FOUND * speed.abs() {
+                break;
+            }
+            let point = self.machine.point(self.range, self.slow, speed, Some(&a.at))?;
+            let is_stable = point.modes.is_stable();
+            if !is_stable {
+                mode = growing(&point);
+            }
+            ends[usize::from(is_stable != before)] = speed;
+        }
+        Ok((ends[1], mode))
+    }
+}
+
+fn sign(value: f64) -> i8 {
+    i8::from(value > 0.0) - i8::from(value < 0.0)
+}
