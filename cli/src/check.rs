@@ -7,10 +7,10 @@ use whirl_solver::cache::Cache;
 use whirl_solver::dynamics::AutomaticStep;
 
 use crate::arguments::CheckArguments;
-use crate::case::{Case, Joint, JointKind, LawSource, System};
+use crate::case::{Case, Joint, JointKind, LawSource};
 use crate::errors::Failure;
 use crate::explain;
-use crate::machine::{self, Built, JoinedPlan};
+use crate::machine::{self, JoinedPlan};
 use crate::progress::{self, ProgressMode};
 use crate::{spec_file, start, streams, sweep};
 
@@ -27,7 +27,7 @@ mod frequencies;
 mod joints;
 mod laws;
 mod loads;
-mod lumped;
+mod mass;
 mod meshes;
 mod round;
 mod sets;
@@ -77,23 +77,20 @@ pub(crate) fn of_case(
     }
     // Meshes are read once, and warned of once.
     let plan = machine::plan(case, warnings)?;
-    if let Some(plan) = &plan {
-        plan.verify()?;
-    }
+    plan.verify()?;
     // What only shows when the bodies are reduced and the springs placed.
-    let build = || machine::build(case, plan.as_ref(), cache, warnings);
+    let build = || machine::build(case, &plan, cache, warnings);
     let built = progress::during(show, case.reducing(), build)?;
-    match (&case.system, &plan) {
-        (System::Joined(joined), Some(plan)) => {
-            bodies::say(&mut text, joined, plan)?;
-            frequencies::say(&mut text, joined, &built, case.run())?;
-            round::say(&mut text, case, &built)?;
-            bodies::say_speeds(&mut text, joined, case);
-            joints::say(&mut text, joined, plan);
-            loads::say(&mut text, joined);
-        }
-        (System::Lumped(lumped), _) => lumped::say(&mut text, lumped),
-        (System::Joined(_), None) => {}
+    let machine = &*case.machine;
+    if machine.is_mass() {
+        mass::say(&mut text, machine, &plan);
+    } else {
+        bodies::say(&mut text, machine, &plan)?;
+        frequencies::say(&mut text, machine, &built, case.run())?;
+        round::say(&mut text, case, &built)?;
+        bodies::say_speeds(&mut text, machine, case);
+        joints::say(&mut text, machine, &plan);
+        loads::say(&mut text, machine);
     }
     if let Some(words) = start::described(case, &built)? {
         line!(text, "\nStart\n{words}");
@@ -101,27 +98,22 @@ pub(crate) fn of_case(
     if case.march.is_some() {
         say_march(&mut text, case);
     }
-    if let (System::Joined(joined), Some(plan)) = (&case.system, &plan) {
-        meshes::say(&mut text, joined, plan, &built)?;
-        contacts::say_loads(&mut text, case, (Some(plan), wanted.contacts), cache)?;
+    if !machine.is_mass() {
+        meshes::say(&mut text, machine, &plan, &built)?;
+        contacts::say_loads(&mut text, case, (&plan, wanted.contacts), cache)?;
         if wanted.contacts {
-            contacts::say(&mut text, case, Some(plan), cache)?;
+            contacts::say(&mut text, case, &plan, cache)?;
         }
     }
-    laws::say(&mut text, &laws_of(case, plan.as_ref(), &built), wanted.laws);
+    laws::say(&mut text, &laws_of(case, &plan), wanted.laws);
     Ok(text)
 }
 
 /// The laws that a reader of the case has chosen: what a bushing or a coupling is stands beside its joint.
-fn laws_of(case: &Case, plan: Option<&JoinedPlan>, built: &Built) -> Vec<LawSource> {
-    match (&case.system, plan) {
-        (System::Joined(joined), Some(plan)) => {
-            let chosen = |joint: &Joint| matches!(joint.kind, JointKind::Bearing | JointKind::Stop);
-            let laws = joined.joints.iter().zip(&plan.laws).filter(|(joint, _)| chosen(joint));
-            laws.map(|(_, law)| law.clone()).collect()
-        }
-        _ => built.laws.clone(),
-    }
+fn laws_of(case: &Case, plan: &JoinedPlan) -> Vec<LawSource> {
+    let chosen = |joint: &Joint| matches!(joint.kind, JointKind::Bearing | JointKind::Stop);
+    let laws = case.machine.joints.iter().zip(&plan.laws).filter(|(joint, _)| chosen(joint));
+    laws.map(|(_, law)| law.clone()).collect()
 }
 
 fn say_march(text: &mut String, case: &Case) {

@@ -26,7 +26,7 @@ use std::time::{Duration, Instant};
 use whirl_solver::history::History;
 
 use crate::arguments::{CacheArguments, RunArguments};
-use crate::case::{Case, System};
+use crate::case::Case;
 use crate::checkpoint::{self, Identity};
 use crate::errors::Failure;
 use crate::history::HistoryFile;
@@ -213,9 +213,9 @@ fn write_fields(motions: &fields::Motions, results: &Results) -> Option<String> 
 fn closing(case: &Case, summary: &Summary, folder: &Path) -> String {
     let time = summary.time;
     let names: Vec<String> = case.supports().into_iter().map(|own| own.title).collect();
-    let table = match case.system {
-        System::Joined(_) => supports(&names, &summary.supports),
-        System::Lumped(_) => stops(&names, &summary.supports),
+    let table = match case.machine.is_mass() {
+        true => stops(&names, &summary.supports),
+        false => supports(&names, &summary.supports),
     };
     let orders = match of_orders(summary.orders.as_ref()) {
         none if none.is_empty() => none,

@@ -10,7 +10,7 @@ use whirl_solver::dynamics::{
     BodyStart, Equilibrium, LastState, March, MarchOptions, NewtonOptions, equilibrium,
 };
 
-use crate::case::{Case, Start, System, Turning};
+use crate::case::{Case, Start};
 use crate::errors::Failure;
 use crate::machine::Built;
 use crate::results::STATE;
@@ -176,32 +176,21 @@ fn beyond(built: &Built, initial: &[BodyStart]) -> Vec<String> {
 
 /// Speeds of the bodies at t = 0 (rad/s), where the case gives them, in the order of the machine.
 fn speeds(case: &Case) -> Vec<Option<f64>> {
-    match &case.system {
-        System::Lumped(_) => Vec::new(),
-        System::Joined(joined) => {
-            let given = joined.bodies.iter().map(|body| match body.turning {
-                Some(Turning::Free { initial_speed }) => initial_speed,
-                _ => None,
-            });
-            given.collect()
-        }
-    }
+    case.machine.bodies.iter().map(|body| body.initial_speed).collect()
 }
 
 /// What was found, in words: speeds that the case leaves open, and where journals stand.
 fn words(case: &Case, found: &Equilibrium) -> String {
     let mut parts = Vec::new();
-    if let System::Joined(joined) = &case.system {
-        for (body, own) in joined.bodies.iter().zip(&found.bodies) {
-            if matches!(body.turning, Some(Turning::Free { initial_speed: None })) {
-                let rpm = own.speed * 60.0 / std::f64::consts::TAU;
-                let speed = whirl_text::shown(rpm, 5, 1e-3..1e7);
-                parts.push(format!("{} turns at {speed} rpm", body.name.text()));
-            }
-            if own.angle != 0.0 {
-                let angle = whirl_text::shown(own.angle.to_degrees(), 5, 1e-3..1e6);
-                parts.push(format!("{} is at {angle} deg", body.name.text()));
-            }
+    for (body, own) in case.machine.bodies.iter().zip(&found.bodies) {
+        if body.is_free() && body.initial_speed.is_none() {
+            let rpm = own.speed * 60.0 / std::f64::consts::TAU;
+            let speed = whirl_text::shown(rpm, 5, 1e-3..1e7);
+            parts.push(format!("{} turns at {speed} rpm", body.name.text()));
+        }
+        if own.angle != 0.0 {
+            let angle = whirl_text::shown(own.angle.to_degrees(), 5, 1e-3..1e6);
+            parts.push(format!("{} is at {angle} deg", body.name.text()));
         }
     }
     for (name, ratio) in &found.eccentricities {

@@ -98,13 +98,13 @@ pub enum JointQuantity {
     AxialDeformation,
 }
 
-impl Output<usize> {
-    /// With its point as it moves.
-    pub(crate) fn on(self, bodies: &[Body]) -> Output {
+impl<P> Output<P> {
+    /// With another point, which is given by the body and this one.
+    pub fn with_points<Q>(self, point_of: &mut impl FnMut(usize, P) -> Q) -> Output<Q> {
         let Output { name, what } = self;
         let what = match what {
             Wanted::Motion { body, point, motion, frame, components } => {
-                let point = bodies[body].nodes()[point].clone();
+                let point = point_of(body, point);
                 Wanted::Motion { body, point, motion, frame, components }
             }
             Wanted::Joint { joint, quantity, frame } => Wanted::Joint { joint, quantity, frame },
@@ -113,6 +113,13 @@ impl Output<usize> {
             Wanted::JointPower { joint } => Wanted::JointPower { joint },
         };
         Output { name, what }
+    }
+}
+
+impl Output<usize> {
+    /// With its point as it moves.
+    pub(crate) fn on(self, bodies: &[Body]) -> Output {
+        self.with_points(&mut |body, point: usize| bodies[body].nodes()[point].clone())
     }
 }
 

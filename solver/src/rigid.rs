@@ -29,9 +29,9 @@ pub struct RigidBody {
     pub along: bool,
     /// Its centre (m), among the nodes of the body.
     pub centre: [f64; 3],
-    /// To the ground along x and y (N/m), of a body that does not turn.
+    /// To the ground along x and y (N/m); of a body that turns, along those of its frame.
     pub stiffness: [f64; 2],
-    /// To the ground along x and y (N·s/m), of a body that does not turn.
+    /// To the ground along x and y (N·s/m); likewise.
     pub damping: [f64; 2],
 }
 
@@ -40,7 +40,12 @@ impl RigidBody {
     ///
     /// Its one measure is its motion as a whole.
     pub fn turning(&self, positions: &[[f64; 3]]) -> Shaft {
-        self.inertia().turning(positions)
+        let mut shaft = self.inertia().turning(positions);
+        for axis in 0..2 {
+            shaft.stiffness[(axis, axis)] = self.stiffness[axis];
+            shaft.damping[(axis, axis)] = self.damping[axis];
+        }
+        shaft
     }
 
     /// As a body that does not turn, with nodes at `positions` (m).
@@ -290,6 +295,14 @@ mod tests {
         let flat = RigidBody { transverse_inertia: None, ..body }.standing(&[[0.0; 3]]);
         assert_eq!(flat.nodes[0].shapes.col(2), [0.0, 0.0, 0.5]);
         assert_eq!(flat.measures[0].displacement.col(2), [0.0, 0.0, 0.5]);
+    }
+
+    #[test]
+    fn a_turning_body_has_its_springs_in_its_frame() {
+        let shaft = body().turning(&[]);
+        let diagonals =
+            [&shaft.stiffness, &shaft.damping].map(|own| [0, 1, 2].map(|i| own[(i, i)]));
+        assert_eq!(diagonals, [[1e4, 2e4, 0.0], [8.0, 0.0, 0.0]]);
     }
 
     #[test]

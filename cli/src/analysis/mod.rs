@@ -23,7 +23,7 @@ use whirl_solver::linear::LinearMachine;
 use crate::arguments::{
     AnalyseArguments, AnalysisOutput, MapArguments, MatricesArguments, ModesArguments,
 };
-use crate::case::{self, Analysis, AnalysisKind, Case, MODES, MatrixFormat, ORDERS, System};
+use crate::case::{self, Analysis, AnalysisKind, Case, MODES, MatrixFormat, ORDERS};
 use crate::errors::Failure;
 use crate::output::Output;
 use crate::progress::{self, ProgressMode};
@@ -173,8 +173,9 @@ fn asked(
 ) -> Result<(Option<usize>, Vec<f64>), Failure> {
     let mut errors = Diagnostics::new();
     let of = of.and_then(|name| {
-        let System::Joined(joined) = &case.system else { return None };
-        case::turning(joined, &Located::alone("--of", name)).map_err(|own| errors.push(*own)).ok()
+        case::turning(&case.machine, &Located::alone("--of", name))
+            .map_err(|own| errors.push(*own))
+            .ok()
     });
     let speeds = speeds.and_then(|text| {
         case::speeds(&Located::alone("--speeds", text)).map_err(|own| errors.push(*own)).ok()

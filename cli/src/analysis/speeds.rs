@@ -2,7 +2,7 @@
 
 use whirl_solver::linear::LinearMachine;
 
-use crate::case::{Analysis, AnalysisKind, Case, System};
+use crate::case::{Analysis, AnalysisKind, Case};
 use crate::errors::Failure;
 
 /// Speeds of a Campbell diagram where none are asked for.
@@ -29,10 +29,7 @@ pub(super) fn wanted(
     linear: &LinearMachine,
     analysis: &Analysis,
 ) -> Result<Wanted, Failure> {
-    let top = |body: usize| match &case.system {
-        System::Joined(joined) => joined.top_speed(body, case.run()),
-        System::Lumped(_) => 0.0,
-    };
+    let top = |body: usize| case.machine.top_speed(body, case.run());
     let fastest = linear.turning().max_by(|a, b| top(*a).total_cmp(&top(*b)).then(b.cmp(a)));
     let at_one = matches!(
         analysis.kind,

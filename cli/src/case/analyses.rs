@@ -6,7 +6,7 @@ use whirl_codegen::document::Table;
 use whirl_codegen::document::tree::Place;
 use whirl_codegen::units::{Dimension, Quantity};
 
-use super::{JoinedMachine, SystemDraft, names};
+use super::{JoinedMachine, names};
 use crate::values::range::{Range, is_range};
 
 /// Speeds of a range that does not say how many.
@@ -101,11 +101,7 @@ impl AnalysisKind {
 }
 
 /// All analyses of a file that are right.
-pub(super) fn read(file: &Table, system: &SystemDraft) -> Vec<Analysis> {
-    let joined = match system {
-        SystemDraft::Joined(Some(joined)) => Some(joined.as_ref()),
-        SystemDraft::Joined(None) | SystemDraft::Lumped(_) => None,
-    };
+pub(super) fn read(file: &Table, joined: Option<&JoinedMachine>) -> Vec<Analysis> {
     let tables = names::in_order(file, "analysis");
     let labels: Vec<Located> = tables.iter().map(|(name, _)| name.clone()).collect();
     names::distinct(file, "analysis", &labels);
@@ -175,7 +171,7 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
 /// # Errors
 /// There is none.
 pub(crate) fn turning(joined: &JoinedMachine, name: &Located) -> Result<usize, Box<Diagnostic>> {
-    let turns = |place: &usize| joined.bodies[*place].turning.is_some();
+    let turns = |place: &usize| joined.bodies[*place].turns();
     let own = |place: &usize| joined.bodies[*place].name.text() == name.text();
     let all = || (0..joined.bodies.len()).filter(turns);
     if let Some(place) = all().find(own) {

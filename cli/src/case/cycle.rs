@@ -1,13 +1,13 @@
 //! The cycle of a machine: the period after which rotation and loads are as they were.
 
 use std::f64::consts::TAU;
-use std::ops::Range;
 
-use whirl_codegen::units::Dimension;
+use whirl_solver::loads::TimeFunction;
 
-use super::loads::{Load, Variation};
+use super::joined_machine::JoinedMachine;
+use super::loads::Load;
+use super::named_body::NamedBody;
 use super::run::Run;
-use super::system_draft::SystemDraft;
 
 /// A cycle and what it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,17 +30,17 @@ pub(crate) const TWO_REVOLUTIONS: &str = "two revolutions";
 const MISSED: f64 = 1e-4;
 
 /// The common period of rotation and loads; without one the longest period of the loads, or else two revolutions at the
-/// fastest speed. Of an unbalance one revolution. None where nothing turns and no load changes.
-pub(super) fn of(system: &SystemDraft, run: Run) -> Option<Cycle> {
-    let (mut loads, turns) = (frequencies(system), turns(system, run));
-    loads.extend(of_tables_over_time(system));
-    let over_angles = over_angles(system, run);
+/// fastest speed.  None where nothing turns and no load changes.
+pub(super) fn of(machine: &JoinedMachine, run: Run) -> Option<Cycle> {
+    let (mut loads, turns) = (frequencies(machine), turns(machine, run));
+    loads.extend(of_tables_over_time(machine));
+    let over_angles = over_angles(machine, run);
     let own = |time, called| Some(Cycle { time, called, common: true, aimed: false });
     let least = |all: &[f64]| all.iter().copied().reduce(f64::min);
     let all: Vec<f64> = loads.iter().chain(&over_angles).chain(&turns).copied().collect();
     let Some(slowest) = least(&loads) else {
-        let (time, called) = revolutions(system, |body| top_speed(system, body, run))?;
-        let told = revolutions(system, |body| told_speed(system, body, run));
+        let (time, called) = revolutions(machine, |body| machine.top_speed(body, run))?;
+        let told = revolutions(machine, |body| machine.told_speed(body, run));
         let aimed = told.is_none_or(|(told, _)| told > time);
         let fastest = turns.iter().copied().reduce(f64::max);
         // A film may whirl once in two revolutions.
@@ -55,7 +55,7 @@ pub(super) fn of(system: &SystemDraft, run: Run) -> Option<Cycle> {
             None => Some(Cycle { time, called, common: false, aimed }),
         };
     };
-    let alone = (1.0 / slowest, "a period of the loads");
+    let alone = (1.0 / slowest, of_loads(machine));
     match common(&all, least(&all).unwrap_or(slowest)) {
         Some(time) if time <= alone.0 * (1.0 + MISSED) => own(alone.0, alone.1),
         Some(time) if turns.is_empty() => own(time, "a common period of the loads"),
@@ -76,121 +76,83 @@ fn common(frequencies: &[f64], slowest: f64) -> Option<f64> {
 /// Times within which something is given that the steps must show, with what they are: the shortest period of the loads in
 /// time, of those over an angle at the fastest that it turns, and revolutions: not those of a speed at which a couple only aims,
 /// which may stand for never.
-pub(super) fn shortest(system: &SystemDraft, run: Run) -> Vec<(f64, String)> {
+pub(super) fn shortest(machine: &JoinedMachine, run: Run) -> Vec<(f64, String)> {
     let fastest = |all: Vec<f64>| all.into_iter().reduce(f64::max);
-    let period =
-        fastest(frequencies(system)).map(|own| (1.0 / own, "a period of the loads".into()));
-    let table = fastest(of_tables_over_time(system));
+    let period = fastest(frequencies(machine)).map(|own| (1.0 / own, of_loads(machine).into()));
+    let table = fastest(of_tables_over_time(machine));
     let table = table.map(|own| (1.0 / own, "a period of a table over time".into()));
-    let over_angle = periods_by_speed(system, |body| Some(top_speed(system, body, run)));
+    let over_angle = periods_by_speed(machine, |body| Some(machine.top_speed(body, run)));
     let over_angle = over_angle.into_iter().reduce(|a, b| if b.0 > a.0 { b } else { a });
     let over_angle = over_angle.map(|(frequency, speed)| {
         let rpm = whirl_text::shown(speed * 60.0 / TAU, 6, 1e-3..1e7);
         (1.0 / frequency, format!("a period of a load over an angle at {rpm} rpm"))
     });
-    let told = |body| told_speed(system, body, run);
-    let turns = revolutions(system, told).map(|(time, called)| (time, called.to_owned()));
+    let told = |body| machine.told_speed(body, run);
+    let turns = revolutions(machine, told).map(|(time, called)| (time, called.to_owned()));
     [period, table, over_angle, turns].into_iter().flatten().collect()
 }
 
-/// Loads, each with the body that carries it.
-fn loads(system: &SystemDraft) -> Vec<(&Load, usize)> {
-    match system {
-        SystemDraft::Lumped(_) => Vec::new(),
-        SystemDraft::Joined(joined) => {
-            let loads = joined.iter().flat_map(|joined| &joined.loads);
-            loads.map(|own| (&own.load, own.body)).collect()
-        }
-    }
+fn loads(machine: &JoinedMachine) -> impl Iterator<Item = &Load> {
+    machine.loads.iter().map(|own| &own.load)
 }
 
-/// Frequencies of the loads that are sines in time (Hz).
-fn frequencies(system: &SystemDraft) -> Vec<f64> {
-    loads(system).into_iter().filter_map(|(load, _)| load.frequency()).collect()
+/// Frequencies of the loads that are sines in time, the unbalance of a mass among them (Hz).
+fn frequencies(machine: &JoinedMachine) -> Vec<f64> {
+    let spins = machine.bodies.iter().filter_map(NamedBody::spin).map(|speed| speed / TAU);
+    loads(machine).filter_map(Load::frequency).chain(spins).collect()
+}
+
+/// What a period of these is called.
+fn of_loads(machine: &JoinedMachine) -> &'static str {
+    if machine.is_mass() { "a revolution of the unbalance" } else { "a period of the loads" }
 }
 
 /// Of periodic tables over time (Hz). What happens within a period, and how fast, is no matter of the cycle.
-fn of_tables_over_time(system: &SystemDraft) -> Vec<f64> {
-    let all = loads(system).into_iter();
-    all.filter_map(|(load, _)| match &load.variation {
-        Variation::Table(columns, true) if columns.measures[0] == Dimension::TIME => {
-            Some(1.0 / columns.span())
-        }
+fn of_tables_over_time(machine: &JoinedMachine) -> Vec<f64> {
+    let all = loads(machine);
+    let columns = all.filter_map(|load| match (&load.time_function, &load.table) {
+        (TimeFunction::OverTime(_), Some((columns, true))) => Some(1.0 / columns.span()),
         _ => None,
-    })
-    .collect()
+    });
+    columns.collect()
 }
 
 /// Of loads that follow the angle of what turns at a constant speed in the end, by an order or a periodic table (Hz).
-fn over_angles(system: &SystemDraft, run: Run) -> Vec<f64> {
-    let all = periods_by_speed(system, |body| constant_speed(system, body, run));
+fn over_angles(machine: &JoinedMachine, run: Run) -> Vec<f64> {
+    let all = periods_by_speed(machine, |body| machine.constant_speed(body, run));
     all.into_iter().map(|(frequency, _)| frequency).collect()
 }
 
 /// Frequencies (Hz) of loads that follow an angle, by an order or a periodic table, at the speeds (rad/s) of bodies.
-fn periods_by_speed(system: &SystemDraft, speed: impl Fn(usize) -> Option<f64>) -> Vec<(f64, f64)> {
-    let all = loads(system).into_iter().filter_map(|(load, body)| {
+fn periods_by_speed(
+    machine: &JoinedMachine,
+    speed: impl Fn(usize) -> Option<f64>,
+) -> Vec<(f64, f64)> {
+    let all = loads(machine).filter_map(|load| {
         // Periods of the load in a revolution.
-        let order = match &load.variation {
-            Variation::Order(order, _) => order.abs(),
-            Variation::Table(columns, true) if load.turns_with_angle() => TAU / columns.span(),
+        let order = match (&load.time_function, &load.table) {
+            (TimeFunction::Order { order, .. }, _) => order.abs(),
+            (TimeFunction::OverAngle { .. }, Some((columns, true))) => TAU / columns.span(),
             _ => return None,
         };
-        let speed = speed(load.of.unwrap_or(body))?.abs();
+        let speed = speed(load.followed()?)?.abs();
         Some((order * speed / TAU, speed))
     });
     all.filter(|(frequency, _)| *frequency > 0.0).collect()
 }
 
-/// The speed that a body has in the end (rad/s), where the case gives one.
-fn constant_speed(system: &SystemDraft, body: usize, run: Run) -> Option<f64> {
-    match system {
-        SystemDraft::Joined(joined) => joined.as_ref()?.constant_speed(body, run),
-        SystemDraft::Lumped(_) => None,
-    }
-}
-
-/// The largest speed that the case gives a body (rad/s); 0 where it gives none.
-fn top_speed(system: &SystemDraft, body: usize, run: Run) -> f64 {
-    match system {
-        SystemDraft::Joined(joined) => {
-            joined.as_ref().map_or(0.0, |joined| joined.top_speed(body, run))
-        }
-        SystemDraft::Lumped(_) => 0.0,
-    }
-}
-
-/// The same without the speeds at which couples aim.
-fn told_speed(system: &SystemDraft, body: usize, run: Run) -> f64 {
-    match system {
-        SystemDraft::Joined(joined) => {
-            joined.as_ref().map_or(0.0, |joined| joined.told_speed(body, run))
-        }
-        SystemDraft::Lumped(_) => 0.0,
-    }
-}
-
-/// The bodies that may turn.
-fn bodies(system: &SystemDraft) -> Range<usize> {
-    match system {
-        SystemDraft::Joined(joined) => 0..joined.as_ref().map_or(0, |joined| joined.bodies.len()),
-        SystemDraft::Lumped(_) => 0..0,
-    }
-}
-
 /// Revolutions a second of what turns at a constant speed in the end.
-fn turns(system: &SystemDraft, run: Run) -> Vec<f64> {
-    let speeds = bodies(system).filter_map(|body| constant_speed(system, body, run));
+fn turns(machine: &JoinedMachine, run: Run) -> Vec<f64> {
+    let speeds = (0..machine.bodies.len()).filter_map(|body| machine.constant_speed(body, run));
     speeds.map(|speed| speed.abs() / TAU).filter(|turns| *turns > 0.0).collect()
 }
 
-/// Two revolutions at the fastest speed of the run; one of an unbalance.
-fn revolutions(system: &SystemDraft, speed: impl Fn(usize) -> f64) -> Option<(f64, &'static str)> {
-    if let SystemDraft::Lumped(lumped) = system {
-        let unbalance = lumped.as_ref()?.unbalance?;
-        return Some((TAU / unbalance.speed, "a revolution of the unbalance"));
-    }
-    let fastest = bodies(system).map(speed).fold(0.0, f64::max);
+/// Two revolutions at the fastest speed of the run.
+fn revolutions(
+    machine: &JoinedMachine,
+    speed: impl Fn(usize) -> f64,
+) -> Option<(f64, &'static str)> {
+    let fastest = (0..machine.bodies.len()).map(speed).fold(0.0, f64::max);
     (fastest > 0.0).then_some((2.0 * TAU / fastest, TWO_REVOLUTIONS))
 }
 

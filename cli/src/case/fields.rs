@@ -1,11 +1,12 @@
 //! Motions of whole bodies for other programs: `[fields]`.
 
-use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, suggest};
+use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located};
 use whirl_codegen::document::Table;
 
+use super::joined_machine::JoinedMachine;
 use super::named_body::Form;
+use super::names;
 use super::rotor::Mesh;
-use super::system_draft::SystemDraft;
 
 /// What is written of whole bodies.
 #[derive(Debug, Clone)]
@@ -24,11 +25,11 @@ pub(crate) struct Fields {
 /// Frames of the last cycle, where a case says neither frames nor times.
 const FRAMES: usize = 24;
 
-pub(super) fn read(file: &Table, system: &SystemDraft) -> Option<Fields> {
+pub(super) fn read(file: &Table, machine: Option<&JoinedMachine>) -> Option<Fields> {
     file.optional_table("fields")?.read(|table| {
         let (frames, times) = (table.optional_count("frames"), table.quantities("times"));
         let stresses = table.optional_boolean("stresses").unwrap_or(false);
-        let bodies = bodies(table, system);
+        let bodies = bodies(table, machine);
         let usual = if times.is_empty() { FRAMES } else { 0 };
         let times_place = table.written("times");
         let frames = frames.unwrap_or(usual);
@@ -69,22 +70,16 @@ impl Fields {
 }
 
 /// The bodies that the table names, or all that have a mesh.
-fn bodies(table: &Table, system: &SystemDraft) -> Option<Vec<usize>> {
+fn bodies(table: &Table, machine: Option<&JoinedMachine>) -> Option<Vec<usize>> {
     let wanted = table.texts("bodies");
     // Names, and whether they have a mesh.
-    let known: Vec<(&str, bool)> = match system {
-        SystemDraft::Joined(None) => return None,
-        SystemDraft::Joined(Some(joined)) => {
-            // Matrices have no cells to be written.
-            let meshed = |form: &Form| match form {
-                Form::Meshed(own) => !matches!(own.body.mesh, Mesh::Matrices(_)),
-                Form::Rigid(_) => false,
-            };
-            joined.bodies.iter().map(|body| (body.name.text(), meshed(&body.form))).collect()
-        }
-        SystemDraft::Lumped(_) => Vec::new(),
+    let meshed = |form: &Form| match form {
+        // Matrices have no cells to be written.
+        Form::Meshed(own) => !matches!(own.body.mesh, Mesh::Matrices(_)),
+        Form::Rigid(_) => false,
     };
-    let with_mesh = || known.iter().filter(|(_, meshed)| *meshed).map(|(name, _)| *name);
+    let known = machine?.bodies.iter().map(|body| (body.name.text(), meshed(&body.form)));
+    let known: Vec<(&str, bool)> = known.collect();
     let all: Vec<usize> = (0..known.len()).filter(|&place| known[place].1).collect();
     if all.is_empty() {
         let message = "no body of this case has a mesh, whose motion could be written";
@@ -94,16 +89,11 @@ fn bodies(table: &Table, system: &SystemDraft) -> Option<Vec<usize>> {
     if wanted.is_empty() || all.is_empty() {
         return Some(all);
     }
+    let names: Vec<&str> = all.iter().map(|&place| known[place].0).collect();
     let place = |name: &Located| {
-        let found = known.iter().position(|(own, meshed)| *own == name.text() && *meshed);
-        if found.is_none() {
-            let names: Vec<&str> = with_mesh().collect();
-            let message = format!("there is no body `{}` with a mesh", name.text());
-            let help = suggest(name.text(), &names)
-                .unwrap_or_else(|| format!("bodies with a mesh: {}", names.join(", ")));
-            table.push(name.error_here(Code::BAD_VALUE, message).help(help));
-        }
-        found
+        let message = format!("there is no body `{}` with a mesh", name.text());
+        let help = || format!("bodies with a mesh: {}", names.join(", "));
+        names::place(table, name, &names, message, help).map(|found| all[found])
     };
     Some(wanted.iter().filter_map(place).collect())
 }

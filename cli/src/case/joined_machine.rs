@@ -1,12 +1,15 @@
 //! A machine of bodies by name, and of what joins, drives and loads them, as a case describes it.
 
-use whirl_codegen::diagnostic::Located;
+use std::sync::Arc;
+
+use whirl_codegen::diagnostic::{Located, Source};
 use whirl_solver::bearing::MotionKind;
+use whirl_solver::bodies::Rotation;
 use whirl_specs::Motion;
 
 use super::gravity::Gravity;
 use super::joint::{Joint, Side};
-use super::named_body::{Form, NamedBody, Turning};
+use super::named_body::{Form, NamedBody};
 use super::run::Run;
 use super::{loads, rotor};
 
@@ -25,8 +28,19 @@ pub(crate) struct JoinedMachine {
     pub(crate) gravity: Option<Gravity>,
     /// How rotation and deformation are coupled, alike in all bodies that turn.
     pub(crate) motion: &'static Motion,
-    /// Whether the case says it in the short form, as one shaft on one support: by its words messages name the parts.
-    pub(crate) short: bool,
+    /// How the case says it: by its words messages and results name the parts.
+    pub(crate) form: InputForm,
+}
+
+/// How a case says what its machine is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum InputForm {
+    /// By tables of bodies and joints.
+    Named,
+    /// As one shaft on one support.
+    Shaft,
+    /// As one mass between stops.
+    Mass,
 }
 
 /// A couple that acts until a speed is reached.
@@ -56,10 +70,28 @@ pub(crate) struct Load {
 }
 
 impl JoinedMachine {
+    /// The files of the tables that it names.
+    pub(super) fn tables(&self) -> Vec<Arc<Source>> {
+        let loads = self.loads.iter().filter_map(|own| Some(&own.load.table.as_ref()?.0));
+        let drives = self.drives.iter().filter_map(|own| own.couple.table.as_ref());
+        let turning = self.bodies.iter().filter_map(|own| own.speeds.as_ref());
+        loads.chain(drives).chain(turning).map(|own| own.source.clone()).collect()
+    }
+
+    /// Whether the case names its bodies and joints.
+    pub(crate) fn is_named(&self) -> bool {
+        self.form == InputForm::Named
+    }
+
+    /// Whether it is one mass between stops.
+    pub(crate) fn is_mass(&self) -> bool {
+        self.form == InputForm::Mass
+    }
+
     /// The table of the case that describes a body, without brackets.
     pub(crate) fn table_of(&self, body: &NamedBody) -> String {
         let name = body.name.text();
-        if self.short { name.to_owned() } else { format!("body.{name}") }
+        if self.is_named() { format!("body.{name}") } else { name.to_owned() }
     }
 
     /// The largest speed that the case gives a body in a run: of its drive, at its start, or as prescribed (rad/s).
@@ -70,15 +102,15 @@ impl JoinedMachine {
 
     /// The same without the speeds at which drives aim, which it may never reach.
     pub(super) fn told_speed(&self, body: usize, run: Run) -> f64 {
-        match &self.bodies[body].turning {
-            Some(Turning::Prescribed { speed, acceleration }) => {
+        let own = &self.bodies[body];
+        if let Some(columns) = &own.speeds {
+            return columns.largest_upto(run.end());
+        }
+        match own.rotation {
+            Some(Rotation::Prescribed { speed, acceleration }) => {
                 speed.abs().max((speed + acceleration * run.duration).abs())
             }
-            Some(Turning::Free { initial_speed }) => {
-                initial_speed.filter(|_| !run.goes_on).unwrap_or(0.0).abs()
-            }
-            Some(Turning::Table(columns)) => columns.largest_upto(run.end()),
-            None => 0.0,
+            _ => own.initial_speed.filter(|_| !run.goes_on).unwrap_or(0.0).abs(),
         }
     }
 
@@ -89,12 +121,14 @@ impl JoinedMachine {
             let own = self.drives.iter().find(|drive| drive.body == body && drive.couple.acts)?;
             own.couple.table.is_none().then_some(own.couple.target_speed)
         };
-        match &self.bodies[body].turning {
-            Some(Turning::Prescribed { speed, acceleration: 0.0 }) => Some(*speed),
-            Some(Turning::Table(columns)) => columns.constant_before(run.end()),
-            Some(Turning::Free { initial_speed }) => {
-                aims().or_else(|| initial_speed.filter(|_| !run.goes_on && !self.is_turned(body)))
-            }
+        let own = &self.bodies[body];
+        if let Some(columns) = &own.speeds {
+            return columns.constant_before(run.end());
+        }
+        match own.rotation {
+            Some(Rotation::Prescribed { speed, acceleration: 0.0 }) => Some(speed),
+            Some(Rotation::Free) => aims()
+                .or_else(|| own.initial_speed.filter(|_| !run.goes_on && !self.is_turned(body))),
             _ => aims(),
         }
     }
@@ -104,7 +138,7 @@ impl JoinedMachine {
         let Some(body) = side.body else { return false };
         match (&self.bodies[body].form, motion) {
             (Form::Rigid(own), MotionKind::Tilts) => own.transverse_inertia.is_some(),
-            (Form::Rigid(own), MotionKind::Along) => own.moves_along_z,
+            (Form::Rigid(own), MotionKind::Along) => own.along,
             (Form::Meshed(own), MotionKind::Along) => !own.rigid || own.moves_along_z,
             (Form::Meshed(_), MotionKind::Tilts) => true,
         }

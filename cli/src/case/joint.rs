@@ -41,6 +41,35 @@ impl Joint {
     pub(crate) fn acts_on(&self, motion: MotionKind) -> bool {
         self.others.iter().any(|own| own.kind == motion) || self.bearing.law.source.acts_on(motion)
     }
+
+    /// One that stands where its bodies have it, with nothing but the values of its bearing.
+    pub(super) fn of(
+        (name, called): (Located, SupportName),
+        kind: JointKind,
+        sides: [Side; 2],
+        bearing: Bearing,
+    ) -> Joint {
+        Joint {
+            name,
+            called,
+            kind,
+            sides,
+            bearing,
+            others: Vec::new(),
+            table: None,
+            clearance_from_mesh: false,
+            angle: None,
+            run_out: [[0.0; 2]; 3],
+            offset: [[0.0; 2]; 3],
+        }
+    }
+}
+
+impl Side {
+    /// On a body, or on the ground, with these node sets.
+    pub(super) fn of(body: Option<usize>, place: Located, sets: Vec<Located>) -> Side {
+        Side { body, place, sets, surface: false, z: None }
+    }
 }
 
 /// The law of a bushing on the tilts of its sides, or on their displacement along z.

@@ -6,7 +6,9 @@ use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 use whirl_codegen::rational::nearest;
 use whirl_codegen::units::{Dimension, Quantity};
-use whirl_solver::loads::{Frame, Onset};
+use whirl_solver::curve::Curve;
+use whirl_solver::loads::{Frame, Onset, TimeFunction};
+use whirl_solver::model::LoadAction;
 
 use super::columns::{self, Columns};
 use super::library::FileStore;
@@ -16,8 +18,8 @@ use super::library::FileStore;
 pub(crate) struct Load {
     /// Sets of the body's mesh.
     pub(crate) sets: Vec<Located>,
-    /// What acts.
-    pub(crate) acting: Acting,
+    /// What acts; its directions where a table has its size.
+    pub(crate) acting: LoadAction,
     /// Where the case says it.
     pub(crate) place: Located,
     /// In which frame its direction is constant.
@@ -25,20 +27,11 @@ pub(crate) struct Load {
     /// How the nodes of the sets carry it.
     pub(crate) spread: Spread,
     /// How it varies.
-    pub(crate) variation: Variation,
+    pub(crate) time_function: TimeFunction,
+    /// The table over time or an angle that says so, if one does, and whether it is periodic.
+    pub(crate) table: Option<(Arc<Columns>, bool)>,
     /// From when on it acts.
     pub(crate) onset: Onset,
-    /// The body whose angle it follows, by its place; its own if none is named.
-    pub(crate) of: Option<usize>,
-}
-
-/// What acts, along or about x, y, z.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Acting {
-    /// N; the directions where a table has the newtons.
-    Force([f64; 3]),
-    /// N·m; likewise.
-    Couple([f64; 3]),
 }
 
 /// How the nodes of sets carry a force.
@@ -50,54 +43,47 @@ pub(crate) enum Spread {
     Mean,
 }
 
-/// How a load varies.
-#[derive(Debug, Clone)]
-pub(crate) enum Variation {
-    /// Not.
-    Constant,
-    /// sin(2π f t + φ): Hz and rad.
-    Sine(f64, f64),
-    /// sin(nθ + φ): n and rad.
-    Order(f64, f64),
-    /// A table over time or an angle, and whether it is periodic.
-    Table(Arc<Columns>, bool),
-}
-
 impl Load {
     /// f in Hz, of a load that varies as a sine in time.
     pub(crate) fn frequency(&self) -> Option<f64> {
-        match self.variation {
-            Variation::Sine(frequency, _) => Some(frequency),
+        match self.time_function {
+            TimeFunction::Sine { frequency, .. } => Some(frequency),
             _ => None,
         }
     }
 
     /// Whether it is a couple about the axis of its body.
     pub(crate) fn turns(&self) -> bool {
-        matches!(self.acting, Acting::Couple([.., z]) if z != 0.0)
+        matches!(self.acting, LoadAction::Couple([.., z]) if z != 0.0)
     }
 
-    /// Whether it follows an angle.
-    pub(crate) fn turns_with_angle(&self) -> bool {
-        match &self.variation {
-            Variation::Order(..) => true,
-            Variation::Table(columns, _) => columns.measures[0] == Dimension::ANGLE,
-            _ => false,
+    /// The body whose angle it follows, by its place, if it does.
+    pub(crate) fn followed(&self) -> Option<usize> {
+        match self.time_function {
+            TimeFunction::Order { body, .. } | TimeFunction::OverAngle { body, .. } => Some(body),
+            _ => None,
         }
     }
 
-    /// What it is, for people; `at`: where it acts, behind its amplitude; `of`: the body whose angle it follows, if that is
-    /// another one.
+    /// Lets it follow the angle of a body, by its place, if it follows one.
+    pub(super) fn follow(&mut self, followed: usize) {
+        if let TimeFunction::Order { body, .. } | TimeFunction::OverAngle { body, .. } =
+            &mut self.time_function
+        {
+            *body = followed;
+        }
+    }
+
+    /// What it is, for people; `at`: where it acts, behind its amplitude; `of`: the body whose angle it follows, where the
+    /// case names bodies.
     pub(crate) fn described(&self, at: &str, of: Option<&str>) -> String {
         let (parts, unit, word) = match self.acting {
-            Acting::Force(parts) => (parts, "N", "along"),
-            Acting::Couple(parts) => (parts, "N m", "about"),
+            LoadAction::Force(parts) => (parts, "N", "along"),
+            LoadAction::Couple(parts) => (parts, "N m", "about"),
         };
         let axes = || ["x", "y", "z"].into_iter().zip(parts).filter(|(_, part)| *part != 0.0);
-        let scaled = match &self.variation {
-            Variation::Table(columns, _) => columns.measures[1] == Dimension::NUMBER,
-            _ => true,
-        };
+        let scaled =
+            self.table.as_ref().is_none_or(|(own, _)| own.measures[1] == Dimension::NUMBER);
         let along: Vec<String> = axes()
             .map(|(axis, part)| match scaled {
                 true => format!("{part} {unit} {word} {axis}"),
@@ -105,22 +91,21 @@ impl Load {
                 false => format!("{part} {word} {axis}"),
             })
             .collect();
-        let variation = match &self.variation {
-            Variation::Constant => "constant".to_string(),
-            Variation::Sine(frequency, phase) => {
-                format!("sine of {frequency} Hz{}", shifted(*phase))
-            }
-            Variation::Order(order, phase) => {
-                let of = of.map_or(String::new(), |body| format!(" of {body}"));
-                format!("order {order}{of}{}", shifted(*phase))
-            }
-            Variation::Table(columns, periodic) => {
-                let of = of.map_or(String::new(), |body| format!(" of {body}"));
+        let of = of.map_or(String::new(), |body| format!(" of {body}"));
+        let variation = match (&self.table, &self.time_function) {
+            (Some((columns, periodic)), _) => {
                 let angle = format!("the angle{of}");
-                let over = if self.turns_with_angle() { angle.as_str() } else { "time" };
+                let over = if self.followed().is_some() { angle.as_str() } else { "time" };
                 let periodic = if *periodic { ", periodic" } else { "" };
                 format!("table `{}` over {over}{periodic}", columns.name.text())
             }
+            (_, TimeFunction::Sine { frequency, phase }) => {
+                format!("sine of {frequency} Hz{}", shifted(*phase))
+            }
+            (_, TimeFunction::Order { order, phase, .. }) => {
+                format!("order {order}{of}{}", shifted(*phase))
+            }
+            _ => "constant".to_string(),
         };
         let from = match self.onset {
             Onset::Start => String::new(),
@@ -159,6 +144,7 @@ pub(super) fn read_one(store: FileStore, load: &Table) -> Load {
         ],
     );
     let (acting, key) = acting(load, columns.as_deref());
+    let (time_function, table) = variation(load, columns);
     Load {
         sets,
         acting,
@@ -171,14 +157,14 @@ pub(super) fn read_one(store: FileStore, load: &Table) -> Load {
             Some("mean") => Spread::Mean,
             _ => Spread::Each,
         },
-        variation: variation(load, columns),
+        time_function,
+        table,
         onset: onset(load),
-        of: None,
     }
 }
 
 /// What acts, and the key that says it.
-fn acting(load: &Table, columns: Option<&Columns>) -> (Acting, &'static str) {
+fn acting(load: &Table, columns: Option<&Columns>) -> (LoadAction, &'static str) {
     let axis = load.optional_word("direction");
     let unit = |default: usize| {
         let place = axis.and_then(|axis| ["x", "y", "z"].iter().position(|own| *own == axis));
@@ -200,8 +186,8 @@ fn acting(load: &Table, columns: Option<&Columns>) -> (Acting, &'static str) {
             load.push(load.written(key).error_here(Code::BAD_VALUE, message).help(help));
         }
         return match dimension == Dimension::TORQUE {
-            true => (Acting::Couple(unit(2)), "table"),
-            false => (Acting::Force(unit(0)), "table"),
+            true => (LoadAction::Couple(unit(2)), "table"),
+            false => (LoadAction::Force(unit(0)), "table"),
         };
     }
     let parts = |key: &str, default: usize| {
@@ -218,7 +204,7 @@ fn acting(load: &Table, columns: Option<&Columns>) -> (Acting, &'static str) {
         load.quantity_triple(key).unwrap_or([1.0; 3])
     };
     if has_couple {
-        return (Acting::Couple(parts("couple", 2)), "couple");
+        return (LoadAction::Couple(parts("couple", 2)), "couple");
     }
     if !has_force && !load.gives("table") {
         load.absent("force", "add for example `force = \"1000 N\"`, or a `couple` or a `table`");
@@ -229,10 +215,13 @@ fn acting(load: &Table, columns: Option<&Columns>) -> (Acting, &'static str) {
             "add `force = \"1000 N\"`, or write the unit of the second column, as in `force [N]`";
         load.push(load.written("table").error_here(Code::BAD_VALUE, message).help(help));
     }
-    (Acting::Force(parts("force", 0)), "force")
+    (LoadAction::Force(parts("force", 0)), "force")
 }
 
-fn variation(load: &Table, columns: Option<Arc<Columns>>) -> Variation {
+fn variation(
+    load: &Table,
+    columns: Option<Arc<Columns>>,
+) -> (TimeFunction, Option<(Arc<Columns>, bool)>) {
     let frequency = load.quantity("frequency");
     let order = load.optional_number("order").map(|(order, _)| nearest(&order));
     if load.has("phase") && !load.has("frequency") && !load.has("order") {
@@ -261,15 +250,31 @@ fn variation(load: &Table, columns: Option<Arc<Columns>>) -> Variation {
         load.push(period.error_here(Code::BAD_VALUE, message).help(help));
     }
     match (frequency, order, columns) {
-        (Some(frequency), ..) => Variation::Sine(frequency, phase),
-        (_, Some(order), _) => Variation::Order(order, phase),
+        (Some(frequency), ..) => (TimeFunction::Sine { frequency, phase }, None),
+        (_, Some(order), _) => (TimeFunction::Order { body: SHAFT, order, phase }, None),
         (.., Some(columns)) => {
             let periodic = period.is_some_and(|written| closes(load, &columns, &written));
-            Variation::Table(columns, periodic)
+            let time_function = match columns.measures[0] == Dimension::ANGLE {
+                true => {
+                    let curve = Curve::smooth(&columns.rows, periodic).expect(CHECKED);
+                    TimeFunction::OverAngle { body: SHAFT, curve: Arc::new(curve) }
+                }
+                false => {
+                    let curve = Curve::linear(&columns.rows, periodic).expect(CHECKED);
+                    TimeFunction::OverTime(Arc::new(curve))
+                }
+            };
+            (time_function, Some((columns, periodic)))
         }
-        _ => Variation::Constant,
+        _ => (TimeFunction::Constant, None),
     }
 }
+
+/// Tables are checked where they are read.
+const CHECKED: &str = "rows that rise and close";
+
+/// The body whose angle loads of the short form follow.
+const SHAFT: usize = 0;
 
 /// Whether a table closes after its period; what is wrong is noted.
 fn closes(load: &Table, columns: &Columns, written: &Located) -> bool {

@@ -20,9 +20,9 @@ pub(super) use self::materials::Materials;
 pub(super) use self::motion::{default_motion, motion};
 use self::places::SHAFT;
 pub(super) use self::speed::speed;
-use super::joined_machine::{Drive, JoinedMachine, Load};
+use super::joined_machine::{Drive, InputForm, JoinedMachine, Load};
 use super::library::FileStore;
-use super::named_body::{Form, Turning};
+use super::named_body::Form;
 use super::{gravity, loads};
 
 /// One shaft on one support, as bodies by name; none where too much of it is missing. `goes_on`: the shaft has the speed of
@@ -41,9 +41,9 @@ pub(super) fn read(
     let loads = loads::read(store, file);
     let gravity = gravity::read(file);
     let ((mut shaft, motion), support, couple) = (shaft?, support?, drive?);
-    shaft.turning = Some(Turning::Free { initial_speed: start_speed });
+    shaft.initial_speed = start_speed;
     if let Form::Meshed(own) = &mut shaft.form {
-        own.section = couple.section_sets();
+        own.section = couple.section.clone();
     }
     let place = shaft.name.clone();
     let loads = loads.into_iter().enumerate().map(|(number, load)| {
@@ -57,6 +57,6 @@ pub(super) fn read(
         loads: loads.collect(),
         gravity,
         motion,
-        short: true,
+        form: InputForm::Shaft,
     })
 }

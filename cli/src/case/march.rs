@@ -5,8 +5,8 @@ use whirl_codegen::document::Table;
 use whirl_solver::dynamics::{AutomaticStep, Integrator, LEAST_STEPS, SteadyRule};
 
 use super::cycle::{self, MOST_PERIODS};
+use super::joined_machine::JoinedMachine;
 use super::run::Run;
-use super::system_draft::SystemDraft;
 
 /// What stands for a time step that the program chooses.
 pub(super) const AUTOMATIC: &str = "auto";
@@ -87,11 +87,15 @@ const SPECTRAL_RADIUS: f64 = 0.9;
 const FORCE_TOLERANCE: f64 = 1e-3;
 
 /// `goes_on`: from the state of another run.
-pub(super) fn read(file: &Table, system: &SystemDraft, goes_on: bool) -> Option<MarchSettings> {
-    file.in_table("march", |march| read_march(march, system, goes_on))
+pub(super) fn read(
+    file: &Table,
+    machine: Option<&JoinedMachine>,
+    goes_on: bool,
+) -> Option<MarchSettings> {
+    file.in_table("march", |march| read_march(march, machine, goes_on))
 }
 
-fn read_march(march: &Table, system: &SystemDraft, goes_on: bool) -> MarchSettings {
+fn read_march(march: &Table, machine: Option<&JoinedMachine>, goes_on: bool) -> MarchSettings {
     let automatic = is_automatic(march);
     let step = if automatic { Step::of_rows(march) } else { Step::fixed(march) };
     let (given, key) = (step.given, step.key);
@@ -102,13 +106,13 @@ fn read_march(march: &Table, system: &SystemDraft, goes_on: bool) -> MarchSettin
     let frequency = march.quantity("cycle_frequency");
     let run = Run { duration: time_step * steps as f64, goes_on };
     // That of a speed at which a couple only aims may be none that steps show; of others that is refused.
-    let natural =
-        cycle::of(system, run).filter(|own| !own.aimed || own.time >= LEAST_STEPS * time_step);
+    let natural = machine.and_then(|own| cycle::of(own, run));
+    let natural = natural.filter(|own| !own.aimed || own.time >= LEAST_STEPS * time_step);
     let cycle = match frequency {
         Some(frequency) => Some((1.0 / frequency, "cycle_frequency", "a cycle")),
         None => natural.map(|own| (own.time, key, own.called)),
     };
-    let shortest = cycle::shortest(system, run);
+    let shortest = machine.map_or(Vec::new(), |own| cycle::shortest(own, run));
     if let (Some(time_step), false) = (given, automatic) {
         let cycle = cycle.filter(|(_, key, _)| *key == "cycle_frequency");
         let shortest = shortest.iter().map(|(time, called)| (*time, key, called.as_str()));

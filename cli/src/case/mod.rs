@@ -13,9 +13,9 @@ mod joint;
 mod law;
 mod library;
 mod loads;
-mod lumped;
 mod machine;
 mod march;
+mod mass;
 mod named_body;
 mod names;
 mod outputs;
@@ -28,8 +28,8 @@ mod schema;
 mod selections;
 mod shapes;
 mod start;
+mod stop;
 mod supports;
-mod system_draft;
 mod text;
 mod units;
 mod values;
@@ -49,15 +49,16 @@ pub(crate) use cycle::TWO_REVOLUTIONS;
 pub(crate) use embedded::embedded_cases;
 pub(crate) use fields::Fields;
 pub(crate) use gravity::Gravity;
-pub(crate) use joined_machine::{Drive as JoinedDrive, JoinedMachine, Load as JoinedLoad};
+pub(crate) use joined_machine::{
+    Drive as JoinedDrive, InputForm, JoinedMachine, Load as JoinedLoad,
+};
 pub(crate) use joint::{Joint, JointKind, Side as JointSide};
 pub(crate) use law::{LawSource, NamedLaw};
 pub(crate) use library::{FileStore, refused};
-pub(crate) use loads::{Acting, Load, Spread, Variation};
-pub(crate) use lumped::{Lumped, Side, Unbalance};
+pub(crate) use loads::{Load, Spread};
 pub(crate) use march::MarchSettings;
-pub(crate) use named_body::{Attached, Carried, Form, MeshedBody, NamedBody, Turning};
-pub(crate) use outputs::{Output, Wanted};
+pub(crate) use named_body::{Attached, Form, MeshedBody, NamedBody};
+pub(crate) use outputs::{Output, OutputPoint};
 pub(crate) use parameters::{BearingFacts, SetParameter, rounded};
 pub(crate) use read::read;
 pub(crate) use read::{Draft, Purpose, draft, draft_of, draft_with};
@@ -68,7 +69,6 @@ pub(crate) use run::Run;
 pub(crate) use selections::NamedSelection;
 pub(crate) use start::Start;
 pub(crate) use supports::SupportName;
-pub(crate) use system_draft::SystemDraft;
 pub use text::CaseText;
 pub(crate) use units::mesh_units;
 
@@ -84,7 +84,7 @@ pub struct Case {
     /// The files read, the case itself first.
     pub(crate) sources: Vec<Arc<Source>>,
     /// What is marched.
-    pub(crate) system: System,
+    pub(crate) machine: Box<JoinedMachine>,
     /// Time step, duration and tolerances; none of a case that is only analysed.
     pub(crate) march: Option<MarchSettings>,
     /// How it begins.
@@ -157,62 +157,22 @@ impl Case {
 
     /// What results call the supports, in order.
     pub(crate) fn supports(&self) -> Vec<SupportName> {
-        match &self.system {
-            System::Lumped(lumped) => {
-                (1..=lumped.stops.len()).map(|k| SupportName::numbered("Stop", k)).collect()
-            }
-            System::Joined(joined) => joined.joints.iter().map(|own| own.called.clone()).collect(),
-        }
+        self.machine.joints.iter().map(|own| own.called.clone()).collect()
     }
 
     /// What is done to its bodies, for a progress bar.
     pub(crate) fn reducing(&self) -> &'static str {
-        match &self.system {
-            System::Joined(joined) if joined.short => "reducing shaft and support",
-            _ => "reducing bodies",
+        match self.machine.form {
+            InputForm::Shaft => "reducing shaft and support",
+            InputForm::Named | InputForm::Mass => "reducing bodies",
         }
     }
 
     /// Names of the bodies that turn, of a case that names bodies.
     pub(crate) fn turning(&self) -> Vec<String> {
-        let System::Joined(joined) = &self.system else { return Vec::new() };
-        if joined.short {
-            return Vec::new();
-        }
-        let turning = joined.bodies.iter().filter(|body| body.turning.is_some());
+        let turning = self.machine.bodies.iter().filter(|body| body.turns());
+        let turning = turning.filter(|_| self.machine.is_named());
         turning.map(|body| body.name.text().to_string()).collect()
-    }
-}
-
-/// What is marched.
-#[derive(Debug, Clone)]
-pub(crate) enum System {
-    /// One mass between stops.
-    Lumped(Lumped),
-    /// Bodies by name, and what joins them.
-    Joined(Box<JoinedMachine>),
-}
-
-impl System {
-    /// The files of the tables that it names.
-    fn tables(&self) -> Vec<Arc<Source>> {
-        let of_load = |load: &Load| match &load.variation {
-            Variation::Table(columns, _) => Some(columns.clone()),
-            _ => None,
-        };
-        let columns: Vec<Arc<Columns>> = match self {
-            System::Joined(joined) => {
-                let loads = joined.loads.iter().filter_map(|own| of_load(&own.load));
-                let drives = joined.drives.iter().filter_map(|own| own.couple.table.clone());
-                let turning = joined.bodies.iter().filter_map(|body| match &body.turning {
-                    Some(Turning::Table(columns)) => Some(columns.clone()),
-                    _ => None,
-                });
-                loads.chain(drives).chain(turning).collect()
-            }
-            System::Lumped(_) => Vec::new(),
-        };
-        columns.iter().map(|own| own.source.clone()).collect()
     }
 }
 

@@ -3,6 +3,10 @@
 use std::sync::Arc;
 
 use whirl_codegen::diagnostic::Located;
+use whirl_solver::bodies::Rotation;
+use whirl_solver::dynamics::BodyStart;
+use whirl_solver::model::AttachmentKind;
+use whirl_solver::rigid::RigidBody;
 
 use super::columns::Columns;
 use super::rotor::{self, GroundSpring};
@@ -12,8 +16,14 @@ use super::rotor::{self, GroundSpring};
 pub(crate) struct NamedBody {
     /// Its name, at its table.
     pub(crate) name: Located,
-    /// How it turns, if it does.
-    pub(crate) turning: Option<Turning>,
+    /// How its frame turns; none of a body that does not turn.
+    pub(crate) rotation: Option<Rotation>,
+    /// Speed at t = 0 (rad/s) of a body that turns freely, if the case says it.
+    pub(crate) initial_speed: Option<f64>,
+    /// The table of speed (rad/s) over time (s) that tells its rotation, if one does.
+    pub(crate) speeds: Option<Arc<Columns>>,
+    /// Where it is at t = 0 but for its rotation.
+    pub(crate) start: BodyStart,
     /// x and y of its axis, m.
     pub(crate) axis: [f64; 2],
     /// Whether the case says so.
@@ -25,42 +35,45 @@ pub(crate) struct NamedBody {
 }
 
 impl NamedBody {
-    /// One with a mesh that stands on the common axis, and does not turn.
-    pub(super) fn of(name: Located, form: MeshedBody) -> NamedBody {
+    /// One that stands on the common axis, does not turn, and carries nothing.
+    pub(super) fn of(name: Located, form: Form) -> NamedBody {
         NamedBody {
             name,
-            turning: None,
+            rotation: None,
+            initial_speed: None,
+            speeds: None,
+            start: BodyStart::default(),
             axis: [0.0; 2],
             axis_given: false,
-            form: Form::Meshed(Box::new(form)),
+            form,
             attached: Vec::new(),
+        }
+    }
+
+    /// Whether its frame turns: not that of a mass, which turns in it.
+    pub(crate) fn turns(&self) -> bool {
+        let still = matches!(self.rotation, Some(Rotation::Held | Rotation::Spinning { .. }));
+        self.rotation.is_some() && !still
+    }
+
+    /// Whether it turns as its couples make it.
+    pub(crate) fn is_free(&self) -> bool {
+        matches!(self.rotation, Some(Rotation::Free))
+    }
+
+    /// Speed with which it turns in its frame (rad/s), if it does.
+    pub(crate) fn spin(&self) -> Option<f64> {
+        match self.rotation {
+            Some(Rotation::Spinning { speed }) => Some(speed),
+            _ => None,
         }
     }
 
     /// Whether its bores stand about its own axis: of all that turn, and of a rigid body whose table gives one. Those of a
     /// mesh stand where their nodes are, and all others about their journals.
     pub(crate) fn bores_on_axis(&self) -> bool {
-        self.turning.is_some() || self.axis_given && matches!(self.form, Form::Rigid(_))
+        self.turns() || self.axis_given && matches!(self.form, Form::Rigid(_))
     }
-}
-
-/// How a body turns.
-#[derive(Debug, Clone)]
-pub(crate) enum Turning {
-    /// As its couples make it, from a speed at t = 0 (rad/s).
-    Free {
-        /// rad/s, if the case says it.
-        initial_speed: Option<f64>,
-    },
-    /// As it is told.
-    Prescribed {
-        /// At t = 0, rad/s.
-        speed: f64,
-        /// rad/s².
-        acceleration: f64,
-    },
-    /// As a table of speed (rad/s) over time (s) tells it.
-    Table(Arc<Columns>),
 }
 
 /// What a body is made of.
@@ -109,25 +122,6 @@ impl MeshedBody {
     }
 }
 
-/// A rigid body.
-#[derive(Debug, Clone)]
-pub(crate) struct RigidBody {
-    /// kg.
-    pub(crate) mass: f64,
-    /// About its axis, kg·m².
-    pub(crate) polar_inertia: f64,
-    /// About x and y through its centre, kg·m²; a body without does not tilt.
-    pub(crate) transverse_inertia: Option<f64>,
-    /// Whether it may move along z.
-    pub(crate) moves_along_z: bool,
-    /// z of its centre, m, if the case says it.
-    pub(crate) z: Option<f64>,
-    /// To the ground along x and y, N/m.
-    pub(crate) stiffness: [f64; 2],
-    /// To the ground along x and y, N·s/m.
-    pub(crate) damping: [f64; 2],
-}
-
 /// What is carried, and where.
 #[derive(Debug, Clone)]
 pub(crate) struct Attached {
@@ -136,28 +130,5 @@ pub(crate) struct Attached {
     /// z of the section that carries it, m.
     pub(crate) z: f64,
     /// What it is.
-    pub(crate) what: Carried,
-}
-
-/// What a section carries.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum Carried {
-    /// A rigid disc, its centre of mass on the axis.
-    Disc {
-        /// kg.
-        mass: f64,
-        /// About the axis, kg·m².
-        polar_inertia: f64,
-        /// About a diameter, kg·m².
-        transverse_inertia: f64,
-    },
-    /// A point mass.
-    Mass {
-        /// kg.
-        mass: f64,
-        /// Along x and y of the turning frame, m.
-        place: [f64; 2],
-    },
-    /// Mass times eccentricity along x and y of the turning frame, kg·m.
-    Unbalance([f64; 2]),
+    pub(crate) what: AttachmentKind,
 }

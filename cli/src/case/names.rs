@@ -85,15 +85,26 @@ pub(super) fn body(
     known: &[Located],
     ground: bool,
 ) -> Option<usize> {
-    let found = known.iter().position(|own| own.text() == name.text());
+    let mut names: Vec<&str> = known.iter().map(Located::text).collect();
+    names.extend(ground.then_some(GROUND));
+    let message = format!("there is no body `{}`", name.text());
+    place(table, name, &names, message, || {
+        format!("describe it in a table `[body.{}]`", name.text())
+    })
+}
+
+/// The place of a name among those that are known; another one is noted with this `message`, and with `help` where it is like none
+/// of them.
+pub(super) fn place(
+    table: &Table,
+    name: &Located,
+    known: &[&str],
+    message: String,
+    help: impl FnOnce() -> String,
+) -> Option<usize> {
+    let found = known.iter().position(|own| *own == name.text());
     if found.is_none() {
-        let mut names: Vec<&str> = known.iter().map(Located::text).collect();
-        if ground {
-            names.push(GROUND);
-        }
-        let message = format!("there is no body `{}`", name.text());
-        let help = suggest(name.text(), &names)
-            .unwrap_or_else(|| format!("describe it in a table `[body.{}]`", name.text()));
+        let help = suggest(name.text(), known).unwrap_or_else(help);
         table.push(name.error_here(Code::BAD_VALUE, message).help(help));
     }
     found

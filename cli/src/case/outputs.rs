@@ -1,131 +1,38 @@
 //! The tables `[output.NAME]`: what the history has beside its usual columns.
 
-use whirl_codegen::diagnostic::{Code, Located, suggest};
+use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 use whirl_solver::bearing::MotionKind;
 use whirl_solver::loads::Frame;
-use whirl_solver::output::{JointQuantity, Motion};
+use whirl_solver::output::{self, JointQuantity, Motion};
 
+use super::joined_machine::JoinedMachine;
 use super::joint::JointKind;
 use super::named_body::Form;
 use super::names;
-use super::system_draft::SystemDraft;
 
-/// An output under its name.
+/// Which point of a body an output is of.
 #[derive(Debug, Clone)]
-pub(crate) struct Output {
-    /// Its name, at its table.
-    pub(crate) name: Located,
-    /// What it is.
-    pub(crate) what: Wanted,
+pub(crate) enum OutputPoint {
+    /// The node of a set, or the mean of its nodes, of a body with a mesh.
+    Set(Located),
+    /// At a z of a rigid body (m); its centre if the case does not say it.
+    At(Option<f64>),
 }
 
-/// What is wanted.
-#[derive(Debug, Clone)]
-pub(crate) enum Wanted {
-    /// How a point of a body moves.
-    Motion {
-        /// The body, by its place.
-        body: usize,
-        /// The node set whose node, or whose mean, it is; of a body with a mesh.
-        set: Option<Located>,
-        /// z of the point on a rigid body (m), if the case says it.
-        z: Option<f64>,
-        /// Displacement or a derivative.
-        motion: Motion,
-        /// Whose components.
-        frame: Frame,
-        /// x, y, z as 0, 1, 2.
-        components: Vec<usize>,
-    },
-    /// What a joint does.
-    Joint {
-        /// The joint, by its place.
-        joint: usize,
-        /// Which of what it does.
-        quantity: JointQuantity,
-        /// Whose components.
-        frame: Frame,
-    },
-    /// Energies of a body.
-    Energy {
-        /// The body.
-        body: usize,
-    },
-    /// Powers of a body.
-    Power {
-        /// The body.
-        body: usize,
-    },
-    /// Power of a joint.
-    JointPower {
-        /// The joint.
-        joint: usize,
-    },
-}
+/// An output with its point as the case says it.
+pub(crate) type Output = output::Output<OutputPoint>;
 
-/// What outputs may be of: names of bodies and whether they have meshes, names of joints and what these are.
-struct Known {
-    bodies: Vec<(String, bool)>,
-    joints: Vec<(String, KnownJoint)>,
-}
-
-/// What a joint gives.
-#[derive(Clone, Copy, Default)]
-struct KnownJoint {
-    /// A torque alone.
-    coupling: bool,
-    /// Moments on tilts.
-    tilts: bool,
-    /// A force along z.
-    along: bool,
-}
-
-impl Known {
-    /// Of what a case says; none where too much of it is wrong.
-    fn of(system: &SystemDraft) -> Option<Known> {
-        let numbered =
-            |count: usize| (1..=count).map(|k| (k.to_string(), KnownJoint::default())).collect();
-        let named =
-            |names: &[&str], mesh| names.iter().map(|own| (own.to_string(), mesh)).collect();
-        Some(match system {
-            SystemDraft::Lumped(lumped) => Known {
-                bodies: named(&["mass"], false),
-                joints: numbered(lumped.as_ref()?.stops.len()),
-            },
-            SystemDraft::Joined(joined) => {
-                let joined = joined.as_ref()?;
-                let bodies = joined.bodies.iter();
-                let joints = joined.joints.iter();
-                Known {
-                    bodies: bodies
-                        .map(|own| (own.name.text().into(), matches!(own.form, Form::Meshed(_))))
-                        .collect(),
-                    joints: joints
-                        .map(|own| {
-                            let known = KnownJoint {
-                                coupling: own.kind == JointKind::Coupling,
-                                tilts: own.acts_on(MotionKind::Tilts),
-                                along: own.acts_on(MotionKind::Along),
-                            };
-                            (own.name.text().into(), known)
-                        })
-                        .collect(),
-                }
-            }
-        })
-    }
-}
+type Wanted = output::Wanted<OutputPoint>;
 
 /// All outputs of a file that are right.
-pub(super) fn read(file: &Table, system: &SystemDraft) -> Vec<Output> {
-    let known = Known::of(system);
+pub(super) fn read(file: &Table, machine: Option<&JoinedMachine>) -> Vec<Output> {
     let tables = names::in_order(file, "output");
     let labels: Vec<Located> = tables.iter().map(|(name, _)| name.clone()).collect();
     names::distinct(file, "output", &labels);
     let read = |(name, table): (Located, Table)| {
-        let what = table.read(|table| read_one(table, known.as_ref()))?;
-        Some(Output { name, what })
+        let what = table.read(|table| read_one(table, machine))?;
+        Some(Output { name: name.text().to_owned(), what })
     };
     tables.into_iter().filter_map(read).collect()
 }
@@ -133,7 +40,7 @@ pub(super) fn read(file: &Table, system: &SystemDraft) -> Vec<Output> {
 /// Keys that some quantities have no use for.
 const OF_SOME: [&str; 4] = ["set", "z", "frame", "components"];
 
-fn read_one(table: &Table, known: Option<&Known>) -> Option<Wanted> {
+fn read_one(table: &Table, machine: Option<&JoinedMachine>) -> Option<Wanted> {
     let (body, joint) = (table.optional_string("body"), table.optional_string("joint"));
     let (set, z) = (table.optional_string("set"), table.quantity("z"));
     let frame = match table.optional_word("frame") {
@@ -170,16 +77,19 @@ fn read_one(table: &Table, known: Option<&Known>) -> Option<Wanted> {
         table.push(own.error_here(Code::BAD_VALUE, message).help(help.to_owned()));
         None
     };
-    let known = known?;
+    let machine = machine?;
     if let Some(own) = &joint {
         if !of_joint {
             return wrong(own, "of a body, not of a joint", "write `body = \"NAME\"` instead");
         }
-        let joint = place(table, own, ("joint", &known.joints))?;
-        let KnownJoint { coupling, tilts, along } = known.joints[joint].1;
+        let joint = place(table, own, "joint", machine.joints.iter().map(|own| &own.name))?;
+        let known = &machine.joints[joint];
+        let coupling = known.kind == JointKind::Coupling;
         let lacks = match quantity {
-            "moment" | "tilt" if !tilts => Some("on tilts, such as M_x"),
-            "axial_force" | "axial_deformation" if !along => Some("along z, F_z"),
+            "moment" | "tilt" if !known.acts_on(MotionKind::Tilts) => Some("on tilts, such as M_x"),
+            "axial_force" | "axial_deformation" if !known.acts_on(MotionKind::Along) => {
+                Some("along z, F_z")
+            }
             _ => None,
         };
         if let Some(lacks) = lacks {
@@ -207,7 +117,7 @@ fn read_one(table: &Table, known: Option<&Known>) -> Option<Wanted> {
     if !of_body {
         return wrong(&own, "of a joint, not of a body", "write `joint = \"NAME\"` instead");
     }
-    let body = place(table, &own, ("body", &known.bodies))?;
+    let body = place(table, &own, "body", machine.bodies.iter().map(|own| &own.name))?;
     let motion = match quantity {
         "energy" => return Some(Wanted::Energy { body }),
         "power" => return Some(Wanted::Power { body }),
@@ -215,7 +125,7 @@ fn read_one(table: &Table, known: Option<&Known>) -> Option<Wanted> {
         "velocity" => Motion::Velocity,
         _ => Motion::Acceleration,
     };
-    let meshed = known.bodies[body].1;
+    let meshed = matches!(machine.bodies[body].form, Form::Meshed(_));
     let (key, help) = match meshed {
         true => ("z", "name a node set: `set = \"NAME\"`"),
         false => ("set", "write `z = \"…\"`, or nothing for its centre"),
@@ -229,11 +139,16 @@ fn read_one(table: &Table, known: Option<&Known>) -> Option<Wanted> {
         let message = format!("`{}` {what}", own.text());
         table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
     }
-    if meshed && set.is_none() {
-        table.absent("set", "add `set = \"NAME\"`: its node moves so, or the mean of its nodes");
-        return None;
-    }
-    Some(Wanted::Motion { body, set, z, motion, frame, components })
+    let point = match (meshed, set) {
+        (true, Some(set)) => OutputPoint::Set(set),
+        (true, None) => {
+            let help = "add `set = \"NAME\"`: its node moves so, or the mean of its nodes";
+            table.absent("set", help);
+            return None;
+        }
+        (false, _) => OutputPoint::At(z),
+    };
+    Some(Wanted::Motion { body, point, motion, frame, components })
 }
 
 /// Axes in the order of the case; x and y if it names none.
@@ -263,17 +178,17 @@ fn components(table: &Table) -> Vec<usize> {
 }
 
 /// The place of a body or joint among those that the case has; one that it has not is noted.
-fn place<T>(table: &Table, name: &Located, (what, all): (&str, &[(String, T)])) -> Option<usize> {
-    let found = all.iter().position(|(own, _)| own == name.text());
-    if found.is_none() {
-        let names: Vec<&str> = all.iter().map(|(own, _)| own.as_str()).collect();
-        let message = format!("there is no {what} `{}`", name.text());
-        let shown: Vec<String> = names.iter().map(|own| format!("`{own}`")).collect();
-        let help = suggest(name.text(), &names).unwrap_or_else(|| match shown.is_empty() {
-            true => format!("this machine has no {what}"),
-            false => format!("name one of {}", shown.join(", ")),
-        });
-        table.push(name.error_here(Code::BAD_VALUE, message).help(help));
-    }
-    found
+fn place<'a>(
+    table: &Table,
+    name: &Located,
+    what: &str,
+    all: impl Iterator<Item = &'a Located>,
+) -> Option<usize> {
+    let known: Vec<&str> = all.map(Located::text).collect();
+    let help = || match known.is_empty() {
+        true => format!("this machine has no {what}"),
+        false => format!("name one of `{}`", known.join("`, `")),
+    };
+    let message = format!("there is no {what} `{}`", name.text());
+    names::place(table, name, &known, message, help)
 }

@@ -10,10 +10,9 @@ use whirl_codegen::document::{Document, Table};
 use super::fields::{self, Fields};
 use super::library::{FileStore, load};
 use super::start::{Start, StartDraft};
-use super::system_draft::SystemDraft;
 use super::{
-    Analysis, Case, CaseText, Figures, JoinedMachine, MarchSettings, Output, System, analyses, law,
-    lumped, machine, march, outputs, reduction, start,
+    Analysis, Case, CaseText, Figures, JoinedMachine, MarchSettings, Output, analyses, law,
+    machine, march, mass, outputs, reduction, start,
 };
 
 /// What a case is read for.
@@ -46,19 +45,10 @@ pub(crate) struct Draft {
     memory_limit: Option<usize>,
     outputs: Vec<Output>,
     analyses: Vec<Analysis>,
-    /// What is marched, as far as the case says it.
-    pub(crate) system: SystemDraft,
+    /// What is marched, if enough of it is right.
+    pub(crate) machine: Option<Box<JoinedMachine>>,
     /// What is wrong.
     pub(crate) errors: Diagnostics,
-}
-
-impl SystemDraft {
-    fn finish(self) -> Option<System> {
-        match self {
-            SystemDraft::Lumped(lumped) => lumped.map(System::Lumped),
-            SystemDraft::Joined(joined) => joined.map(System::Joined),
-        }
-    }
 }
 
 impl Draft {
@@ -79,20 +69,20 @@ impl Draft {
             fields,
             start,
             memory_limit,
-            system,
+            machine,
             errors,
         } = self;
         let start = start.map_or(Start::Rest, |own| own.start);
         let place = sources[0].clone();
-        match (errors.into_result(())?, system.finish()) {
-            ((), Some(system)) => {
-                sources.extend(system.tables());
+        match (errors.into_result(())?, machine) {
+            ((), Some(machine)) => {
+                sources.extend(machine.tables());
                 Ok(Case {
                     name,
                     title,
                     origin,
                     sources,
-                    system,
+                    machine,
                     march,
                     start,
                     memory_limit,
@@ -158,9 +148,10 @@ fn assemble(
     let origin = file.optional_string("source");
     let figures = figures(store, file);
     let start = start::read(file);
-    let system = system(store, file, start.as_ref());
-    if let Some(start) = &start {
-        start::check(file, start, &system);
+    let machine = machine(store, file, start.as_ref()).map(Box::new);
+    let known = machine.as_deref();
+    if let (Some(start), Some(known)) = (&start, known) {
+        start::check(file, start, known);
     }
     let goes_on = start.as_ref().is_some_and(StartDraft::goes_on);
     if purpose == Purpose::March && !file.gives("analysis") {
@@ -168,10 +159,10 @@ fn assemble(
         file.demand("title");
         file.demand("march");
     }
-    let march = march::read(file, &system, goes_on);
-    let outputs = outputs::read(file, &system);
-    let analyses = analyses::read(file, &system);
-    let fields = fields::read(file, &system);
+    let march = march::read(file, known, goes_on);
+    let outputs = outputs::read(file, known);
+    let analyses = analyses::read(file, known);
+    let fields = fields::read(file, known);
     if let (Some(fields), Some(march), false) = (&fields, &march, goes_on) {
         let beyond = fields.times_beyond([0.0, march.duration()]);
         beyond.into_iter().for_each(|error| file.push(error));
@@ -189,7 +180,7 @@ fn assemble(
         outputs,
         analyses,
         fields,
-        system,
+        machine,
         errors: Diagnostics::new(),
     }
 }
@@ -202,13 +193,11 @@ fn case_name(path: &Path) -> String {
 const OF_A_MACHINE: [&str; 7] =
     ["material", "shaft", "support", "springs", "bearing", "drive", "load"];
 
-fn system(store: FileStore, file: &Table, start: Option<&StartDraft>) -> SystemDraft {
+fn machine(store: FileStore, file: &Table, start: Option<&StartDraft>) -> Option<JoinedMachine> {
     let goes_on = start.is_some_and(StartDraft::goes_on);
     match JoinedMachine::is_in(file) {
-        Some(true) => {
-            return SystemDraft::Joined(JoinedMachine::read(store, file, goes_on).map(Box::new));
-        }
-        None => return SystemDraft::Joined(None),
+        Some(true) => return JoinedMachine::read(store, file, goes_on),
+        None => return None,
         Some(false) => {}
     }
     if !file.gives("mass") && !OF_A_MACHINE[1..].iter().any(|key| file.gives(key)) {
@@ -220,7 +209,7 @@ fn system(store: FileStore, file: &Table, start: Option<&StartDraft>) -> SystemD
         );
         file.pass_over("material");
         file.pass_over("gravity");
-        return SystemDraft::Joined(None);
+        return None;
     }
     if !file.gives("mass") {
         let speed = start.and_then(|own| own.speed);
@@ -228,14 +217,14 @@ fn system(store: FileStore, file: &Table, start: Option<&StartDraft>) -> SystemD
         if let Some(short) = &short {
             short.check(file, goes_on);
         }
-        return SystemDraft::Joined(short.map(Box::new));
+        return short;
     }
     if file.gives("shaft") {
         file.conflict("mass", "shaft");
         // Which of both is meant, is open: neither is read as if it were.
         OF_A_MACHINE.iter().for_each(|key| file.pass_over(key));
     }
-    SystemDraft::Lumped(lumped::read(store, file))
+    mass::read(store, file)
 }
 
 fn figures(store: FileStore, file: &Table) -> Figures {

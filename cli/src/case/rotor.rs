@@ -18,14 +18,6 @@ use super::parameters::{BearingFacts, SetParameter};
 use super::selections::NamedSelection;
 
 impl Drive {
-    /// The section that it drives: a set, or two sets of one node at opposite ends of a diameter.
-    pub(super) fn section_sets(&self) -> Vec<Located> {
-        match &self.section {
-            Some(section) => vec![section.clone()],
-            None => vec![self.top.clone(), self.bottom.clone()],
-        }
-    }
-
     /// The speed at which it ends, or the fastest in its table (rad/s); 0 of a table over time.
     pub(super) fn top_speed(&self) -> f64 {
         let over_speed = |own: &&Arc<Columns>| own.measures[0] == Dimension::ANGULAR_SPEED;
@@ -201,12 +193,9 @@ impl Bearing {
 /// A couple that turns the shaft: until a speed is reached, or over time or speed as a table has it.
 #[derive(Debug, Clone)]
 pub(crate) struct Drive {
-    /// Set of one node, where the couple is one of forces along y: +y.
-    pub(crate) top: Located,
-    /// Set of one node: −y.
-    pub(crate) bottom: Located,
-    /// The set of nodes on whose mean rotation the couple acts, in place of two nodes.
-    pub(crate) section: Option<Located>,
+    /// The section on which it acts: the set of nodes on whose mean rotation it does; or two sets of one node at opposite ends of
+    /// a diameter, as forces +y and −y. None of a rigid body.
+    pub(crate) section: Vec<Located>,
     /// N·m about +z; 0 of a table.
     pub(crate) torque: f64,
     /// rad/s; 0 of a table.

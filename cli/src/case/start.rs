@@ -9,8 +9,6 @@ use whirl_specs::Motion;
 
 use super::joined_machine::{Drive, JoinedMachine};
 use super::machine;
-use super::named_body::{NamedBody, Turning};
-use super::system_draft::SystemDraft;
 
 /// How a machine begins.
 #[derive(Debug, Clone)]
@@ -76,22 +74,16 @@ fn read_start(table: &Table) -> StartDraft {
 }
 
 /// Notes what does not fit the machine.
-pub(super) fn check(file: &Table, draft: &StartDraft, system: &SystemDraft) {
-    match system {
-        SystemDraft::Joined(Some(joined)) => check_joined(file, draft, joined),
-        SystemDraft::Joined(None) => {}
-        SystemDraft::Lumped(_) => {
-            let message = "`[start]` is of a machine that turns; a mass begins as its table says";
-            let help = "write `displacement` and `velocity` in `[mass]`";
-            file.push(file.written("start").error_here(Code::BAD_VALUE, message).help(help));
-        }
+pub(super) fn check(file: &Table, draft: &StartDraft, machine: &JoinedMachine) {
+    if machine.is_mass() {
+        let message = "`[start]` is of a machine that turns; a mass begins as its table says";
+        let help = "write `displacement` and `velocity` in `[mass]`";
+        file.push(file.written("start").error_here(Code::BAD_VALUE, message).help(help));
+        return;
     }
-}
-
-fn check_joined(file: &Table, draft: &StartDraft, joined: &JoinedMachine) {
-    if draft.speed.is_some() && !joined.short {
-        let turns = |own: &&NamedBody| matches!(own.turning, Some(Turning::Free { .. }));
-        let name = joined.bodies.iter().find(turns).map_or("NAME", |own| own.name.text());
+    if draft.speed.is_some() && machine.is_named() {
+        let name =
+            machine.bodies.iter().find(|own| own.is_free()).map_or("NAME", |own| own.name.text());
         let message = "`speed` is of the one shaft of a machine in short form";
         let help = format!("write `initial_speed` in `[body.{name}]`, or in another that turns");
         file.push(draft.speed_place.error_here(Code::BAD_VALUE, message).help(help));
@@ -99,13 +91,13 @@ fn check_joined(file: &Table, draft: &StartDraft, joined: &JoinedMachine) {
     if !matches!(draft.start, Start::Equilibrium) {
         return;
     }
-    if joined.short && draft.speed.is_none() {
+    if !machine.is_named() && draft.speed.is_none() {
         let message = "an equilibrium is one at a speed";
         let help = "add `speed = \"4500 rpm\"` to `[start]`, with the speed of the shaft";
         file.push(draft.kind.error_here(Code::BAD_VALUE, message).help(help));
     }
-    check_motion(file, draft, joined.motion);
-    if joined.short {
+    check_motion(file, draft, machine.motion);
+    if !machine.is_named() {
         return;
     }
     // Of a couple over the speed the speed is found at which it is balanced.
@@ -113,10 +105,10 @@ fn check_joined(file: &Table, draft: &StartDraft, joined: &JoinedMachine) {
         let table = drive.couple.table.as_ref();
         table.is_some_and(|own| own.measures[0] == Dimension::ANGULAR_SPEED)
     };
-    let driven = joined.drives.iter().filter(|drive| drive.couple.acts && !over_speed(drive));
+    let driven = machine.drives.iter().filter(|drive| drive.couple.acts && !over_speed(drive));
     for drive in driven {
-        let body = &joined.bodies[drive.body];
-        if matches!(body.turning, Some(Turning::Free { initial_speed: None })) {
+        let body = &machine.bodies[drive.body];
+        if body.is_free() && body.initial_speed.is_none() {
             let name = body.name.text();
             let message = format!("`{name}` is driven, and its speed in equilibrium is not given");
             let help = format!("add `initial_speed = \"4500 rpm\"` to `[body.{name}]`");

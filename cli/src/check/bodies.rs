@@ -3,10 +3,12 @@
 use std::fmt::Write;
 
 use whirl_solver::assembly::mass_properties;
+use whirl_solver::bodies::Rotation;
+use whirl_solver::model::AttachmentKind;
 use whirl_text::rounded;
 
 use super::frequencies::rpm;
-use crate::case::{Attached, Carried, Case, JoinedMachine, NamedBody, Start, Turning};
+use crate::case::{Attached, Case, JoinedMachine, NamedBody, Start};
 use crate::errors::Failure;
 use crate::machine::{JoinedPlan, PlannedBody};
 use crate::report::table;
@@ -24,19 +26,19 @@ pub(super) fn say(
     for body in &joined.bodies {
         for own in &body.attached {
             let (kind, what) = match own.what {
-                Carried::Disc { mass, polar_inertia, transverse_inertia } => {
+                AttachmentKind::Disc { mass, polar_inertia, diametral_inertia } => {
                     let inertias = format!(
-                        "polar inertia {polar_inertia} kg m², transverse {transverse_inertia} kg m²"
+                        "polar inertia {polar_inertia} kg m², transverse {diametral_inertia} kg m²"
                     );
                     ("disc", format!("{mass} kg, {inertias}"))
                 }
-                Carried::Mass { mass, place: [x, y] } => {
+                AttachmentKind::Mass { mass, offset: [x, y] } => {
                     let radius = rounded(1e3 * x.hypot(y), 6);
                     let angle = rounded(y.atan2(x).to_degrees(), 6);
                     ("mass", format!("{mass} kg at radius {radius} mm, {angle}°"))
                 }
                 // It is a load, and adds to no inertia.
-                Carried::Unbalance(_) => continue,
+                AttachmentKind::Unbalance(_) => continue,
             };
             let z = rounded(1e3 * own.z, 6);
             line!(
@@ -53,24 +55,30 @@ pub(super) fn say(
 /// How each body turns, if it does.
 pub(super) fn say_speeds(text: &mut String, joined: &JoinedMachine, case: &Case) {
     let run = case.run();
-    let of = |turning: &Turning| match turning {
-        Turning::Prescribed { speed, acceleration } if *acceleration == 0.0 => {
-            format!("prescribed, {} rpm", rpm(*speed))
+    let told = |rotation: &Rotation| match *rotation {
+        Rotation::Prescribed { speed, acceleration: 0.0 } => {
+            format!("prescribed, {} rpm", rpm(speed))
         }
-        Turning::Prescribed { speed, acceleration } if run.duration > 0.0 => {
+        Rotation::Prescribed { speed, acceleration } if run.duration > 0.0 => {
             let last = rpm(speed + acceleration * run.duration);
-            format!("prescribed, from {} rpm to {last} rpm in {} s", rpm(*speed), run.duration)
+            format!("prescribed, from {} rpm to {last} rpm in {} s", rpm(speed), run.duration)
         }
-        Turning::Prescribed { speed, acceleration } => {
-            format!("prescribed, from {} rpm by {} rpm/s", rpm(*speed), rpm(*acceleration))
+        Rotation::Prescribed { speed, acceleration } => {
+            format!("prescribed, from {} rpm by {} rpm/s", rpm(speed), rpm(acceleration))
         }
-        Turning::Table(columns) => format!("prescribed by the table `{}`", columns.name.text()),
-        Turning::Free { .. } if run.goes_on => "free, from the speed of the state".to_owned(),
-        Turning::Free { initial_speed: Some(speed) } => format!("free, from {} rpm", rpm(*speed)),
-        Turning::Free { initial_speed: None } => match case.start {
+        _ if run.goes_on => "free, from the speed of the state".to_owned(),
+        _ => match case.start {
             Start::Equilibrium => "free, from the speed at which its couples balance".to_owned(),
             _ => "free, from rest".to_owned(),
         },
+    };
+    let of = |body: &NamedBody| {
+        let rotation = body.rotation.as_ref()?;
+        Some(match (&body.speeds, body.initial_speed) {
+            (Some(columns), _) => format!("prescribed by the table `{}`", columns.name.text()),
+            (None, Some(speed)) if !run.goes_on => format!("free, from {} rpm", rpm(speed)),
+            _ => told(rotation),
+        })
     };
     let aim = |place: usize| {
         let own = joined.drives.iter().find(|own| own.body == place && own.couple.acts)?;
@@ -78,7 +86,7 @@ pub(super) fn say_speeds(text: &mut String, joined: &JoinedMachine, case: &Case)
         own.couple.table.is_none().then(|| format!("; its drive acts until {target} rpm"))
     };
     let line = |(place, body): (usize, &NamedBody)| {
-        let turning = of(body.turning.as_ref()?);
+        let turning = of(body)?;
         Some(format!("{}: {turning}{}", body.name.text(), aim(place).unwrap_or_default()))
     };
     let lines: Vec<String> = joined.bodies.iter().enumerate().filter_map(line).collect();
@@ -95,7 +103,7 @@ fn masses(joined: &JoinedMachine, plan: &JoinedPlan) -> Result<String, Failure> 
     for (body, own) in joined.bodies.iter().zip(&plan.bodies) {
         let [mass, z, polar, transverse] = match own {
             PlannedBody::Rigid(rigid) => {
-                let polar = body.turning.as_ref().map(|_| rigid.body.polar_inertia);
+                let polar = body.turns().then_some(rigid.body.polar_inertia);
                 let own = &rigid.body;
                 [Some(own.mass), Some(own.centre[2]), polar, own.transverse_inertia]
             }
@@ -108,7 +116,7 @@ fn masses(joined: &JoinedMachine, plan: &JoinedPlan) -> Result<String, Failure> 
                 let centre = if z.abs() < 1e-9 * size { 0.0 } else { z };
                 // About its axis where it turns, else about its centre, as across it.
                 let polar = second[0][0] + second[1][1]
-                    - if body.turning.is_some() { 0.0 } else { own.mass * (x * x + y * y) };
+                    - if body.turns() { 0.0 } else { own.mass * (x * x + y * y) };
                 let across = second[1][1] + second[2][2] - own.mass * (y * y + z * z);
                 [Some(own.mass), Some(centre), Some(polar), Some(across)]
             }
@@ -145,14 +153,14 @@ fn carrying(attached: &[Attached], own: [Option<f64>; 4]) -> [Option<f64>; 4] {
     let ([Some(mass), Some(z), ..], polar, transverse) = (own, own[2], own[3]) else { return own };
     // Mass, z, polar and transverse inertia about its own centre.
     let parts = attached.iter().filter_map(|own| match own.what {
-        Carried::Disc { mass, polar_inertia, transverse_inertia } => {
-            Some([mass, own.z, polar_inertia, transverse_inertia])
+        AttachmentKind::Disc { mass, polar_inertia, diametral_inertia } => {
+            Some([mass, own.z, polar_inertia, diametral_inertia])
         }
-        Carried::Mass { mass, place: [x, y] } => {
+        AttachmentKind::Mass { mass, offset: [x, y] } => {
             let square = mass * (x * x + y * y);
             Some([mass, own.z, square, 0.5 * square])
         }
-        Carried::Unbalance(_) => None,
+        AttachmentKind::Unbalance(_) => None,
     });
     let parts: Vec<[f64; 4]> = parts.collect();
     let total = mass + parts.iter().map(|[mass, ..]| mass).sum::<f64>();

@@ -7,9 +7,9 @@ use whirl_solver::contacts::{HARMONICS, lacking, lacking_of_loads};
 use whirl_solver::reduced::{BodyKind, Reduced};
 use whirl_solver::reduction::Row;
 
-use crate::case::{Case, System};
+use crate::case::Case;
 use crate::errors::Failure;
-use crate::machine::{BodyPlan, JoinedPlan, PlannedBody};
+use crate::machine::{BodyPlan, JoinedPlan};
 use crate::report::table;
 
 /// A part that is lacking is named with its remedy from here on.
@@ -22,19 +22,14 @@ const CHEAP: usize = 20_000;
 type Meshed<'a> = (String, BodyKind, &'a BodyPlan);
 
 /// The bodies of a case that are reduced.
-fn reduced_bodies<'a>(case: &Case, plan: Option<&'a JoinedPlan>) -> Vec<Meshed<'a>> {
-    let mut bodies: Vec<Meshed> = Vec::new();
-    if let (System::Joined(joined), Some(plan)) = (&case.system, plan) {
-        for (own, body) in joined.bodies.iter().zip(&plan.bodies) {
-            let turns = own.turning.is_some();
-            let kind = if turns { BodyKind::Shaft } else { BodyKind::Support };
-            if let PlannedBody::Meshed(body) = body {
-                bodies.push((joined.table_of(own), kind, body));
-            }
-        }
-    }
-    bodies.retain(|(_, _, body)| !body.rigid);
-    bodies
+fn reduced_bodies<'a>(case: &Case, plan: &'a JoinedPlan) -> Vec<Meshed<'a>> {
+    let all = case.machine.bodies.iter().zip(&plan.bodies);
+    let meshed = all.filter_map(|(own, body)| {
+        let kind = if own.turns() { BodyKind::Shaft } else { BodyKind::Support };
+        let body = body.meshed().filter(|body| !body.rigid)?;
+        Some((case.machine.table_of(own), kind, body))
+    });
+    meshed.collect()
 }
 
 /// Reduced as it is marched, from the cache if it is there.
@@ -55,7 +50,7 @@ fn reduced(
 pub(super) fn say_loads(
     text: &mut String,
     case: &Case,
-    (plan, wanted): (Option<&JoinedPlan>, bool),
+    (plan, wanted): (&JoinedPlan, bool),
     cache: Option<&Cache>,
 ) -> Result<(), Failure> {
     for own in reduced_bodies(case, plan) {
@@ -101,7 +96,7 @@ pub(super) fn say_loads(
 pub(super) fn say(
     text: &mut String,
     case: &Case,
-    plan: Option<&JoinedPlan>,
+    plan: &JoinedPlan,
     cache: Option<&Cache>,
 ) -> Result<(), Failure> {
     let mut bodies = reduced_bodies(case, plan);

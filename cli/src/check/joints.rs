@@ -26,7 +26,7 @@ pub(super) fn say(text: &mut String, joined: &JoinedMachine, plan: &JoinedPlan) 
                 round(bore)
             );
         }
-        let turns = |body: usize| joined.bodies[body].turning.is_some();
+        let turns = |body: usize| joined.bodies[body].turns();
         let turning = joint.sides[1].body.filter(|body| turns(*body));
         if let Some(bore) = turning.filter(|_| law.damps_against_bore()) {
             line!(

@@ -2,9 +2,10 @@
 
 use std::fmt::Write;
 
+use whirl_solver::model::AttachmentKind;
 use whirl_text::rounded;
 
-use crate::case::{Carried, Gravity, JoinedMachine};
+use crate::case::{Gravity, JoinedMachine};
 
 /// Drives, loads, unbalance and gravity.
 pub(super) fn say(text: &mut String, joined: &JoinedMachine) {
@@ -17,7 +18,8 @@ pub(super) fn say(text: &mut String, joined: &JoinedMachine) {
 fn drives(joined: &JoinedMachine) -> Vec<String> {
     let acting = joined.drives.iter().filter(|drive| drive.couple.acts);
     let all = acting.map(|drive| {
-        let name = if joined.short { String::new() } else { format!("{} ", drive.name.text()) };
+        let name =
+            if joined.is_named() { format!("{} ", drive.name.text()) } else { String::new() };
         format!("drive {name}on {}: {}", drive.place.text(), drive.couple.described())
     });
     all.collect()
@@ -29,7 +31,8 @@ fn loads(joined: &JoinedMachine) -> Vec<String> {
         let sets: Vec<&str> = own.load.sets.iter().map(|set| set.text()).collect();
         let place =
             if sets.is_empty() { String::new() } else { format!(" at {}", sets.join(", ")) };
-        let described = own.load.described("", own.load.of.map(name));
+        let of = own.load.followed().filter(|_| joined.is_named());
+        let described = own.load.described("", of.map(name));
         format!("load {} on {}{place}: {described}", own.name.text(), name(own.body))
     });
     all.collect()
@@ -39,7 +42,7 @@ fn unbalance(joined: &JoinedMachine) -> Vec<String> {
     let mut all = Vec::new();
     for body in &joined.bodies {
         for own in &body.attached {
-            let Carried::Unbalance([x, y]) = own.what else { continue };
+            let AttachmentKind::Unbalance([x, y]) = own.what else { continue };
             all.push(format!(
                 "unbalance {} on {}: {} g mm at {}°, z = {} mm",
                 own.name.text(),

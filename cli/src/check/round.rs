@@ -4,10 +4,9 @@ use std::f64::consts::TAU;
 use std::fmt::Write;
 
 use whirl_solver::Error;
-use whirl_solver::machine::Rotation;
 use whirl_text::rounded;
 
-use crate::case::{Case, System};
+use crate::case::{Case, NamedBody};
 use crate::errors::Failure;
 use crate::machine::Built;
 
@@ -17,12 +16,9 @@ use crate::machine::Built;
 /// A mass that is not positive definite.
 pub(super) fn say(text: &mut String, case: &Case, built: &Built) -> Result<(), Failure> {
     for (place, body) in built.machine.bodies.iter().enumerate() {
-        let turns = !matches!(body.rotation(), Some(Rotation::Held | Rotation::Spinning { .. }));
+        let turns = case.machine.bodies.get(place).is_some_and(NamedBody::turns);
         let Some(shaft) = body.shaft().filter(|_| turns) else { continue };
-        let speed = match &case.system {
-            System::Joined(joined) => joined.top_speed(place, case.run()),
-            System::Lumped(_) => continue,
-        };
+        let speed = case.machine.top_speed(place, case.run());
         let found = shaft.roundness().map_err(Error::from)?;
         if found.is_round_at(speed) {
             continue;

@@ -16,7 +16,7 @@ use std::sync::Arc;
 use whirl_codegen::kinds::law::LawSpec;
 
 use self::histories::Span;
-use crate::case::{Case, System};
+use crate::case::{Case, NamedBody};
 use crate::history::ReadHistory;
 use crate::machine::Built;
 use crate::output::Output;
@@ -124,16 +124,16 @@ fn message(panic: &(dyn Any + Send)) -> &str {
 fn wanted(case: &Case) -> Vec<(&'static str, Option<usize>)> {
     let named = &case.figures;
     let mut wanted = vec![("laws", named.law), ("reactions", named.reactions)];
-    match &case.system {
-        System::Joined(joined) => {
-            wanted.extend(
-                ["eccentricity-stretched", "eccentricity"].map(|stem| (stem, named.eccentricity)),
-            );
-            let turns = joined.bodies.iter().any(|body| body.turning.is_some());
-            let stands = joined.short && !joined.drives.iter().any(|own| own.couple.acts);
-            wanted.extend((turns && !stands).then_some(("rotation", named.rotation)));
-        }
-        System::Lumped(_) => wanted.push(("displacement", None)),
+    let machine = &case.machine;
+    if machine.is_mass() {
+        wanted.push(("displacement", None));
+    } else {
+        wanted.extend(
+            ["eccentricity-stretched", "eccentricity"].map(|stem| (stem, named.eccentricity)),
+        );
+        let turns = machine.bodies.iter().any(NamedBody::turns);
+        let driven = machine.is_named() || machine.drives.iter().any(|own| own.couple.acts);
+        wanted.extend((turns && driven).then_some(("rotation", named.rotation)));
     }
     wanted.extend(["spectrum", "waterfall"].map(|stem| (stem, None)));
     wanted
@@ -155,9 +155,9 @@ fn figure(
             _ => spectra::waterfall(history, &all, step),
         };
     }
-    let span = match &case.system {
-        System::Joined(_) => Span::fitting(history, case.march().cycle)?,
-        System::Lumped(_) => Span::All,
+    let span = match case.machine.is_mass() {
+        true => Span::All,
+        false => Span::fitting(history, case.march().cycle)?,
     };
     let titles = case.supports();
     let laws = drawn_laws(case, built);

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use whirl_codegen::diagnostic::{Diagnostics, Located};
+use whirl_codegen::diagnostic::Diagnostics;
 use whirl_solver::bodies::Body;
 use whirl_solver::cache::Cache;
 use whirl_solver::dynamics::BodyStart;
@@ -11,32 +11,33 @@ use whirl_solver::model::{Form, Model};
 
 use super::built::{BodyFact, BodyFacts, Built, Counts, FieldMesh};
 use super::forces;
-use super::plan::BodyPlan;
+use super::joined::{self, JoinedPlan, PlannedBody};
 use super::springs::explain;
-use crate::case::{Gravity, LawSource};
+use crate::case::{Case, JoinedMachine, LawSource, NamedBody};
 use crate::errors::Failure;
 
 /// A model with what results and messages say of it.
 pub(super) struct Described<'a> {
     /// What the solver takes.
     pub(super) model: Model<'a>,
-    /// The plan of each body that has a mesh.
-    pub(super) plans: Vec<Option<&'a BodyPlan>>,
-    /// x and y in space of where the coordinates of each mesh count from (m).
-    pub(super) axes: Vec<[f64; 2]>,
-    /// How the bodies begin.
-    pub(super) initial: Vec<BodyStart>,
-    /// Gravity, as the case says it.
-    pub(super) gravity: Option<&'a Gravity>,
+    /// What it was made from.
+    pub(super) joined: &'a JoinedMachine,
+    pub(super) plan: &'a JoinedPlan,
     /// The laws as the case uses them, and hashes of what they were made from.
     pub(super) laws: Vec<LawSource>,
     pub(super) law_hashes: Vec<(String, String)>,
-    /// Where the case says the law of each bearing, and the sets of its bore.
-    pub(super) law_places: Vec<&'a Located>,
-    pub(super) bore_places: Vec<&'a [Located]>,
 }
 
-impl Described<'_> {
+impl<'a> Described<'a> {
+    /// A case by its own plan.
+    ///
+    /// # Errors
+    /// Whatever is wrong with laws.
+    pub(super) fn of(case: &'a Case, plan: &'a JoinedPlan) -> Result<Self, Failure> {
+        let (model, (laws, law_hashes)) = joined::model(case, plan)?;
+        Ok(Described { model, joined: &case.machine, plan, laws, law_hashes })
+    }
+
     /// The machine; reduced bodies come from the cache where it has them. `warnings` are added to.
     ///
     /// # Errors
@@ -47,16 +48,22 @@ impl Described<'_> {
         warnings: &mut Vec<String>,
     ) -> Result<Built, Failure> {
         let (bodies, facts) = self.reduce(cache, warnings)?;
-        let fields = self.model.fields.iter().filter_map(|&(body, _)| {
-            let flexible = matches!(self.model.bodies[body].form, Form::Flexible(_));
-            let mesh = self.plans[body]?.mesh.clone();
-            Some(FieldMesh { mesh, axis: self.axes[body], flexible })
+        let Described { model, joined, plan, laws, law_hashes } = self;
+        let fields = model.fields.iter().filter_map(|&(body, _)| {
+            let flexible = matches!(model.bodies[body].form, Form::Flexible(_));
+            let (mesh, own) = (plan.bodies[body].meshed()?.mesh.clone(), &joined.bodies[body]);
+            // The coordinates of what turns count from its axis.
+            let axis = if own.turns() { own.axis } else { [0.0; 2] };
+            Some(FieldMesh { mesh, axis, flexible })
         });
         let fields = fields.collect();
-        let Described { model, initial, laws, law_hashes, law_places, bore_places, .. } = self;
+        let start = |own: &NamedBody| BodyStart {
+            speed: own.initial_speed.unwrap_or(0.0),
+            ..own.start.clone()
+        };
+        let initial = joined.bodies.iter().map(start).collect();
         let clearances = model.bearings.iter().map(|bearing| bearing.clearance).collect();
-        let machine =
-            model.machine(bodies).map_err(|error| explain(error, &law_places, &bore_places))?;
+        let machine = model.machine(bodies).map_err(|error| explain(error, &joined.joints))?;
         Ok(Built { machine, initial, clearances, laws, law_hashes, bodies: facts, fields })
     }
 
@@ -80,10 +87,11 @@ impl Described<'_> {
         let wall = start.elapsed().as_secs_f64();
         let (mut bodies, mut facts, mut cached) = (Vec::new(), Vec::new(), true);
         let (mut errors, mut rest) = (Diagnostics::new(), None);
-        for (own, plan) in reduced.into_iter().zip(&self.plans) {
-            let own = match (own, plan) {
-                (Ok(own), _) => own,
-                (Err(error), plan) => {
+        for (place, own) in reduced.into_iter().enumerate() {
+            let plan = self.plan.bodies.get(place).and_then(PlannedBody::meshed);
+            let own = match own {
+                Ok(own) => own,
+                Err(error) => {
                     let failure = match plan {
                         Some(plan) => plan.explain(error),
                         None => error.into(),
@@ -120,7 +128,7 @@ impl Described<'_> {
         if let Some(failure) = rest {
             return Err(failure);
         }
-        warnings.extend(forces::unmoved(self.gravity, &bodies));
+        warnings.extend(forces::unmoved(self.joined.gravity.as_ref(), &bodies));
         let facts = (!facts.is_empty()).then_some(BodyFacts { bodies: facts, wall, cached });
         Ok((bodies, facts))
     }

@@ -1,45 +1,39 @@
 //! Loads and drives of a case.
 
+use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 use whirl_codegen::units::Dimension;
 use whirl_solver::bodies::Body;
 use whirl_solver::curve::Curve;
 use whirl_solver::loads::{Frame, Onset, Target, TimeFunction};
-use whirl_solver::model::{LoadAction, LoadModel, Place};
+use whirl_solver::model::{Attachment, AttachmentKind, LoadAction, LoadModel, Place};
 
-use crate::case::{self, Acting, Columns, Gravity, JoinedDrive, JoinedLoad, Variation};
+use crate::case::{Columns, Gravity, JoinedDrive, JoinedLoad};
 
 /// A load of a case.
 pub(super) fn load(own: &JoinedLoad, place: &Place) -> LoadModel {
     let JoinedLoad { name, body, load: own, .. } = own;
-    let (name, body) = (format!("load.{}", name.text()), *body);
-    let action = match own.acting {
-        Acting::Force(parts) => LoadAction::Force(parts),
-        Acting::Couple(parts) => LoadAction::Couple(parts),
-    };
-    let (place, time_function) = (place.clone(), time_function(own, body));
+    let (name, body, place) = (format!("load.{}", name.text()), *body, place.clone());
+    let (action, time_function) = (own.acting, own.time_function.clone());
     LoadModel { name, body, place, action, time_function, onset: own.onset, frame: own.frame }
 }
 
-fn time_function(own: &case::Load, body: usize) -> TimeFunction {
-    let followed = own.of.unwrap_or(body);
-    match &own.variation {
-        Variation::Constant => TimeFunction::Constant,
-        Variation::Sine(frequency, phase) => {
-            TimeFunction::Sine { frequency: *frequency, phase: *phase }
-        }
-        Variation::Order(order, phase) => {
-            TimeFunction::Order { body: followed, order: *order, phase: *phase }
-        }
-        Variation::Table(columns, periodic) if columns.measures[0] == Dimension::ANGLE => {
-            let curve = Curve::smooth(&columns.rows, *periodic).expect(CHECKED);
-            TimeFunction::OverAngle { body: followed, curve: Arc::new(curve) }
-        }
-        Variation::Table(columns, periodic) => {
-            let curve = Curve::linear(&columns.rows, *periodic).expect(CHECKED);
-            TimeFunction::OverTime(Arc::new(curve))
-        }
+/// The force of an unbalance on a body that turns in its frame at a speed (rad/s): a sine each along x and y.
+pub(super) fn of_unbalance((body, speed): (usize, f64)) -> impl Fn(&Attachment) -> Vec<LoadModel> {
+    move |own| {
+        let AttachmentKind::Unbalance([x, y]) = own.kind else { return Vec::new() };
+        let (force, angle) = (x.hypot(y) * speed * speed, y.atan2(x));
+        let along = |axis: &str, parts: [f64; 3], phase: f64| LoadModel {
+            name: format!("unbalance.{axis}"),
+            body,
+            place: own.at.clone(),
+            action: LoadAction::Force(parts),
+            time_function: TimeFunction::Sine { frequency: speed / TAU, phase },
+            onset: Onset::Start,
+            frame: Frame::Space,
+        };
+        vec![along("x", [force, 0.0, 0.0], angle + 0.5 * PI), along("y", [0.0, force, 0.0], angle)]
     }
 }
 

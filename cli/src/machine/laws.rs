@@ -17,13 +17,14 @@ pub(super) struct Measured {
 }
 
 /// The law of every bearing. What the case does not say of a bearing is measured on the meshes: the radius of its
-/// bore, and its length between the ends of the journal. `place`: where a case says what is missing.
+/// bore, and its length between the ends of the journal. `place`: where a case says what is missing; without it the file
+/// of the law does.
 ///
 /// # Errors
 /// A value that nothing gives; whatever is wrong with a law once it has these values.
 pub(super) fn laws_of(
     bearings: Vec<(&Bearing, Measured)>,
-    place: &str,
+    place: Option<&str>,
 ) -> Result<Vec<LawSource>, Failure> {
     // Bearings that are alike share their law.
     let mut read: Vec<(&Bearing, BearingFacts, LawSource)> = Vec::new();
@@ -39,7 +40,8 @@ pub(super) fn laws_of(
             laws.push(law.clone());
             continue;
         }
-        let lacking = bearing.law.lacking(&bearing.parameters, &facts, place);
+        let lacking = place.map(|place| bearing.law.lacking(&bearing.parameters, &facts, place));
+        let lacking = lacking.unwrap_or_default();
         if !lacking.is_empty() {
             lacking.into_iter().for_each(|error| errors.push(error));
             continue;

@@ -6,10 +6,8 @@ pub(crate) mod fineness;
 mod forces;
 mod joined;
 mod laws;
-mod lumped;
 mod masses;
 mod meshes;
-mod outputs;
 mod plan;
 mod selections;
 mod springs;
@@ -26,7 +24,7 @@ pub(crate) use meshes::placed as placed_errors;
 pub(crate) use plan::BodyPlan;
 
 use self::described::Described;
-use crate::case::{self, Case, CaseText, Draft, Purpose, System, SystemDraft};
+use crate::case::{self, Case, CaseText, Draft, Purpose};
 use crate::errors::Failure;
 
 /// Reads the case that the user called `name`, and checks its meshes and sets even where
@@ -67,7 +65,7 @@ pub(crate) fn read_with(
 }
 
 fn checked(mut draft: Draft, warnings: &mut Vec<String>) -> Result<Case, Failure> {
-    if let (false, SystemDraft::Joined(Some(machine))) = (draft.errors.is_empty(), &draft.system) {
+    if let (false, Some(machine)) = (draft.errors.is_empty(), &draft.machine) {
         match JoinedPlan::new(machine, (&[], None), warnings) {
             Err(Failure::Input(found)) => draft.errors.append(found),
             Err(other) => return Err(other),
@@ -77,18 +75,17 @@ fn checked(mut draft: Draft, warnings: &mut Vec<String>) -> Result<Case, Failure
     Ok(draft.finish()?)
 }
 
-/// What is to be reduced of a case; nothing of a lumped one. Its meshes are read or made here.
+/// The bodies and joints of a case before the reduction. Its meshes are read or made here.
 ///
 /// # Errors
 /// Whatever is wrong with meshes and sets.
-pub(crate) fn plan(case: &Case, warnings: &mut Vec<String>) -> Result<Option<JoinedPlan>, Failure> {
+pub(crate) fn plan(case: &Case, warnings: &mut Vec<String>) -> Result<JoinedPlan, Failure> {
     let wanted = (case.outputs.as_slice(), case.fields.as_ref());
-    let System::Joined(machine) = &case.system else { return Ok(None) };
-    let mut plan = JoinedPlan::new(machine, wanted, warnings)?;
+    let mut plan = JoinedPlan::new(&case.machine, wanted, warnings)?;
     if let Some(limit) = case.memory_limit {
         plan.meshed().for_each(|body| body.spec.memory = limit);
     }
-    Ok(Some(plan))
+    Ok(plan)
 }
 
 /// Builds the machine of a case from its [`plan`]; reduced bodies come from the cache where it has them.
@@ -97,11 +94,11 @@ pub(crate) fn plan(case: &Case, warnings: &mut Vec<String>) -> Result<Option<Joi
 /// Whatever is wrong with constraints and laws.
 pub(crate) fn build(
     case: &Case,
-    plan: Option<&JoinedPlan>,
+    plan: &JoinedPlan,
     cache: Option<&Cache>,
     warnings: &mut Vec<String>,
 ) -> Result<Built, Failure> {
-    describe(case, plan)?.build(cache, warnings)
+    Described::of(case, plan)?.build(cache, warnings)
 }
 
 /// As [`build`], with a plan of its own.
@@ -114,7 +111,7 @@ pub(crate) fn build_planned(
     warnings: &mut Vec<String>,
 ) -> Result<Built, Failure> {
     let plan = plan(case, warnings)?;
-    build(case, plan.as_ref(), cache, warnings)
+    build(case, &plan, cache, warnings)
 }
 
 /// The keys under which the bodies of a case are kept that are reduced.
@@ -123,7 +120,7 @@ pub(crate) fn build_planned(
 /// Whatever is wrong with meshes and sets.
 pub(crate) fn keys(case: &Case) -> Result<Vec<Key>, Failure> {
     let plan = plan(case, &mut Vec::new())?;
-    Ok(describe(case, plan.as_ref())?.model.keys())
+    Ok(Described::of(case, &plan)?.model.keys())
 }
 
 /// What the machine of a case is made from.
@@ -132,15 +129,5 @@ pub(crate) fn keys(case: &Case) -> Result<Vec<Key>, Failure> {
 /// As [`build`].
 pub(crate) fn parts(case: &Case, warnings: &mut Vec<String>) -> Result<MachineParts, Failure> {
     let plan = plan(case, warnings)?;
-    describe(case, plan.as_ref())?.parts(warnings)
-}
-
-/// The case as the solver takes it, by its own [`plan`].
-fn describe<'a>(case: &'a Case, plan: Option<&'a JoinedPlan>) -> Result<Described<'a>, Failure> {
-    let outputs = case.outputs.as_slice();
-    match (&case.system, plan) {
-        (System::Joined(own), Some(plan)) => joined::describe(own, outputs, plan),
-        (System::Lumped(own), _) => lumped::describe(own, outputs),
-        (System::Joined(_), None) => unreachable!("a plan of another case"),
-    }
+    Described::of(case, &plan)?.parts(warnings)
 }

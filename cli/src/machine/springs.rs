@@ -2,12 +2,12 @@
 
 use std::f64::consts::TAU;
 
-use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
+use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::Error;
 use whirl_solver::bearing::SpringLaw;
 use whirl_specs::{CLEARANCES, Clearance};
 
-use crate::case::LawSource;
+use crate::case::{Joint, LawSource};
 use crate::errors::Failure;
 use crate::law_file::LawFile;
 
@@ -55,18 +55,18 @@ impl Laws {
 }
 
 /// Errors of a machine where the case causes them: at the law of a bearing, or at the set of a ring of its
-/// bore. `laws` and `bores`: where the case says them, a bearing each.
-pub(super) fn explain(error: Error, laws: &[&Located], bores: &[&[Located]]) -> Failure {
+/// bore.
+pub(super) fn explain(error: Error, joints: &[Joint]) -> Failure {
     let mut placed = Diagnostics::new();
     for part in error.parts() {
         match part {
             Error::Law { law, bearing: Some(place), what, help } => {
                 let message = format!("the law `{law}` {what}");
-                let found = laws[*place].error_here(Code::BAD_VALUE, message);
+                let found = joints[*place].bearing.law.name.error_here(Code::BAD_VALUE, message);
                 placed.push(found.help(help.clone()));
             }
             Error::Bore { place, ring, .. } => {
-                let Some(set) = bores[*place].get(*ring) else { continue };
+                let Some(set) = joints[*place].bearing.bore.get(*ring) else { continue };
                 placed.push(set.error_here(Code::BAD_VALUE, part.to_string()).help(NAME_A_RING));
             }
             _ => {}

@@ -3,7 +3,7 @@
 use whirl_solver::machine::Machine;
 use whirl_solver::output::{JointQuantity, Motion, Wanted};
 
-use crate::case::{Case, JointKind, System};
+use crate::case::{Case, JointKind};
 
 /// Quantities of one kind that belong together, such as X and Y of a journal.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,9 +26,9 @@ pub(crate) fn oscillations(case: &Case, machine: &Machine) -> Vec<Oscillation> {
     let mut all = Vec::new();
     for (place, own) in case.supports().iter().enumerate() {
         // Stops are all around one mass, and a coupling does not move.
-        let shown = match &case.system {
-            System::Lumped(lumped) => place == 0 && lumped.unbalance.is_some(),
-            System::Joined(joined) => joined.joints[place].kind != JointKind::Coupling,
+        let shown = match spin(case) {
+            Some(spins) => place == 0 && spins,
+            None => case.machine.joints[place].kind != JointKind::Coupling,
         };
         if shown {
             all.push(Oscillation {
@@ -82,15 +82,17 @@ pub(crate) fn oscillations(case: &Case, machine: &Machine) -> Vec<Oscillation> {
 
 /// The body of the journal of a support or joint.
 fn journal(case: &Case, place: usize) -> usize {
-    match &case.system {
-        System::Joined(joined) => joined.joints[place].sides[0].body.unwrap_or(0),
-        System::Lumped(_) => 0,
-    }
+    case.machine.joints[place].sides[0].body.unwrap_or(0)
+}
+
+/// Whether the one mass of a case turns; none of other machines.
+fn spin(case: &Case) -> Option<bool> {
+    case.machine.is_mass().then(|| case.machine.bodies[0].spin().is_some())
 }
 
 /// The column of the angle of a body, or of the first one that turns.
 fn angle(case: &Case, machine: &Machine, body: usize) -> Option<String> {
-    if matches!(&case.system, System::Lumped(lumped) if lumped.unbalance.is_none()) {
+    if spin(case) == Some(false) {
         return None;
     }
     let first = machine.turning().next()?;

@@ -10,7 +10,7 @@ use whirl_specs::{CLEARANCES, ELEMENTS};
 use whirl_text::rounded;
 
 use super::{OrderFacts, VerdictFacts, last_cycle, orders, oscillations};
-use crate::case::{Case, MarchSettings, SupportName, System};
+use crate::case::{Case, MarchSettings, SupportName};
 use crate::fields::LargestStress;
 use crate::history::ReadHistory;
 use crate::machine::{BodyFacts, Built, Counts};
@@ -286,7 +286,7 @@ impl Summary {
         (verdict, error): (VerdictFacts, Option<String>),
     ) -> io::Result<Summary> {
         let (cycle, supports) = (case.march().cycle, case.supports());
-        let named = matches!(&case.system, System::Joined(machine) if !machine.short);
+        let named = case.machine.is_named();
         Ok(Summary {
             case: case_facts(case, built),
             version: version::PACKAGE,

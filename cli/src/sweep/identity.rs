@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use whirl_solver::cache::{Key, instruction_set};
 
 use super::definition::{Keep, Sweep};
-use crate::case::{self, Case, Form, Start, System};
+use crate::case::{self, Case, Form, Start};
 use crate::checkpoint::Identity;
 use crate::results::STATE;
 use crate::{machine, version};
@@ -69,15 +69,10 @@ fn files(case: &Case) -> Vec<PathBuf> {
         }
     }
     let mut all = Vec::new();
-    match &case.system {
-        System::Joined(joined) => {
-            for body in &joined.bodies {
-                if let Form::Meshed(own) = &body.form {
-                    all.extend(mesh(&own.body));
-                }
-            }
+    for body in &case.machine.bodies {
+        if let Form::Meshed(own) = &body.form {
+            all.extend(mesh(&own.body));
         }
-        System::Lumped(_) => {}
     }
     if let Start::State(folder) = &case.start {
         all.push(Path::new(folder.text()).join(STATE));

@@ -7,7 +7,7 @@ use std::io;
 
 use serde::{Deserialize, Serialize};
 
-use crate::case::{Case, System, TWO_REVOLUTIONS};
+use crate::case::{Case, TWO_REVOLUTIONS};
 use crate::figures::{Spectrum, last_spectra};
 use crate::history::ReadHistory;
 use crate::machine::Built;
@@ -51,7 +51,7 @@ impl Trace {
     /// Its history cannot be read.
     pub(super) fn of(case: &Case, built: &Built, history: &dyn ReadHistory) -> io::Result<Self> {
         let mut all = oscillations(case, &built.machine);
-        if let (System::Lumped(_), true) = (&case.system, all.is_empty()) {
+        if case.machine.is_mass() && all.is_empty() {
             all.extend(mass(case));
         }
         all.truncate(SIGNALS);

@@ -3,6 +3,7 @@
 use super::doubts::Doubt;
 use super::modes::Mode;
 use super::points::{Along, Point};
+use super::range::Range;
 use super::roots::{Root, Roots};
 use super::round::LinearMachine;
 use super::shapes::apply;
@@ -13,21 +14,6 @@ use crate::error::Error;
 const HALVINGS: u32 = 8;
 /// The same where a body that turns is not round, whose modes change shape as they lock.
 const FEW_HALVINGS: u32 = 3;
-
-/// What is asked for.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Range {
-    /// The body whose speed it is over.
-    pub of: usize,
-    /// Speeds (rad/s), ascending.
-    pub speeds: Vec<f64>,
-    /// By body the ratio of its speed to that, where it is told.
-    pub ratios: Vec<Option<f64>>,
-    /// How many modes are listed, the slowest ones.
-    pub count: usize,
-    /// Orders of which critical speeds are wanted.
-    pub orders: Vec<f64>,
-}
 
 /// A mode over the speeds; none where it is not among those that were listed.
 pub type Branch = Vec<Option<Mode>>;

@@ -21,24 +21,27 @@ mod modes;
 mod motions;
 mod peaks;
 mod points;
+mod range;
 mod response;
 mod roots;
 mod round;
 mod shapes;
 mod slow;
 mod state_space;
+mod stood;
 #[cfg(test)]
 mod tests;
 mod track;
 mod varying;
 
-pub use campbell::{Branch, Campbell, Critical, Range, Reduced, Threshold};
+pub use campbell::{Branch, Campbell, Critical, Reduced, Threshold};
 pub use coefficients::JointCoefficients;
 pub use doubts::Doubt;
 pub use linearised::{Linearised, Standstill};
 pub use map::{Undamped, Unsupported};
 pub use modes::{Mode, Modes, Orbit, Whirl};
 pub use peaks::{Peak, peak};
+pub use range::Range;
 pub use response::{Point, Vibration};
 pub use round::LinearMachine;
 pub use state_space::StateSpace;

@@ -1,20 +1,14 @@
 //! A machine with its modes at the speeds of a range, on all processors.
 
-use std::num::NonZero;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
-use std::thread;
-
-use super::campbell::Range;
-use super::linearised::{Linearised, Standstill};
+use super::linearised::Standstill;
 use super::modes::Modes;
+use super::range::Range;
 use super::round::LinearMachine;
 use super::slow::Slow;
+use super::stood::{Stood, beside};
 use crate::error::Error;
 use crate::linalg::Matrix;
 
-/// Modes that are followed beyond those that are asked for, so that these may change places with them.
-const BEYOND: usize = 4;
 /// Speeds that follow each other, each state found from the one before.
 const TOGETHER: usize = 8;
 
@@ -28,13 +22,6 @@ pub(super) struct Point {
     pub(super) is_uneven: bool,
 }
 
-/// The state that stands at a speed, and its equations.
-pub(super) struct Stood {
-    pub(super) speed: f64,
-    pub(super) at: Standstill,
-    pub(super) equations: Linearised,
-}
-
 /// What is found at the speeds of a range.
 pub(super) struct Along {
     pub(super) points: Vec<Point>,
@@ -45,23 +32,6 @@ pub(super) struct Along {
 }
 
 impl LinearMachine {
-    /// How many modes are looked for at each speed.
-    pub(super) fn looked_for(range: &Range) -> usize {
-        range.count + BEYOND
-    }
-
-    pub(super) fn stood(
-        &self,
-        range: &Range,
-        speed: f64,
-        near: Option<&Standstill>,
-    ) -> Result<Stood, Error> {
-        let speeds = self.speeds(range.of, speed, &range.ratios);
-        let at = self.standing_round(&speeds, near)?;
-        let equations = self.linearised(&at)?;
-        Ok(Stood { speed, at, equations })
-    }
-
     /// The machine at a speed, from a state nearby if there is one.
     pub(super) fn point(
         &self,
@@ -72,7 +42,7 @@ impl LinearMachine {
     ) -> Result<Point, Error> {
         let Stood { at, equations, .. } = self.stood(range, speed, near)?;
         let basis = slow.map(|own| own.at(speed));
-        let modes = self.modes_in(&equations, basis, LinearMachine::looked_for(range))?;
+        let modes = self.modes_in(&equations, basis, range.looked_for())?;
         let is_uneven = equations.frame != 0.0 || equations.varying.is_some();
         Ok(Point { speed, mass: equations.mass, at, modes, is_uneven })
     }
@@ -114,27 +84,4 @@ impl LinearMachine {
         }
         Ok(Along { points, lost, slow })
     }
-}
-
-/// What becomes of each of the parts, in their order, on all processors.
-pub(super) fn beside<P: Sync, R: Send>(parts: &[P], work: &(dyn Fn(&P) -> R + Sync)) -> Vec<R> {
-    let done: Vec<Mutex<Option<R>>> = parts.iter().map(|_| Mutex::new(None)).collect();
-    let next = AtomicUsize::new(0);
-    let worker = || {
-        loop {
-            let place = next.fetch_add(1, Ordering::Relaxed);
-            let Some(part) = parts.get(place) else { return };
-            let own = work(part);
-            *done[place].lock().unwrap_or_else(PoisonError::into_inner) = Some(own);
-        }
-    };
-    let processors = thread::available_parallelism().map_or(1, NonZero::get);
-    thread::scope(|scope| {
-        for _ in 1..processors.min(parts.len()) {
-            scope.spawn(worker);
-        }
-        worker();
-    });
-    let all = done.into_iter().map(|own| own.into_inner().unwrap_or_else(PoisonError::into_inner));
-    all.map(|own| own.expect("all parts were done")).collect()
 }

@@ -1,8 +1,8 @@
 //! Speeds at which something of the modes changes its sign.
 
-use super::campbell::Range;
 use super::modes::Mode;
 use super::points::Point;
+use super::range::Range;
 use super::round::LinearMachine;
 use super::shapes::apply;
 use super::slow::Slow;

@@ -8,11 +8,11 @@ use std::ops::Range as Places;
 
 use num_complex::Complex64;
 
-use super::campbell::Range;
 use super::linearised::Standstill;
 use super::motions::{Motion, orthonormal};
-use super::points::{Stood, beside};
+use super::range::Range;
 use super::round::LinearMachine;
+use super::stood::{Stood, beside};
 use crate::error::Error;
 use crate::linalg::Matrix;
 
@@ -121,7 +121,7 @@ impl Slow {
             Err(error) if error.is_of_balance() => return Ok(false),
             Err(error) => return Err(error),
         };
-        let count = LinearMachine::looked_for(range);
+        let count = range.looked_for();
         let found = machine.motions(&middle.stood.equations, Some(&basis), count)?;
         let apart = |value: &Complex64| {
             let all = found.iter().map(|own| (own.value - value).norm());
@@ -148,7 +148,7 @@ fn whole(
     near: Option<&Standstill>,
 ) -> Result<Whole, Error> {
     let stood = machine.stood(range, speed, near)?;
-    let count = LinearMachine::looked_for(range);
+    let count = range.looked_for();
     let motions = machine.motions(&stood.equations, None, count)?;
     let modes = machine.modes_of(&stood.equations, motions.clone(), count)?;
     let asked = modes.oscillating.iter().map(|own| own.value).collect();
@@ -158,7 +158,7 @@ fn whole(
 /// Real and imaginary parts of the slow motions at both ends, and of those that grow.
 fn spanned(range: &Range, ends: [&Whole; 2]) -> Result<Matrix, Error> {
     let mut columns: Vec<Vec<f64>> = Vec::new();
-    let last = LinearMachine::looked_for(range).saturating_sub(1);
+    let last = range.looked_for().saturating_sub(1);
     let reach = |own: &Whole| {
         let place = last.min(own.asked.len().saturating_sub(1));
         own.asked.get(place).map_or(0.0, |own| REACH * own.im)

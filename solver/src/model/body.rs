@@ -38,8 +38,6 @@ pub enum Form<'a> {
     RigidMesh(MeshModel<'a>, bool),
     /// Numbers, with the positions of its points (m).
     Rigid(&'a RigidBody, &'a [[f64; 3]]),
-    /// A point that turns, ready as it is.
-    Lumped(Box<Shaft>),
     /// What never moves.
     Ground,
 }
@@ -180,10 +178,6 @@ impl BodyModel<'_> {
                 Body::turning(self.name, self.carrying(own.turning(points)), rotation.clone())
             }
             (Form::Rigid(own, points), None) => Body::standing(self.name, own.standing(points)),
-            (Form::Lumped(shaft), rotation) => {
-                let rotation = rotation.clone().unwrap_or(Rotation::Held);
-                Body::turning(self.name, self.carrying((**shaft).clone()), rotation)
-            }
             (Form::Ground, _) => Body::standing(self.name, Support::rigid(&[])),
         };
         Ok(ReducedBody { body, reduction })

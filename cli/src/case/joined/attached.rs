@@ -3,9 +3,10 @@
 
 use whirl_codegen::diagnostic::Code;
 use whirl_codegen::document::Table;
+use whirl_solver::model::AttachmentKind;
 
 use super::fit;
-use crate::case::named_body::{Attached, Carried};
+use crate::case::named_body::Attached;
 use crate::case::names;
 
 /// What a body that turns carries, discs first; those on another one are noted.
@@ -20,10 +21,10 @@ pub(super) fn read(table: &Table, turns: bool, meshed: bool, tilts: bool) -> Vec
             let [polar, transverse] =
                 ["polar_inertia", "transverse_inertia"].map(|key| own.quantity(key));
             fit::inertias(own, polar, transverse);
-            let what = Carried::Disc {
+            let what = AttachmentKind::Disc {
                 mass,
                 polar_inertia: polar.unwrap_or(1.0),
-                transverse_inertia: transverse.unwrap_or(1.0),
+                diametral_inertia: transverse.unwrap_or(1.0),
             };
             Attached { name, z: own.quantity("z").unwrap_or(0.0), what }
         }));
@@ -51,10 +52,10 @@ pub(super) fn read(table: &Table, turns: bool, meshed: bool, tilts: bool) -> Vec
                 let (sin, cos) = own.quantity("angle").unwrap_or(0.0).sin_cos();
                 let what = if key == "added" {
                     let radius = own.quantity("radius").unwrap_or(0.0);
-                    Carried::Mass { mass, place: [radius * cos, radius * sin] }
+                    AttachmentKind::Mass { mass, offset: [radius * cos, radius * sin] }
                 } else {
                     let moment = mass * own.quantity_or_one("radius");
-                    Carried::Unbalance([moment * cos, moment * sin])
+                    AttachmentKind::Unbalance([moment * cos, moment * sin])
                 };
                 Attached { name, z: own.quantity("z").unwrap_or(0.0), what }
             }));

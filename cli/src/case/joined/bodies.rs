@@ -1,18 +1,24 @@
 //! The table `[body.NAME]`.
 
+use std::sync::Arc;
+
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 use whirl_codegen::units::Dimension;
+use whirl_solver::bodies::Rotation;
 use whirl_solver::mesh::Material;
+use whirl_solver::model::AttachmentKind;
+use whirl_solver::rigid::RigidBody;
+use whirl_solver::schedule::Schedule;
 use whirl_specs::Motion;
 
 use super::schema;
 use super::{attached, fit, matrices};
-use crate::case::columns;
+use crate::case::columns::{self, Columns};
 use crate::case::dimensions::Dimensions;
 use crate::case::library::FileStore;
 use crate::case::machine::{self, Materials};
-use crate::case::named_body::{Attached, Carried, Form, MeshedBody, NamedBody, RigidBody, Turning};
+use crate::case::named_body::{Attached, Form, MeshedBody, NamedBody};
 use crate::case::rotor::{Body, Mesh};
 use crate::case::{names, selections};
 
@@ -75,7 +81,7 @@ pub(super) fn read(
         schema::BODY.iter().for_each(|key| table.pass_over(key.name));
         return BodyDraft { body: (name.clone(), None), motion: None };
     };
-    let turning = turning(store, table, turns);
+    let (rotation, initial_speed, speeds) = rotation(store, table, turns);
     let axis = table.quantity_pair("axis").unwrap_or_default();
     let axis_given = table.gives("axis");
     let motion = match table.gives("motion") {
@@ -114,8 +120,8 @@ pub(super) fn read(
     let name = name.clone();
     let body = form.filter(|_| right).map(|mut form| {
         carry(&mut form, &attached);
-        let turning = turning.filter(|_| turned);
-        NamedBody { name: name.clone(), turning, axis, axis_given, form, attached }
+        let own = NamedBody::of(name.clone(), form);
+        NamedBody { rotation, initial_speed, speeds, axis, axis_given, attached, ..own }
     });
     BodyDraft { body: (name, body), motion }
 }
@@ -126,7 +132,8 @@ fn carry(form: &mut Form, attached: &[Attached]) {
         && let Mesh::Generated(made) = &mut own.body.mesh
         && let Dimensions::Shaft(shaft) = &mut made.dimensions
     {
-        let masses = attached.iter().filter(|own| !matches!(own.what, Carried::Unbalance(_)));
+        let masses =
+            attached.iter().filter(|own| !matches!(own.what, AttachmentKind::Unbalance(_)));
         shaft.sections = masses.map(|own| own.z).collect();
         shaft.sections.sort_by(f64::total_cmp);
     }
@@ -171,24 +178,33 @@ fn of_other_rotations(table: &Table, turns: &str, rigid: bool) {
     }
 }
 
-fn turning(store: FileStore, table: &Table, turns: &str) -> Option<Turning> {
-    let or_zero = |key| table.quantity(key).unwrap_or(0.0);
+/// How a body turns, its speed at t = 0, and the table that tells its rotation.
+fn rotation(
+    store: FileStore,
+    table: &Table,
+    turns: &str,
+) -> (Option<Rotation>, Option<f64>, Option<Arc<Columns>>) {
     match turns {
-        "free" => Some(Turning::Free { initial_speed: machine::speed(table, "initial_speed") }),
+        "free" => (Some(Rotation::Free), machine::speed(table, "initial_speed"), None),
         "prescribed" if table.has("table") => {
             for key in ["speed", "acceleration"].into_iter().filter(|key| table.has(key)) {
                 table.conflict(key, "table");
             }
             let measures: [&[Dimension]; 2] = [&[Dimension::TIME], &[Dimension::ANGULAR_SPEED]];
-            columns::read(store, table, "table", measures).map(Turning::Table)
+            let speeds = columns::read(store, table, "table", measures);
+            let schedule = |own: &Arc<Columns>| {
+                let schedule = Schedule::of_speeds(&own.rows).expect("rows that rise");
+                Rotation::Scheduled(Arc::new(schedule))
+            };
+            (speeds.as_ref().map(schedule), None, speeds)
         }
         "prescribed" => {
             table.demand("speed");
             let speed = machine::speed(table, "speed").unwrap_or(0.0);
-            let acceleration = or_zero("acceleration");
-            Some(Turning::Prescribed { speed, acceleration })
+            let acceleration = table.quantity("acceleration").unwrap_or(0.0);
+            (Some(Rotation::Prescribed { speed, acceleration }), None, None)
         }
-        _ => None,
+        _ => (None, None, None),
     }
 }
 
@@ -318,8 +334,8 @@ fn read_rigid(table: &Table, turns: bool) -> RigidBody {
         mass: table.quantity_or_one("mass"),
         polar_inertia: polar_inertia.unwrap_or(if turns { 1.0 } else { 0.0 }),
         transverse_inertia,
-        moves_along_z: table.optional_boolean("moves_along_z").unwrap_or(false),
-        z: table.quantity("z"),
+        along: table.optional_boolean("moves_along_z").unwrap_or(false),
+        centre: [0.0, 0.0, table.quantity("z").unwrap_or(0.0)],
         stiffness: to_ground("stiffness"),
         damping: to_ground("damping"),
     }

@@ -3,6 +3,7 @@
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 use whirl_solver::bearing::MotionKind;
+use whirl_solver::model::AttachmentKind;
 use whirl_specs::Motion;
 
 use super::fit;
@@ -10,7 +11,7 @@ use crate::case::gravity::Gravity;
 use crate::case::joined_machine::{Drive, JoinedMachine};
 use crate::case::joint::{Joint, JointKind, Side};
 use crate::case::machine;
-use crate::case::named_body::{Attached, Carried, Form, NamedBody, Turning};
+use crate::case::named_body::{Attached, Form, NamedBody};
 use crate::case::rotor::Mesh;
 
 /// The motion of all bodies, which is one.
@@ -58,8 +59,7 @@ impl Checks<'_, '_> {
         if let Some((at, message, help)) = fit::axes(self.machine, joint) {
             self.note(&at, message, help);
         }
-        let turns =
-            |side: &Side| side.body.is_some_and(|body| self.machine.bodies[body].turning.is_some());
+        let turns = |side: &Side| side.body.is_some_and(|body| self.machine.bodies[body].turns());
         let [first, second] = joint.sides.each_ref().map(turns);
         let [of_first, of_second] = joint.sides.each_ref().map(|side| side.place.clone());
         if joint.kind == JointKind::Bushing && second {
@@ -130,9 +130,9 @@ impl Checks<'_, '_> {
                 && !apart
         };
         let Some(first) = self.machine.joints[..place].iter().find(same) else { return };
-        let [own, other] = [joint, first].map(|joint| match self.machine.short {
-            true => format!("bearing {}", joint.name.text()),
-            false => format!("`{}`", joint.name.text()),
+        let [own, other] = [joint, first].map(|joint| match self.machine.is_named() {
+            true => format!("`{}`", joint.name.text()),
+            false => format!("bearing {}", joint.name.text()),
         });
         let message = format!(
             "{own} stands where {other} does, and has the same law `{}`: its forces would act twice",
@@ -230,12 +230,14 @@ impl Checks<'_, '_> {
                 format!("{without}add a joint at another z, or list `stations` along the joint");
             self.note(&body.name.clone(), message, &help);
         }
-        let Some(Turning::Free { initial_speed }) = body.turning else { return };
+        if !body.is_free() {
+            return;
+        }
         let mut loads = self.machine.loads.iter().filter(|load| load.body == place);
         let driven = self.machine.drives.iter().any(|drive| drive.body == place)
             || loads.any(|own| own.load.turns())
             || self.is_weighed(body);
-        let turned = self.goes_on || initial_speed.is_some_and(|speed| speed != 0.0);
+        let turned = self.goes_on || body.initial_speed.is_some_and(|speed| speed != 0.0);
         if !turned && !driven && !joints.iter().any(|joint| turns(joint)) {
             let message = format!("nothing acts on the rotation of `{name}`");
             let help = "add a drive `[drives.NAME]`, an `initial_speed` or a law with a torque, or write \
@@ -248,9 +250,9 @@ impl Checks<'_, '_> {
     fn is_weighed(&self, body: &NamedBody) -> bool {
         let across = |gravity: &Gravity| gravity.acceleration[..2].iter().any(|own| *own != 0.0);
         let beside = |own: &Attached| match own.what {
-            Carried::Mass { mass, place } => mass > 0.0 && place != [0.0; 2],
-            Carried::Unbalance(moment) => moment != [0.0; 2],
-            Carried::Disc { .. } => false,
+            AttachmentKind::Mass { mass, offset } => mass > 0.0 && offset != [0.0; 2],
+            AttachmentKind::Unbalance(moment) => moment != [0.0; 2],
+            AttachmentKind::Disc { .. } => false,
         };
         self.machine.gravity.as_ref().is_some_and(across) && body.attached.iter().any(beside)
     }
@@ -262,7 +264,7 @@ impl Checks<'_, '_> {
             return;
         }
         let moves = match &body.form {
-            Form::Rigid(own) => own.moves_along_z,
+            Form::Rigid(own) => own.along,
             Form::Meshed(own) => own.moves_along_z,
         };
         if moves {
@@ -274,7 +276,7 @@ impl Checks<'_, '_> {
         // Whether matrices have dofs along z is known once they are read.
         let stored = matches!(own.body.mesh, Mesh::Matrices(_));
         let held = stored || own.rigid || own.axial_restraint.is_some() || !own.held.is_empty();
-        if body.turning.is_some() && !held {
+        if body.turns() && !held {
             let message =
                 format!("`[body.{name}]` has no `axial_restraint`: nothing holds it along z");
             let help = "add `axial_restraint = \"…\"`, a node set that is held along z; or a bushing with \

@@ -2,11 +2,11 @@
 
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
+use whirl_solver::model::LoadAction;
 
 use crate::case::joined_machine::{Drive, Load};
 use crate::case::library::FileStore;
-use crate::case::loads::Acting;
-use crate::case::named_body::{Form, NamedBody, Turning};
+use crate::case::named_body::{Form, NamedBody};
 use crate::case::{loads, machine, names};
 
 /// The couple of a table; `body_of` gives the body at a place, if all are right; `goes_on`: bodies have the speeds of another
@@ -23,16 +23,16 @@ pub(super) fn drive<'a>(
     let place = table.optional_string("body")?;
     let body = names::body(table, &place, known, false)?;
     let own = body_of(body)?;
-    if !matches!(own.turning, Some(Turning::Free { .. })) {
+    if !own.is_free() {
         let message = format!("`{}` does not turn freely: no couple drives it", place.text());
-        let help = match own.turning {
+        let help = match own.rotation {
             None => "write `turns = \"free\"` in its table, or name a body that turns",
             Some(_) => "leave the drive out: a prescribed rotation takes the couple that it needs",
         };
         table.push(place.error_here(Code::BAD_VALUE, message).help(help));
     }
-    if let Some(Turning::Free { initial_speed }) = own.turning {
-        let start = (!goes_on).then_some(initial_speed.unwrap_or(0.0));
+    if own.is_free() {
+        let start = (!goes_on).then_some(own.initial_speed.unwrap_or(0.0));
         let key = format!("`initial_speed` in `[body.{}]`", place.text());
         machine::leads_to_its_target(table, start, &key);
     }
@@ -72,7 +72,9 @@ pub(super) fn load<'a>(
         Form::Rigid(_) => no_mesh(table, "sets", own),
     }
     moves(table, &load, own);
-    load.of = followed(table, &load, of, &place, (body, known), body_of);
+    if let Some(followed) = followed(table, &load, of, &place, (body, known), body_of) {
+        load.follow(followed);
+    }
     Some(Load { name: name.clone(), body, z, load })
 }
 
@@ -85,7 +87,7 @@ fn followed<'a>(
     (body, known): (usize, &[Located]),
     body_of: impl Fn(usize) -> Option<&'a NamedBody>,
 ) -> Option<usize> {
-    if !load.turns_with_angle() {
+    if load.followed().is_none() {
         if let Some(of) = of {
             let message = "a load that follows no angle has no use for `of`";
             let help = "leave it out, or add an `order`, or a `table` over an angle";
@@ -97,7 +99,7 @@ fn followed<'a>(
         Some(of) => (of, names::body(table, of, known, false)?),
         None => (own, body),
     };
-    if body_of(body)?.turning.is_none() {
+    if !body_of(body)?.turns() {
         let message = format!("`{}` does not turn: a load cannot follow its angle", place.text());
         let help = "name a body that turns: `of = \"…\"`";
         table.push(place.error_here(Code::BAD_VALUE, message).help(help));
@@ -108,7 +110,7 @@ fn followed<'a>(
 /// Notes a force or a couple along or about an axis along or about which a rigid body does not move.
 fn moves(table: &Table, load: &loads::Load, body: &NamedBody) {
     let (tilts, along) = match &body.form {
-        Form::Rigid(rigid) => (rigid.transverse_inertia.is_some(), rigid.moves_along_z),
+        Form::Rigid(rigid) => (rigid.transverse_inertia.is_some(), rigid.along),
         Form::Meshed(meshed) if meshed.rigid => (true, meshed.moves_along_z),
         Form::Meshed(_) => return,
     };
@@ -117,17 +119,17 @@ fn moves(table: &Table, load: &loads::Load, body: &NamedBody) {
         table.push(load.place.error_here(Code::BAD_VALUE, message).help(help));
     };
     match load.acting {
-        Acting::Force([.., z]) if z != 0.0 && !along => note(
+        LoadAction::Force([.., z]) if z != 0.0 && !along => note(
             format!("`{name}` is rigid and does not move along z: a force along z has no effect"),
             "leave its part along z out, or write `moves_along_z = true` on the body",
         ),
-        Acting::Couple([x, y, _]) if x.hypot(y) != 0.0 && !tilts => {
+        LoadAction::Couple([x, y, _]) if x.hypot(y) != 0.0 && !tilts => {
             note(
                 format!("`{name}` does not tilt: a couple about x or y has no effect"),
                 "give it a `transverse_inertia`, or leave these parts out",
             );
         }
-        Acting::Couple([.., z]) if z != 0.0 && body.turning.is_none() => note(
+        LoadAction::Couple([.., z]) if z != 0.0 && !body.turns() => note(
             format!("`{name}` does not turn: a couple about z has no effect"),
             "let it turn, or leave this part out",
         ),

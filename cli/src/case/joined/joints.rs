@@ -15,11 +15,11 @@ use super::schema::{self, FROM_MESH};
 use crate::case::joint::{Joint, JointKind, Side};
 use crate::case::law;
 use crate::case::library::FileStore;
-use crate::case::lumped;
 use crate::case::names::{self, GROUND};
 use crate::case::parameters::{self, BearingFacts, Keys, SetParameter};
 use crate::case::rotor::Bearing;
 use crate::case::shapes::MOST_SPRINGS;
+use crate::case::stop;
 use crate::case::supports::SupportName;
 
 pub(super) fn read(
@@ -233,8 +233,9 @@ fn bearing(store: FileStore, table: &Table) -> Option<Parts> {
     })
 }
 
-fn stop(store: FileStore, table: &Table) -> Option<Parts> {
-    let side = lumped::side(table);
+/// What a stop has.
+pub(in crate::case) fn stop(store: FileStore, table: &Table) -> Option<Parts> {
+    let side = stop::side(table);
     table.demand("law");
     let law = law::read(store, table);
     let parameters = parameters::read(table);
@@ -247,26 +248,26 @@ fn stop(store: FileStore, table: &Table) -> Option<Parts> {
     let gap = table.exact_quantity("gap");
     let before = table.errors();
     match (side, &law) {
-        (lumped::Side::Around, Some(law)) => {
-            facts.radial_clearance = lumped::around(table, law, gap.as_ref());
+        (stop::Side::Around, Some(law)) => {
+            facts.radial_clearance = stop::around(table, law, gap.as_ref());
         }
-        (lumped::Side::Around, None) => {}
+        (stop::Side::Around, None) => {}
         _ => table.demand("gap"),
     }
     let law = law?;
-    lumped::fits(table, side, &law);
+    stop::fits(table, side, &law);
     parameters::check(table, &law, &parameters, OF_STOP, &mut facts);
     let around = facts.radial_clearance.as_ref().map_or(0.0, nearest);
     (table.errors() == before).then(|| Parts {
         facts,
         clearance: match side {
-            lumped::Side::Around => around,
+            stop::Side::Around => around,
             _ => gap.map_or(1.0, |gap| gap.si()),
         },
         angle: match side {
-            lumped::Side::Above => Some(0.0),
-            lumped::Side::Below => Some(PI),
-            lumped::Side::Around => None,
+            stop::Side::Above => Some(0.0),
+            stop::Side::Below => Some(PI),
+            stop::Side::Around => None,
         },
         ..Parts::of_law(law, parameters)
     })

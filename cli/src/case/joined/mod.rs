@@ -12,10 +12,12 @@ mod matrices;
 mod parts;
 pub(super) mod schema;
 
+pub(super) use self::joints::stop;
+
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 
-use super::joined_machine::{Drive, JoinedMachine, Load};
+use super::joined_machine::{Drive, InputForm, JoinedMachine, Load};
 use super::joint::Joint;
 use super::library::FileStore;
 use super::machine::Materials;
@@ -104,7 +106,7 @@ impl JoinedMachine {
             loads: loads.into_iter().collect::<Option<_>>()?,
             motion: motion?,
             gravity,
-            short: false,
+            form: InputForm::Named,
         };
         machine.check(file, goes_on);
         Some(machine)

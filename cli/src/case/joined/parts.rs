@@ -7,23 +7,23 @@ use crate::case::law::NamedLaw;
 use crate::case::parameters::{BearingFacts, SetParameter};
 
 /// What a joint of any kind has.
-pub(super) struct Parts {
-    pub(super) springs: usize,
-    pub(super) law: NamedLaw,
-    pub(super) parameters: Vec<SetParameter>,
-    pub(super) facts: BearingFacts,
-    pub(super) clearance: f64,
+pub(in crate::case) struct Parts {
+    pub(in crate::case) springs: usize,
+    pub(in crate::case) law: NamedLaw,
+    pub(in crate::case) parameters: Vec<SetParameter>,
+    pub(in crate::case) facts: BearingFacts,
+    pub(in crate::case) clearance: f64,
     /// Whether the meshes say the clearance.
-    pub(super) from_mesh: bool,
-    pub(super) stations: Vec<f64>,
-    pub(super) angle: Option<f64>,
-    pub(super) others: Vec<OtherLaw>,
-    pub(super) table: Option<Located>,
+    pub(in crate::case) from_mesh: bool,
+    pub(in crate::case) stations: Vec<f64>,
+    pub(in crate::case) angle: Option<f64>,
+    pub(in crate::case) others: Vec<OtherLaw>,
+    pub(in crate::case) table: Option<Located>,
 }
 
 impl Parts {
     /// Of a joint that acts once, without clearance, by a law with these values.
-    pub(super) fn of_law(law: NamedLaw, parameters: Vec<SetParameter>) -> Parts {
+    pub(in crate::case) fn of_law(law: NamedLaw, parameters: Vec<SetParameter>) -> Parts {
         Parts {
             springs: 1,
             law,
@@ -39,7 +39,7 @@ impl Parts {
     }
 
     /// With laws on other motions, and the file of its coefficients.
-    pub(super) fn with(self, others: Vec<OtherLaw>, table: Option<Located>) -> Parts {
+    pub(in crate::case) fn with(self, others: Vec<OtherLaw>, table: Option<Located>) -> Parts {
         Parts { others, table, ..self }
     }
 }

@@ -51,26 +51,13 @@ pub(super) fn joints(store: FileStore, file: &Table) -> Option<Vec<Joint>> {
 
 /// A bearing of the shaft in the support as a joint, by its number.
 fn joint(table: &Table, number: usize, bearing: Bearing) -> Joint {
-    let side = |body: usize, name: &str, sets: &[Located]| Side {
-        body: Some(body),
-        place: table.heading().text(name),
-        sets: sets.to_vec(),
-        surface: false,
-        z: None,
+    let side = |body: usize, name: &str, sets: &[Located]| {
+        Side::of(Some(body), table.heading().text(name), sets.to_vec())
     };
-    Joint {
-        name: table.heading().text(&number.to_string()),
-        called: SupportName::numbered("Support", number),
-        kind: JointKind::Bearing,
-        sides: [side(SHAFT, "shaft", &bearing.journal), side(SUPPORT, "support", &bearing.bore)],
-        bearing,
-        others: Vec::new(),
-        table: None,
-        clearance_from_mesh: false,
-        angle: None,
-        run_out: [[0.0; 2]; 3],
-        offset: [[0.0; 2]; 3],
-    }
+    let sides = [side(SHAFT, "shaft", &bearing.journal), side(SUPPORT, "support", &bearing.bore)];
+    let names =
+        (table.heading().text(&number.to_string()), SupportName::numbered("Support", number));
+    Joint::of(names, JointKind::Bearing, sides, bearing)
 }
 
 /// Notes the bearings that do not say `key`; once where none does.

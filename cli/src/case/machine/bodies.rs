@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
+use whirl_solver::bodies::Rotation;
 use whirl_solver::mesh::Material;
 use whirl_solver::mesh::crank::CrankThrow;
 use whirl_solver::mesh::format::MeshUnits;
@@ -13,7 +14,7 @@ use whirl_specs::Motion;
 
 use super::super::dimensions::Dimensions;
 use super::super::library::{FileStore, resolve};
-use super::super::named_body::{MeshedBody, NamedBody, Turning};
+use super::super::named_body::{Form, MeshedBody, NamedBody};
 use super::super::rotor::{Body, GeneratedMesh, GroundSpring, Mesh, MeshFile, StaticCorrection};
 use super::super::selections;
 use super::super::units::mesh_units;
@@ -43,8 +44,8 @@ fn read_shaft(
     let motion = motion.or_else(default_motion)?;
     let body = Body { static_correction, ..body? };
     let form = MeshedBody { stiffening, axial_restraint, ..MeshedBody::of(body) };
-    let turning = Some(Turning::Free { initial_speed: None });
-    Some((NamedBody { turning, ..NamedBody::of(table.heading().text("shaft"), form) }, motion))
+    let own = NamedBody::of(table.heading().text("shaft"), Form::Meshed(Box::new(form)));
+    Some((NamedBody { rotation: Some(Rotation::Free), ..own }, motion))
 }
 
 /// The table `[support]`.
@@ -61,7 +62,7 @@ fn read_support(store: FileStore, table: &Table, materials: &Materials) -> Optio
     let held = vec![table.text_or_none("mounts")];
     let body = Body { static_correction, ..body? };
     let form = MeshedBody { held, ground_springs, ..MeshedBody::of(body) };
-    Some(NamedBody::of(table.heading().text("support"), form))
+    Some(NamedBody::of(table.heading().text("support"), Form::Meshed(Box::new(form))))
 }
 
 /// Static answers that are kept: to loads if nothing is said, to loads on bores, too, or none.

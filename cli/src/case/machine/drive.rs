@@ -47,10 +47,9 @@ pub(in crate::case) fn read_one(store: FileStore, table: &Table) -> Drive {
         }
     }
     let acts = table.optional_boolean("acts").unwrap_or(true);
+    let ends = ["top", "bottom"].map(|key| table.text_or_none(key));
     Drive {
-        top: table.text_or_none("top"),
-        bottom: table.text_or_none("bottom"),
-        section: table.optional_string("section"),
+        section: table.optional_string("section").map_or_else(|| ends.into(), |own| vec![own]),
         torque: if curve.is_some() { 0.0 } else { table.quantity_or_one("torque") },
         target_speed: if curve.is_some() { 0.0 } else { table.quantity_or_one("target_speed") },
         release: if release == Some("step") { Release::AtStep } else { Release::Located },

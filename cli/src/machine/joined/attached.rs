@@ -7,7 +7,7 @@ use whirl_solver::model::{Attachment, AttachmentKind, Place};
 
 use super::planned_body::PlannedBody;
 use super::section::{ends, nodes_at};
-use crate::case::{Attached, Carried};
+use crate::case::Attached;
 use crate::machine::plan::BodyPlan;
 use crate::machine::wording::mm;
 
@@ -36,14 +36,7 @@ pub(super) fn plan(
                 Some(Place::Nodes(vec![rigid.node([x, y, own.z])]))
             }
         };
-        let kind = match own.what {
-            Carried::Disc { mass, polar_inertia, transverse_inertia } => {
-                AttachmentKind::Disc { mass, polar_inertia, diametral_inertia: transverse_inertia }
-            }
-            Carried::Mass { mass, place } => AttachmentKind::Mass { mass, offset: place },
-            Carried::Unbalance(moment) => AttachmentKind::Unbalance(moment),
-        };
-        all.extend(at.map(|at| Attachment { at, z: own.z, kind }));
+        all.extend(at.map(|at| Attachment { at, z: own.z, kind: own.what }));
     }
     all
 }
@@ -51,7 +44,7 @@ pub(super) fn plan(
 /// The masses at the z of one of them, all together (kg).
 fn carried_beside(attached: &[Attached], own: &Attached) -> f64 {
     let masses = attached.iter().filter_map(|other| match other.what {
-        Carried::Mass { mass, .. } if other.z == own.z => Some(mass),
+        AttachmentKind::Mass { mass, .. } if other.z == own.z => Some(mass),
         _ => None,
     });
     masses.sum()
@@ -84,7 +77,7 @@ fn section(
         errors.push(own.name.error_here(Code::BAD_VALUE, message).help(help));
         return None;
     };
-    let on_axis = matches!(own.what, Carried::Disc { .. });
+    let on_axis = matches!(own.what, AttachmentKind::Disc { .. });
     if !is_section(plan, mean, on_axis) {
         let message = format!(
             "the section of {} at z = {} could not carry `{}`: {}",
@@ -106,12 +99,12 @@ fn section(
         MeanComponent::Rotation(2),
     ];
     let own_motions: &[MeanComponent] = match own.what {
-        Carried::Disc { .. } => &MOTIONS,
-        Carried::Mass { .. } => {
+        AttachmentKind::Disc { .. } => &MOTIONS,
+        AttachmentKind::Mass { .. } => {
             let mass = mass_properties(&plan.mesh).map_or(f64::INFINITY, |own| own.mass);
             if beside > HEAVY * mass { &MOTIONS } else { &MOTIONS[..2] }
         }
-        Carried::Unbalance(_) => &[],
+        AttachmentKind::Unbalance(_) => &[],
     };
     for component in own_motions {
         plan.retain_mean(&own.name, mean, *component);
@@ -156,7 +149,7 @@ fn is_section(plan: &BodyPlan, mean: usize, on_axis: bool) -> bool {
 /// x and y of the point of a section that moves with what it carries (m).
 fn off_axis(own: &Attached) -> [f64; 2] {
     match own.what {
-        Carried::Mass { place, .. } => place,
-        Carried::Disc { .. } | Carried::Unbalance(_) => [0.0; 2],
+        AttachmentKind::Mass { offset, .. } => offset,
+        AttachmentKind::Disc { .. } | AttachmentKind::Unbalance(_) => [0.0; 2],
     }
 }

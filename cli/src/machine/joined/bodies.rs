@@ -2,9 +2,7 @@
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::constraints::GroundSpring;
-use whirl_solver::loads::Release;
 use whirl_solver::mesh::{MeanComponent, Mesh, NodeSetMean};
-use whirl_solver::rigid::RigidBody;
 
 use super::of_case::{meshed, turns};
 use super::planned_body::{PlannedBody, RigidPlan};
@@ -39,21 +37,13 @@ fn planned(
 ) -> Result<PlannedBody, Failure> {
     let own = match &body.form {
         Form::Rigid(rigid) => {
-            let [x, y] = if body.turning.is_some() { [0.0; 2] } else { body.axis };
-            let rigid = RigidBody {
-                mass: rigid.mass,
-                polar_inertia: rigid.polar_inertia,
-                transverse_inertia: rigid.transverse_inertia,
-                along: rigid.moves_along_z,
-                centre: [x, y, rigid.z.unwrap_or(0.0)],
-                stiffness: rigid.stiffness,
-                damping: rigid.damping,
-            };
-            let mut own = RigidPlan { body: rigid, nodes: Vec::new() };
-            if body.turning.is_some() {
+            let (z, mut own) = (rigid.centre[2], RigidPlan { body: *rigid, nodes: Vec::new() });
+            if body.turns() {
                 // How far the body reaches, by which couples are compared with forces.
                 let radius = own.radius_of_gyration();
-                own.node([radius, 0.0, rigid.centre[2]]);
+                own.node([radius, 0.0, z]);
+            } else {
+                own.body.centre = [body.axis[0], body.axis[1], z];
             }
             return Ok(PlannedBody::Rigid(own));
         }
@@ -64,32 +54,30 @@ fn planned(
         fineness::warn(body.name.text(), &made.table, made.dimensions.fineness(), warnings);
     }
     // Meshes of files stand in space, those made from dimensions about their own axis.
-    let by = match (&own.body.mesh, body.turning.is_some()) {
+    let by = match (&own.body.mesh, body.turns()) {
         (case::Mesh::File(_) | case::Mesh::Matrices(_), true) => body.axis.map(|x| -x),
         (case::Mesh::Generated(_), false) => body.axis,
         _ => [0.0; 2],
     };
     let mesh = if by == [0.0; 2] { mesh } else { mesh.moved(by)? };
     let held_by = own.axial_restraint.as_ref().or(own.held.first()).unwrap_or(&body.name);
-    suits(&mesh, own, body.turning.is_some())?;
+    suits(&mesh, own, body.turns())?;
     let mut plan = BodyPlan::new(mesh, &own.body, held_by);
     plan.spec.stiffening = own.stiffening;
     plan.rigid = own.rigid;
-    plan.turning = body.turning.is_some();
+    plan.turning = body.turns();
     plan.along = own.moves_along_z;
-    let free = matches!(body.turning, Some(case::Turning::Free { .. }));
-    plan.held_to_frame = body.turning.is_some() && held_against_turning(&plan.mesh, &own.held);
+    let free = body.is_free();
+    plan.held_to_frame = body.turns() && held_against_turning(&plan.mesh, &own.held);
     plan.mean_frame = free && own.section.is_empty() && !plan.held_to_frame;
-    let springs = match body.turning {
-        _ if joined.short => return Ok(PlannedBody::Meshed(Box::new(plan))),
-        None => format!(
+    let springs = match body.turns() {
+        _ if !joined.is_named() => return Ok(PlannedBody::Meshed(Box::new(plan))),
+        false => format!(
             ", add a spring `[[body.{}.ground_spring]]`, or join it at more nodes",
             body.name.text()
         ),
-        Some(_) => {
-            " or join it at more places: bearings and bushings retain the nodes of their sets"
-                .to_owned()
-        }
+        true => " or join it at more places: bearings and bushings retain the nodes of their sets"
+            .to_owned(),
     };
     Ok(PlannedBody::Meshed(Box::new(plan.saying(HoldingWords { springs, held: "held" }))))
 }
@@ -171,7 +159,7 @@ fn tie(
         sets => {
             let names: Vec<&str> = sets.iter().map(Located::text).collect();
             plan.frame = Some(format!("the section {}", names.join(", ")));
-            plan.tie(&section_of(sets), errors);
+            plan.tie(sets, errors);
         }
     }
 }
@@ -207,19 +195,4 @@ fn clamp(plan: &mut BodyPlan, case: &MeshedBody, errors: &mut Diagnostics) {
 pub(super) fn retain_in_plane(plan: &mut BodyPlan, name: &Located, node: usize) {
     plan.retain(name, node, 0);
     plan.retain(name, node, 1);
-}
-
-/// As the section of a drive one that the case names for a body: a set, or two of one node.
-fn section_of(sets: &[Located]) -> case::Drive {
-    let (first, last) = (&sets[0], &sets[sets.len() - 1]);
-    case::Drive {
-        top: first.clone(),
-        bottom: last.clone(),
-        section: (sets.len() == 1).then(|| first.clone()),
-        torque: 0.0,
-        target_speed: 0.0,
-        release: Release::Located,
-        table: None,
-        acts: false,
-    }
 }

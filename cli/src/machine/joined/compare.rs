@@ -11,7 +11,7 @@ use super::planned_joint::PlannedJoint;
 use super::{clearance, surfaces};
 use crate::case::{JoinedMachine, JointKind};
 use crate::errors::Failure;
-use crate::machine::plan::geometry::{BearingOutline, bearing, stations};
+use crate::machine::plan::geometry::{bearing, stations};
 
 /// Notes whatever does not stand where it should: journals off the axis, bores beside them, radii that do not fit.
 pub(super) fn compare(
@@ -42,15 +42,9 @@ pub(super) fn compare(
             }))
         };
         let (journal, bore) = (about(own.sides.bodies[0])?, about(own.sides.bodies[1])?);
-        let sets = [own.bearing.journal.as_slice(), own.bearing.bore.as_slice()];
-        let names = joint.sides.each_ref().map(|side| side.place.text());
-        let outline = BearingOutline {
-            sets,
-            whole: Some(&own.bearing),
-            bodies: (!joined.short).then_some(names),
-            extent: Some(own.extent(joint, bodies)),
-        };
-        bearing::compare(place, &outline, journal.as_deref(), bore.as_deref(), errors);
+        let names = joined.is_named().then(|| joint.sides.each_ref().map(|side| side.place.text()));
+        let (meshes, extent) = ([journal.as_deref(), bore.as_deref()], own.extent(joint, bodies));
+        bearing::compare((place, &own.bearing), names, meshes, extent, errors);
     }
     Ok(())
 }

@@ -32,7 +32,7 @@ pub(super) fn place(
     let ground = joined.bodies.len();
     let [first, second] = joint.sides.each_ref().map(|side| side.body.unwrap_or(ground));
     let (z, mut bearing) = (planes(joint, bodies, errors)?, joint.bearing.clone());
-    if z[0] == z[2] && bearing.stations.is_empty() && !joined.short {
+    if z[0] == z[2] && bearing.stations.is_empty() && joined.is_named() {
         bearing.stations = vec![z[1]];
     }
     let axis = |body: usize| joined.bodies.get(body).map_or([0.0; 2], |own| own.axis);

@@ -14,24 +14,19 @@ mod pushing;
 mod section;
 mod surfaces;
 
-use std::sync::Arc;
-
 use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::bearing::{Bearing, OtherMotion, Sides};
-use whirl_solver::bodies::Rotation;
-use whirl_solver::dynamics::BodyStart;
 use whirl_solver::mesh::measure::Circle;
 use whirl_solver::model::{Attachment, BodyModel, Form, Model, Place};
-use whirl_solver::schedule::Schedule;
+use whirl_solver::output;
 
 pub(crate) use self::planned_body::PlannedBody;
 use self::planned_joint::PlannedJoint;
-use super::described::Described;
+use super::forces;
 use super::laws::laws_of;
 use super::plan::{BodyPlan, geometry};
 use super::springs::{self, Laws, angles};
-use super::{forces, outputs};
-use crate::case::{self, Fields, JoinedMachine, LawSource, Output, Turning};
+use crate::case::{Case, Fields, InputForm, JoinedMachine, LawSource, NamedBody, Output};
 use crate::errors::Failure;
 
 /// Bodies, joints, drives and loads before the reduction of what has a mesh.
@@ -46,8 +41,8 @@ pub(crate) struct JoinedPlan {
     drives: Vec<Place>,
     /// Where each load acts on its body.
     loads: Vec<Place>,
-    /// Places of the points of outputs among the output nodes of their bodies, an output each.
-    outputs: Vec<usize>,
+    /// The outputs, with the places of their points among the output nodes of their bodies.
+    outputs: Vec<output::Output<usize>>,
     /// Bodies that are written as wholes, with the place of their first node among the output nodes.
     fields: Vec<(usize, usize)>,
     /// The laws with the values with which the joints use them, a joint each.
@@ -92,7 +87,7 @@ impl JoinedPlan {
         for drive in &joined.drives {
             let body = &mut bodies[drive.body];
             if let PlannedBody::Meshed(plan) = &*body {
-                geometry::driven(&drive.couple, &plan.mesh, &mut errors);
+                geometry::driven(&drive.couple.section, &plan.mesh, &mut errors);
             }
             drives.push(body.driven(&drive.couple, &mut errors));
         }
@@ -113,14 +108,8 @@ impl JoinedPlan {
             }
         }
         // Last, so that their points are the last nodes of their bodies.
-        let outputs = outputs::places(wanted, |body, set, z| match (&mut bodies[body], set) {
-            (PlannedBody::Meshed(plan), Some(set)) => outputs::on_mesh(plan, set, &mut errors),
-            (PlannedBody::Meshed(_), None) => 0,
-            (PlannedBody::Rigid(own), _) => {
-                let [x, y, centre] = own.body.centre;
-                own.node([x, y, z.unwrap_or(centre)])
-            }
-        });
+        let mut point = |body: usize, own| bodies[body].output(&own, &mut errors);
+        let outputs = wanted.iter().cloned().map(|own| own.with_points(&mut point)).collect();
         let fields = fields.iter().flat_map(|own| &own.bodies);
         let fields = fields.filter_map(|&body| match &mut bodies[body] {
             PlannedBody::Meshed(plan) => Some((body, plan.output_all())),
@@ -129,10 +118,13 @@ impl JoinedPlan {
         let fields = fields.collect();
         errors.into_result(())?;
         let measured = joints.iter().map(|joint| (&joint.bearing, joint.measured(&bodies)));
-        let laws = laws_of(
-            measured.collect(),
-            if joined.short { "the bearing, or to `[springs]` for all" } else { "the joint" },
-        )?;
+        let place = match joined.form {
+            InputForm::Named => Some("the joint"),
+            InputForm::Shaft => Some("the bearing, or to `[springs]` for all"),
+            // What nothing gives is as the file of the law has it.
+            InputForm::Mass => None,
+        };
+        let laws = laws_of(measured.collect(), place)?;
         Ok(JoinedPlan { bodies, attached, joints, drives, loads, outputs, fields, laws })
     }
 
@@ -179,28 +171,28 @@ impl JoinedPlan {
     }
 }
 
-/// The case as the solver takes it.
+/// The laws as a case uses them, and names and hashes of what they were made from.
+pub(super) type UsedLaws = (Vec<LawSource>, Vec<(String, String)>);
+
+/// The case as the solver takes it, with its laws.
 ///
 /// # Errors
 /// Whatever is wrong with laws.
-pub(super) fn describe<'a>(
-    joined: &'a JoinedMachine,
-    wanted: &[Output],
+pub(super) fn model<'a>(
+    case: &'a Case,
     plan: &'a JoinedPlan,
-) -> Result<Described<'a>, Failure> {
-    let (mut bodies, mut plans) = (Vec::new(), Vec::new());
-    for ((own, planned), carried) in joined.bodies.iter().zip(&plan.bodies).zip(&plan.attached) {
-        bodies.push(BodyModel {
-            name: own.name.text(),
-            form: planned.form(),
-            rotation: own.turning.as_ref().map(rotation),
-            carried: carried.clone(),
-        });
-        plans.push(planned.meshed());
-    }
+) -> Result<(Model<'a>, UsedLaws), Failure> {
+    let joined = &*case.machine;
+    let planned = || joined.bodies.iter().zip(&plan.bodies).zip(&plan.attached);
+    let body = |((own, planned), carried): ((&'a NamedBody, &'a PlannedBody), &Vec<Attachment>)| {
+        // What turns in its frame loads it with its unbalance.
+        let carried = if own.spin().is_some() { Vec::new() } else { carried.clone() };
+        let (name, rotation) = (own.name.text(), own.rotation.clone());
+        BodyModel { name, form: planned.form(), rotation, carried }
+    };
+    let mut bodies: Vec<BodyModel> = planned().map(body).collect();
     let ground = Form::Ground;
     bodies.push(BodyModel { name: "ground", form: ground, rotation: None, carried: Vec::new() });
-    plans.push(None);
     let mut laws = Laws::default();
     let mut bearings = Vec::with_capacity(joined.joints.len());
     for ((joint, own), law) in joined.joints.iter().zip(&plan.joints).zip(&plan.laws) {
@@ -226,53 +218,22 @@ pub(super) fn describe<'a>(
     }
     let loads = joined.loads.iter().zip(&plan.loads);
     let loads = loads.map(|(load, place)| forces::load(load, place));
+    let spinning = planned().enumerate().filter_map(|(body, ((own, _), carried))| {
+        Some(carried.iter().flat_map(forces::of_unbalance((body, own.spin()?))))
+    });
     let drives = joined.drives.iter().zip(&plan.drives);
     let drives = drives.filter_map(|(drive, place)| forces::drive(drive, place));
-    let initial = joined.bodies.iter().map(|body| BodyStart {
-        speed: match body.turning {
-            Some(Turning::Free { initial_speed }) => initial_speed.unwrap_or(0.0),
-            _ => 0.0,
-        },
-        ..BodyStart::default()
-    });
-    Ok(Described {
-        laws: laws.used(),
-        law_hashes: laws.hashes(),
-        model: Model {
-            bodies,
-            motion: joined.motion,
-            clearance: springs::clearance(),
-            laws: laws.into_laws(),
-            bearings,
-            loads: loads.chain(drives).collect(),
-            gravity: forces::acceleration(joined.gravity.as_ref()),
-            outputs: outputs::placed(wanted, &plan.outputs),
-            fields: plan.fields.clone(),
-        },
-        axes: joined.bodies.iter().map(in_space).collect(),
-        plans,
-        initial: initial.collect(),
-        gravity: joined.gravity.as_ref(),
-        law_places: joined.joints.iter().map(|joint| &joint.bearing.law.name).collect(),
-        bore_places: joined.joints.iter().map(|joint| joint.bearing.bore.as_slice()).collect(),
-    })
-}
-
-/// x and y in space of where the coordinates of a mesh count from (m): its axis, if it turns.
-fn in_space(body: &case::NamedBody) -> [f64; 2] {
-    if body.turning.is_some() { body.axis } else { [0.0; 2] }
-}
-
-/// How a body turns.
-fn rotation(turning: &Turning) -> Rotation {
-    match turning {
-        Turning::Free { .. } => Rotation::Free,
-        Turning::Prescribed { speed, acceleration } => {
-            Rotation::Prescribed { speed: *speed, acceleration: *acceleration }
-        }
-        Turning::Table(columns) => {
-            let schedule = Schedule::of_speeds(&columns.rows).expect("rows that rise");
-            Rotation::Scheduled(Arc::new(schedule))
-        }
-    }
+    let used = (laws.used(), laws.hashes());
+    let model = Model {
+        bodies,
+        motion: joined.motion,
+        clearance: springs::clearance(),
+        laws: laws.into_laws(),
+        bearings,
+        loads: loads.chain(spinning.flatten()).chain(drives).collect(),
+        gravity: forces::acceleration(joined.gravity.as_ref()),
+        outputs: plan.outputs.clone(),
+        fields: plan.fields.clone(),
+    };
+    Ok((model, used))
 }

@@ -4,7 +4,7 @@ use crate::case::{self, JoinedMachine};
 
 /// Whether a body turns.
 pub(super) fn turns(joined: &JoinedMachine, body: usize) -> bool {
-    joined.bodies[body].turning.is_some()
+    joined.bodies[body].turns()
 }
 
 /// The mesh of a body, as the case says it.

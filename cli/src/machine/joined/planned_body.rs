@@ -1,10 +1,10 @@
 //! A body before its reduction: a mesh, or numbers with the nodes that are needed on it.
 
 use whirl_codegen::diagnostic::Diagnostics;
-use whirl_solver::model::{Form, Place};
+use whirl_solver::model::{Form, LoadAction, Place};
 use whirl_solver::rigid::RigidBody;
 
-use crate::case::{self, Acting, JoinedLoad};
+use crate::case::{self, JoinedLoad, OutputPoint};
 use crate::machine::plan::BodyPlan;
 
 /// The only mean motion of a rigid body, which is its motion as a whole.
@@ -41,7 +41,7 @@ impl RigidPlan {
 
 impl PlannedBody {
     /// Its plan, if it has a mesh.
-    pub(super) fn meshed(&self) -> Option<&BodyPlan> {
+    pub(crate) fn meshed(&self) -> Option<&BodyPlan> {
         match self {
             PlannedBody::Meshed(plan) => Some(plan),
             PlannedBody::Rigid(_) => None,
@@ -59,9 +59,9 @@ impl PlannedBody {
     /// Where a couple drives it.
     pub(super) fn driven(&mut self, drive: &case::Drive, errors: &mut Diagnostics) -> Place {
         match self {
-            PlannedBody::Meshed(plan) if plan.mean_frame => plan.tie(drive, errors),
+            PlannedBody::Meshed(plan) if plan.mean_frame => plan.tie(&drive.section, errors),
             // A section that the case names turns with the frame, or all of a body that is rigid or held to it.
-            PlannedBody::Meshed(plan) => plan.driven(drive, errors).0,
+            PlannedBody::Meshed(plan) => plan.driven(&drive.section, errors).0,
             PlannedBody::Rigid(_) => WHOLE,
         }
     }
@@ -70,10 +70,29 @@ impl PlannedBody {
     pub(super) fn loaded(&mut self, load: &JoinedLoad, errors: &mut Diagnostics) -> Place {
         match self {
             PlannedBody::Meshed(plan) => plan.loaded((&load.load, load.name.text()), errors),
-            PlannedBody::Rigid(_) if matches!(load.load.acting, Acting::Couple(_)) => WHOLE,
+            PlannedBody::Rigid(_) if matches!(load.load.acting, LoadAction::Couple(_)) => WHOLE,
             PlannedBody::Rigid(own) => {
                 let [x, y, z] = own.body.centre;
                 Place::Nodes(vec![own.node([x, y, load.z.unwrap_or(z)])])
+            }
+        }
+    }
+
+    /// The point of an output: its place among the output nodes.
+    pub(super) fn output(&mut self, point: &OutputPoint, errors: &mut Diagnostics) -> usize {
+        match (self, point) {
+            (PlannedBody::Meshed(plan), OutputPoint::Set(set)) => {
+                match plan.nodes(set, errors).as_slice() {
+                    [] => 0,
+                    [node] if !plan.is_cut(set) => plan.output_node(*node),
+                    nodes => plan.output_mean(set, nodes),
+                }
+            }
+            (PlannedBody::Meshed(_), OutputPoint::At(_)) => 0,
+            (PlannedBody::Rigid(own), point) => {
+                let [x, y, centre] = own.body.centre;
+                let OutputPoint::At(Some(z)) = point else { return own.node([x, y, centre]) };
+                own.node([x, y, *z])
             }
         }
     }

@@ -2,10 +2,10 @@
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::mesh::MeanComponent;
-use whirl_solver::model::Place;
+use whirl_solver::model::{LoadAction, Place};
 
 use super::BodyPlan;
-use crate::case::{self, Acting, Spread};
+use crate::case::{self, Spread};
 use crate::machine::wording::AXES;
 
 /// The turn of a section against the frame: Σ cᵢ qᵢ over retained motions i.
@@ -24,7 +24,7 @@ impl BodyPlan {
         let nodes: Vec<usize> = load.sets.iter().flat_map(|set| self.nodes(set, errors)).collect();
         self.carries(load, &nodes, errors);
         let couple = match load.acting {
-            Acting::Force(force) if load.spread == Spread::Each => {
+            LoadAction::Force(force) if load.spread == Spread::Each => {
                 for axis in self.acts_along(force) {
                     let row = nodes.iter().map(|node| (3 * node + axis, 1.0)).collect();
                     self.loads.push((name.to_owned(), row));
@@ -33,8 +33,8 @@ impl BodyPlan {
                     nodes.into_iter().map(|node| self.output_node(node)).collect(),
                 );
             }
-            Acting::Force(_) => [0.0; 3],
-            Acting::Couple(couple) => couple,
+            LoadAction::Force(_) => [0.0; 3],
+            LoadAction::Couple(couple) => couple,
         };
         if nodes.is_empty() {
             return Place::Mean(0);
@@ -52,8 +52,8 @@ impl BodyPlan {
             }
         }
         let (parts, component): (_, fn(usize) -> MeanComponent) = match load.acting {
-            Acting::Force(force) => (force, MeanComponent::Displacement),
-            Acting::Couple(couple) => (couple, MeanComponent::Rotation),
+            LoadAction::Force(force) => (force, MeanComponent::Displacement),
+            LoadAction::Couple(couple) => (couple, MeanComponent::Rotation),
         };
         for axis in self.acts_along(parts) {
             let row = self.spec.means[mean].row(component(axis));
@@ -72,10 +72,10 @@ impl BodyPlan {
     /// acts.
     pub(in crate::machine) fn tie(
         &mut self,
-        drive: &case::Drive,
+        section: &[Located],
         errors: &mut Diagnostics,
     ) -> Place {
-        let (place, turn) = self.driven(drive, errors);
+        let (place, turn) = self.driven(section, errors);
         turn.into_iter().for_each(|turn| self.turns_with_frame(turn));
         place
     }
@@ -83,18 +83,19 @@ impl BodyPlan {
     /// Where a couple acts, and the turn of that section; none where what is wrong with it is noted.
     pub(in crate::machine) fn driven(
         &mut self,
-        drive: &case::Drive,
+        section: &[Located],
         errors: &mut Diagnostics,
     ) -> (Place, Option<Turn>) {
-        match &drive.section {
-            Some(set) => {
+        match section {
+            [set] => {
                 let (mean, turn) = self.turn_of_section(set, errors);
                 (Place::Mean(mean), turn)
             }
-            None => {
-                let (ends, turn) = self.turn_of_ends(drive, errors);
+            [top, bottom] => {
+                let (ends, turn) = self.turn_of_ends([top, bottom], errors);
                 (Place::Nodes(ends.into()), turn)
             }
+            _ => (Place::Mean(0), None),
         }
     }
 
@@ -134,19 +135,19 @@ impl BodyPlan {
     /// The ends of the driven section, which turns if they do not move alike along y; their places among the output nodes.
     fn turn_of_ends(
         &mut self,
-        drive: &case::Drive,
+        sets: [&Located; 2],
         errors: &mut Diagnostics,
     ) -> ([usize; 2], Option<Turn>) {
-        let nodes = [&drive.top, &drive.bottom].map(|set| self.node(set, errors));
+        let nodes = sets.map(|set| self.node(set, errors));
         if nodes[0].is_some() && nodes[0] == nodes[1] {
             let message = "the driven nodes `top` and `bottom` are the same node";
             let help = "name the sets of two nodes, at opposite ends of a diameter";
-            errors.push(drive.bottom.error_here(Code::BAD_VALUE, message).help(help));
+            errors.push(sets[1].error_here(Code::BAD_VALUE, message).help(help));
             return ([0; 2], None);
         }
         let [top, bottom] = nodes.map(|node| node.unwrap_or(0));
-        let ties = [self.retain(&drive.top, top, 1), self.retain(&drive.bottom, bottom, 1)];
-        let name = format!("torsion ({} y = {} y)", drive.top.text(), drive.bottom.text());
+        let ties = [self.retain(sets[0], top, 1), self.retain(sets[1], bottom, 1)];
+        let name = format!("torsion ({} y = {} y)", sets[0].text(), sets[1].text());
         let turn = Turn { name, terms: vec![(ties[0], 1.0), (ties[1], -1.0)] };
         ([top, bottom].map(|node| self.output_node(node)), Some(turn))
     }

@@ -2,19 +2,18 @@
 //! at their word, so that a bore beside its journal would carry it all the same.
 
 pub(in crate::machine) mod bearing;
-mod outline;
 mod place;
 mod sets;
 pub(in crate::machine) mod stations;
 
-use whirl_codegen::diagnostic::{Code, Diagnostics};
+use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::mesh::Mesh;
+use whirl_solver::model::LoadAction;
 
-pub(in crate::machine) use self::outline::BearingOutline;
 pub(in crate::machine) use self::place::nodes_of;
 
 use self::place::single;
-use crate::case::{self, Acting, Spread};
+use crate::case::{self, Spread};
 use crate::machine::wording::mm;
 
 /// The arm of the driving couple is at least this part of the distance of its nodes. Below it the forces
@@ -25,23 +24,18 @@ const LEAST_ARM: f64 = 0.1;
 const SECTION: f64 = 0.01;
 
 /// Driven nodes between which a couple of forces along y has no arm, or tilts the section.
-pub(in crate::machine) fn driven(drive: &case::Drive, shaft: &Mesh, errors: &mut Diagnostics) {
-    let (Some(top), Some(bottom)) = (single(shaft, &drive.top), single(shaft, &drive.bottom))
-    else {
-        return;
-    };
-    if drive.section.is_some() {
-        return;
-    }
+pub(in crate::machine) fn driven(section: &[Located], shaft: &Mesh, errors: &mut Diagnostics) {
+    let [first, last] = section else { return };
+    let (Some(top), Some(bottom)) = (single(shaft, first), single(shaft, last)) else { return };
     // One node for both has been noted.
     if top == bottom {
         return;
     }
     let [a, b] = [top, bottom].map(|node| shaft.nodes()[node]);
     let (x, y, z) = (a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-    let names = format!("the driven nodes `{}` and `{}`", drive.top.text(), drive.bottom.text());
+    let names = format!("the driven nodes `{}` and `{}`", first.text(), last.text());
     let mut note = |message: String, help: &str| {
-        errors.push(drive.bottom.error_here(Code::BAD_VALUE, message).help(help));
+        errors.push(last.error_here(Code::BAD_VALUE, message).help(help));
     };
     if !(x.abs() > LEAST_ARM * x.hypot(y)) {
         note(
@@ -69,7 +63,7 @@ pub(in crate::machine) fn driven(drive: &case::Drive, shaft: &Mesh, errors: &mut
 /// Nodes that would carry the force of one load twice.
 pub(in crate::machine) fn loaded_twice(load: &case::Load, shaft: &Mesh, errors: &mut Diagnostics) {
     // A mean counts every node once.
-    if load.spread == Spread::Mean || matches!(load.acting, Acting::Couple(_)) {
+    if load.spread == Spread::Mean || matches!(load.acting, LoadAction::Couple(_)) {
         return;
     }
     for (second, set) in load.sets.iter().enumerate() {

@@ -3,9 +3,10 @@
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 
 use whirl_solver::mesh::matrices::TurnAboutZ;
+use whirl_solver::model::LoadAction;
 
 use super::body::BodyPlan;
-use crate::case::{self, Acting};
+use crate::case;
 use crate::machine::wording::AXES;
 
 /// Dofs beside those that are retained of which all modes are kept where the case does not say how many.
@@ -69,7 +70,7 @@ impl BodyPlan {
 
     /// Notes a force along a dof that a body of matrices does not have.
     pub(super) fn carries(&self, load: &case::Load, nodes: &[usize], errors: &mut Diagnostics) {
-        let (Some(matrices), Acting::Force(force)) = (self.mesh.matrices(), load.acting) else {
+        let (Some(matrices), LoadAction::Force(force)) = (self.mesh.matrices(), load.acting) else {
             return;
         };
         for axis in (0..3).filter(|&axis| force[axis] != 0.0) {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::case::{Case, System};
+use crate::case::Case;
 
 /// A panel of a figure: numbers with one unit.
 #[derive(Debug, Clone)]
@@ -61,13 +61,13 @@ impl Quantities {
             "Reactions at the supports in the last cycle",
             reactions(case, &mut wanted),
         );
-        match case.system {
-            System::Lumped(_) => add(
+        match case.machine.is_mass() {
+            true => add(
                 "displacement",
                 "Displacement of the mass in the last cycle",
                 displacement(case, &mut wanted),
             ),
-            System::Joined(_) => add(
+            false => add(
                 "eccentricity",
                 "Eccentricity of the journals in the last cycle",
                 eccentricities(case, &mut wanted),

@@ -9,29 +9,28 @@ use whirl_solver::mesh::Mesh;
 
 use self::comparison::Comparison;
 use self::planes::Length;
-use super::outline::BearingOutline;
 use super::place::digits;
 use super::sets::{Bore, Journal};
 use super::stations::{self, Extent};
+use crate::case::Bearing;
 use crate::machine::wording::mm;
 
 /// To this part the radius of a generated shaft's section is known: see `mesh::shaft`.
 const SECTION_DIGITS: f64 = 2e-4;
 
-/// Notes whatever in a bearing does not fit together.
+/// Notes whatever in a bearing does not fit together; `bodies`: names of those of journal and bore, where the case names
+/// bodies; `extent`: where its rings may stand.
 pub(in crate::machine) fn compare(
-    place: usize,
-    outline: &BearingOutline,
-    shaft: Option<&Mesh>,
-    support: Option<&Mesh>,
+    (place, bearing): (usize, &Bearing),
+    bodies: Option<[&str; 2]>,
+    [shaft, support]: [Option<&Mesh>; 2],
+    extent: Extent,
     errors: &mut Diagnostics,
 ) {
-    let Some(whole) = outline.whole else { return };
-    let [journal, bore] = outline.sets;
-    let means = shaft.and_then(|mesh| Journal::means(mesh, journal));
-    let journal = shaft.and_then(|mesh| Journal::find(mesh, journal));
-    let bore = support.and_then(|mesh| Bore::find(mesh, bore));
-    let mut own = Comparison { place, whole, bodies: outline.bodies, errors };
+    let means = shaft.and_then(|mesh| Journal::means(mesh, &bearing.journal));
+    let journal = shaft.and_then(|mesh| Journal::find(mesh, &bearing.journal));
+    let bore = support.and_then(|mesh| Bore::find(mesh, &bearing.bore));
+    let mut own = Comparison { place, whole: bearing, bodies, errors };
     if let Some(journal) = &journal {
         own.on_axis(journal);
     }
@@ -45,13 +44,10 @@ pub(in crate::machine) fn compare(
         return;
     }
     let length = own.length(journal.as_ref(), bore.as_ref());
-    let extent = match length {
-        Length::Planes(ends) => Extent::Ends(ends),
-        Length::OnePlane(z, radius) => Extent::plane(z, radius),
-        Length::Unknown => Extent::Open,
-        Length::Wrong => return,
-    };
-    stations::check(whole, outline.extent.unwrap_or(extent), own.errors);
+    if matches!(length, Length::Wrong) {
+        return;
+    }
+    stations::check(bearing, extent, own.errors);
     if let (Length::Planes(ends), Some(bore)) = (length, &bore) {
         own.rings(bore, ends, journal.as_ref());
     }

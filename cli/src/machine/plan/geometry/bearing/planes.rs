@@ -12,10 +12,8 @@ use crate::machine::wording::mm;
 pub(super) enum Length {
     /// z of the left and the right end.
     Planes([f64; 2]),
-    /// All in one, at this z, of a bore of this radius, if it has one.
-    OnePlane(f64, Option<f64>),
-    /// In order as far as there are some; the journal's are not known.
-    Unknown,
+    /// All in one, or in order as far as there are some: the journal's may not be known.
+    Open,
     /// Not in order, which has been noted.
     Wrong,
 }
@@ -29,11 +27,10 @@ impl Comparison<'_, '_> {
             let z = journal.planes()[1];
             match (one_bore, self.whole.stations.len()) {
                 (Some(true) | None, 1) => {
-                    let radius = bore.map(|bore| bore.radii()[0]);
-                    if let (Some(bore), Some(radius)) = (bore, radius) {
-                        self.one_ring(bore, z, radius);
+                    if let Some(bore) = bore {
+                        self.one_ring(bore, z, bore.radii()[0]);
                     }
-                    return Length::OnePlane(z, radius);
+                    return Length::Open;
                 }
                 (Some(false), 1) => self.alike("bore", "journal", &bore.expect("a bore").sets[0]),
                 _ => self.one_set(&journal.sets[0], z),
@@ -44,9 +41,8 @@ impl Comparison<'_, '_> {
             match journal {
                 Some(journal) => self.alike("journal", "bore", &journal.sets[0]),
                 None if self.whole.stations.len() == 1 => {
-                    let (z, radius) = (bore.planes()[1], bore.radii()[0]);
-                    self.one_ring(bore, z, radius);
-                    return Length::OnePlane(z, Some(radius));
+                    self.one_ring(bore, bore.planes()[1], bore.radii()[0]);
+                    return Length::Open;
                 }
                 None => self.one_set(&bore.sets[0], bore.planes()[1]),
             }
@@ -68,7 +64,7 @@ impl Comparison<'_, '_> {
                 let [left, _, right] = journal.planes();
                 Length::Planes([left, right])
             }
-            (None, true) => Length::Unknown,
+            (None, true) => Length::Open,
             (_, false) => Length::Wrong,
         }
     }
