@@ -119,12 +119,16 @@ fn motion(name: &str, scalars: &[String], others: &[String]) -> String {
     text
 }
 
+/// Names that the shipped clearance gives to its own things, and its kinds of laws.
+const OWN_NAMES: usize = 24;
+const KINDS: usize = 3;
+
 /// The shipped clearance with other names for its coordinates, definitions, measures, forces and kinds of laws, but for the
 /// quantities that laws know.
 fn clearance(name: &str, words: &[String]) -> String {
-    const OWN: [&str; 17] = [
+    const OWN: [&str; OWN_NAMES] = [
         "psi", "c", "R", "eps_x", "eps_y", "delta", "tau", "b_x", "b_y", "beta", "u_x", "u_y", "s",
-        "alpha", "phi", "D_x", "D_y",
+        "alpha", "phi", "D_x", "D_y", "b_z", "g_x", "g_y", "gamma", "s_z", "a_x", "a_y",
     ];
     let kinds = &words[OWN.len()..];
     let other = |word: &str| match OWN.iter().position(|own| *own == word) {
@@ -135,12 +139,14 @@ fn clearance(name: &str, words: &[String]) -> String {
             }
             (_, "spring_law") => kinds[0].clone(),
             (_, "ring_law") => kinds[1].clone(),
+            (_, "joint_law") => kinds[2].clone(),
             _ => word.to_owned(),
         },
     };
     let text = text("specs/motion/clearance.toml")
         .replace("laws.spring", "laws.spring_law")
-        .replace("laws.ring", "laws.ring_law");
+        .replace("laws.ring", "laws.ring_law")
+        .replace("laws.joint", "laws.joint_law");
     let plain = text.lines().filter(|line| {
         !["title", "source", "#", "kind", "name"].iter().any(|start| line.starts_with(start))
     });
@@ -218,7 +224,10 @@ fn specs_of_hostile_names_compile() {
         workspace.write(&path, &motion(&format!("self-{place}"), scalars, others));
     }
     // The names of rates and forces that laws take and give stay what they are.
-    let kept = ["v_t", "omega", "F_x", "F_y", "h", "theta", "e_x", "e_y", "Q", "T", "M_z"];
+    let kept = [
+        "v_t", "omega", "F_x", "F_y", "F_z", "h", "theta", "e_x", "e_y", "e_z", "alpha_x",
+        "alpha_y", "Q", "T", "M_x", "M_y", "M_z",
+    ];
     let mut free: Vec<String> = (words.iter())
         .filter(|word| !word.ends_with("_dot"))
         .filter(|word| !(word.starts_with('d') && word.contains("_d")))
@@ -227,7 +236,7 @@ fn specs_of_hostile_names_compile() {
         .collect();
     // What kernels call their own things is short.
     free.sort_by_key(|word| word.len());
-    for (place, some) in free.chunks_exact(19).take(14).enumerate() {
+    for (place, some) in free.chunks_exact(OWN_NAMES + KINDS).take(14).enumerate() {
         let path = format!("specs/motion/clearance-{place}.toml");
         workspace.write(&path, &clearance(&format!("crate-{place}"), some));
     }

@@ -205,7 +205,7 @@ fn a_fall_of_the_speed_that_steps_do_not_resolve_is_no_local_error() {
             assert!(quality.local_error < 1e-3, "{ratio} {radius}: {quality:?}");
             // A step of the trapezoidal rule leaves −0.2, −0.96 and nearly −1: the first dies before it counts as ringing.
             assert_eq!(found.is_empty(), sound || ratio == 3.0, "{ratio} {radius}: {found:?}");
-            let rings = found.iter().all(|own| own.what.contains("changes its sign every step"));
+            let rings = found.iter().all(|own| own.what.contains("alternates from step to step"));
             assert!(rings, "{ratio} {radius}: {found:?}");
             assert!(!sound || (state.v[0] - 300.0).abs() < 1e-9, "{ratio}: {}", state.v[0]);
         }
