@@ -78,14 +78,19 @@ impl LinearMachine {
         let is_held = |own: &Motion| own.value.norm_sqr() > least;
         let seen = pairs.into_iter().map(|own| match equations.frame == 0.0 {
             true => Motion { value: own.value, shape: own.vector, beside: Vec::new() },
-            false => self.from_frame(equations, own.value, &own.vector),
+            false => self.seen_from_space(equations, own.value, &own.vector),
         });
         Ok(seen.filter(is_held).collect())
     }
 
     /// A motion of a frame that turns with Ω_f, as space sees it: its parts that circle forward have Im λ + Ω_f there, those that
     /// circle backward Im λ − Ω_f.
-    fn from_frame(&self, equations: &Linearised, value: Complex64, shape: &[Complex64]) -> Motion {
+    fn seen_from_space(
+        &self,
+        equations: &Linearised,
+        value: Complex64,
+        shape: &[Complex64],
+    ) -> Motion {
         let once = self.turned(equations.angles, shape);
         let twice = self.turned(equations.angles, &once);
         let sum = |sign: f64| -> Vec<Complex64> {

@@ -236,7 +236,8 @@ fn harmonics(samples: &[[Matrix; 3]], speed: f64) -> Periodic {
         let [re, im] = [part(order, f64::cos), part(order, |angle| -angle.sin())];
         let most = size(&re, &means, speed).max(size(&im, &means, speed));
         let ([a, b, c], [d, e, f]) = (re, im);
-        (most > NOTHING).then(|| Harmonic { order: order as i32, parts: [[a, d], [b, e], [c, f]] })
+        (most > NOTHING)
+            .then_some(Harmonic { order: order as i32, parts: [[a, d], [b, e], [c, f]] })
     });
     let harmonics = all.collect();
     let [mass, damping, stiffness] = means;

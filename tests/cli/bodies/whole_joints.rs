@@ -83,9 +83,8 @@ fn solve(mut a: [[f64; 5]; 5], mut b: [f64; 5]) -> [f64; 5] {
         b.swap(k, pivot);
         for i in k + 1..5 {
             let factor = a[i][k] / a[k][k];
-            for j in k..5 {
-                a[i][j] -= factor * a[k][j];
-            }
+            let row = a[k];
+            a[i].iter_mut().zip(row).skip(k).for_each(|(own, pivot)| *own -= factor * pivot);
             b[i] -= factor * b[k];
         }
     }
@@ -254,9 +253,10 @@ fn singularity(mut m: [[Complex; 5]; 5]) -> f64 {
         let inverse = [own[0] / square, -own[1] / square];
         for i in k + 1..5 {
             let factor = times(m[i][k], inverse);
-            for j in k..5 {
-                let part = times(factor, m[k][j]);
-                m[i][j] = [m[i][j][0] - part[0], m[i][j][1] - part[1]];
+            let row = m[k];
+            for (own, pivot) in m[i].iter_mut().zip(row).skip(k) {
+                let part = times(factor, pivot);
+                *own = [own[0] - part[0], own[1] - part[1]];
             }
         }
     }
