@@ -148,7 +148,11 @@ impl Followed<'_> {
         let mut branches: Vec<Vec<Option<usize>>> =
             (0..first.modes.oscillating.len()).map(|place| vec![Some(place)]).collect();
         for (step, pair) in self.roots.points.windows(2).enumerate() {
-            let halvings = if pair[0].is_uneven { FEW_HALVINGS } else { HALVINGS };
+            let halvings = match &pair[0] {
+                own if own.is_costly => 0,
+                own if own.is_uneven => FEW_HALVINGS,
+                _ => HALVINGS,
+            };
             let (to, is_sure) = self.between(&pair[0], &pair[1], halvings)?;
             if !is_sure {
                 self.unclear.push(step);

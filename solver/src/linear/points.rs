@@ -9,6 +9,8 @@ use super::stood::{Stood, beside};
 use crate::error::Error;
 use crate::linalg::Matrix;
 
+/// Coordinates up to which equations that vary are solved in no time.
+const FEW: usize = 24;
 /// Speeds that follow each other, each state found from the one before.
 const TOGETHER: usize = 8;
 
@@ -20,6 +22,8 @@ pub(super) struct Point {
     pub(super) modes: Modes,
     /// Whether a body that turns is not round.
     pub(super) is_uneven: bool,
+    /// Whether another one takes a second or so, as its equations vary and have many coordinates.
+    pub(super) is_costly: bool,
 }
 
 /// What is found at the speeds of a range.
@@ -44,7 +48,8 @@ impl LinearMachine {
         let basis = slow.map(|own| own.at(speed));
         let modes = self.modes_in(&equations, basis, range.looked_for())?;
         let is_uneven = equations.frame != 0.0 || equations.varying.is_some();
-        Ok(Point { speed, mass: equations.mass, at, modes, is_uneven })
+        let is_costly = equations.varying.is_some() && equations.mass.rows > FEW;
+        Ok(Point { speed, mass: equations.mass, at, modes, is_uneven, is_costly })
     }
 
     /// The machine at the speeds, up to the first that was not done; where it does not stand, why.

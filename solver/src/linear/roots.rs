@@ -16,8 +16,9 @@ const EDGE: f64 = 1e-8;
 const ONE: f64 = 1e-6;
 /// Share of |λ| that may be left there.
 const ROOT: f64 = 1e-6;
-/// Evaluations until then at most.
+/// Evaluations until then at most, and where each takes a second.
 const TRIES: usize = 60;
+const FEW_TRIES: usize = 12;
 /// Share of what it is compared with below which a value is zero, of a machine that is not round: its whirl is locked to the
 /// rotation over whole intervals of speeds.
 const LOCKED: f64 = 1e-8;
@@ -100,7 +101,7 @@ impl Roots<'_> {
         let (signs, rises) = ([sign(a.value), sign(b.value)], a.value < b.value);
         let [mut left, mut right] = [a, b];
         let share = if signs.contains(&0) { EDGE } else { FOUND };
-        for k in 0..TRIES {
+        for k in 0..tries(near) {
             let is_met = signs[1] != 0 && right.value == 0.0;
             if is_met || (right.speed - left.speed).abs() <= share * right.speed.abs() {
                 break;
@@ -168,7 +169,7 @@ impl Roots<'_> {
             modes.max_by(|x, y| x.growth().total_cmp(&y.growth())).cloned()
         };
         let mut mode = growing(if before { b } else { a });
-        for _ in 0..TRIES {
+        for _ in 0..tries(a) {
             let speed = 0.5 * (ends[0] + ends[1]);
             if (ends[1] - ends[0]).abs() <= FOUND * speed.abs() {
                 break;
@@ -182,6 +183,10 @@ impl Roots<'_> {
         }
         Ok((ends[1], mode))
     }
+}
+
+fn tries(near: &Point) -> usize {
+    if near.is_costly { FEW_TRIES } else { TRIES }
 }
 
 fn sign(value: f64) -> i8 {
