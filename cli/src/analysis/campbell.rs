@@ -2,14 +2,14 @@
 
 use std::fmt::Write;
 
-use whirl_solver::linear::{Campbell, LinearMachine, Mode, Range, Whirl};
+use whirl_solver::linear::{Campbell, LinearMachine, Mode, Whirl};
 
-use super::found::{Found, nothing};
+use super::found::{Found, drawn, followed};
 use super::speeds::Wanted;
 use super::words;
 use crate::case::{Analysis, Case};
 use crate::errors::Failure;
-use crate::figures::{Dot, Figure, Line, Panel, Style, png, svg};
+use crate::figures::{Dot, Figure, Line, Panel, Style};
 use crate::report::table;
 use crate::signals::Interruption;
 
@@ -22,28 +22,15 @@ pub(super) fn found(
     figures: bool,
 ) -> Result<Found, Failure> {
     let of = wanted.of.expect("a body that turns");
-    let range = Range {
-        of,
-        speeds: wanted.speeds.clone(),
-        ratios: analysis.ratios.clone(),
-        count: analysis.count,
-        orders: analysis.orders.clone(),
-    };
-    let all = linear.campbell(&range, &|| !interruption.asked())?;
-    if all.speeds.is_empty() {
-        return Err(nothing());
-    }
+    let (all, interrupted) = followed(linear, (analysis, wanted), interruption, &analysis.orders)?;
     let name = &analysis.name;
     let mut files = vec![
         (format!("{name}.csv"), rows(&all).into_bytes()),
         (format!("{name}.critical.csv"), criticals(&all).into_bytes()),
     ];
     if figures {
-        let drawing = svg(&figure(case, linear, of, &all, &analysis.orders));
-        files.extend(png(&drawing).map(|image| (format!("{name}.png"), image)));
-        files.push((format!("{name}.svg"), drawing.into_bytes()));
+        files.extend(drawn(name, &figure(case, linear, of, &all, &analysis.orders)));
     }
-    let interrupted = all.speeds.len() + all.lost.len() < wanted.speeds.len();
     let mut text = text(case, linear, of, &all);
     text += &words::doubts(&all.doubts);
     Ok(Found { text, files, interrupted })

@@ -5,9 +5,9 @@ use std::fmt::Write;
 use whirl_solver::linear::{JointCoefficients, LinearMachine, Standstill};
 use whirl_text::shown;
 
-use super::found::{Found, nothing};
-use super::lost::Lost;
+use super::found::Found;
 use super::speeds::Wanted;
+use super::states::{Ended, at_each_speed};
 use super::words;
 use crate::case::{Analysis, Case};
 use crate::errors::Failure;
@@ -24,8 +24,6 @@ pub(super) fn found(
     (analysis, wanted): (&Analysis, &Wanted),
     interruption: &Interruption,
 ) -> Result<Found, Failure> {
-    let mut near: Option<Standstill> = None;
-    let mut lost = Lost::default();
     let mut all = String::from(
         "speed_rpm,joint,eccentricity_ratio,e_x_um,e_y_um,force_x_N,force_y_N,k_xx_N_m,k_xy_N_m,k_yx_N_m,k_yy_N_m,c_xx_Ns_m,c_xy_Ns_m,c_yx_Ns_m,c_yy_Ns_m\n",
     );
@@ -47,18 +45,8 @@ pub(super) fn found(
         "c_yy",
     ];
     let mut rows = vec![head.map(str::to_owned).to_vec()];
-    let mut done = 0;
-    for &speed in &wanted.speeds {
-        if interruption.asked() {
-            break;
-        }
-        let speeds = match wanted.of {
-            Some(of) => linear.speeds(of, speed, &analysis.ratios),
-            None => Vec::new(),
-        };
-        done += 1;
-        let Some(at) = lost.take(speed, linear.standing(&speeds, near.as_ref()))? else { continue };
-        for own in linear.coefficients(&at) {
+    let mut work = |speed: f64, at: &Standstill| -> Result<(), Failure> {
+        for own in linear.coefficients(at) {
             let label = own.label.trim_start_matches('_').to_owned();
             let values = values(&own);
             let numbers = values.map(|value| value.to_string()).join(",");
@@ -91,12 +79,10 @@ pub(super) fn found(
             let (_, file) = file.expect("it was added");
             writeln!(file, "{rpm},{numbers}").expect("text can be written");
         }
-        near = Some(at);
-    }
-    let lost = lost.words(near.is_some())?;
-    if near.is_none() {
-        return Err(nothing());
-    }
+        Ok(())
+    };
+    let Ended { lost, interrupted } =
+        at_each_speed(linear, (analysis, wanted), interruption, &mut work)?;
     let name = &analysis.name;
     let mut files = vec![(format!("{name}.csv"), all.into_bytes())];
     let alone =
@@ -109,7 +95,7 @@ pub(super) fn found(
             .expect("text can be written");
         files.push((file, whole.into_bytes()));
     }
-    Ok(Found { text, files, interrupted: done < wanted.speeds.len() })
+    Ok(Found { text, files, interrupted })
 }
 
 fn values(own: &JointCoefficients) -> [f64; 8] {

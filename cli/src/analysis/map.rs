@@ -4,12 +4,12 @@ use std::fmt::Write;
 
 use whirl_solver::linear::{LinearMachine, Undamped};
 
-use super::found::{Found, nothing};
+use super::found::{Found, drawn, nothing};
 use super::speeds::Wanted;
 use super::words;
 use crate::case::{Analysis, Case};
 use crate::errors::Failure;
-use crate::figures::{Figure, Line, Panel, Style, png, svg};
+use crate::figures::{Figure, Line, Panel, Style};
 use crate::report::table;
 use crate::signals::Interruption;
 
@@ -48,9 +48,7 @@ pub(super) fn found(
     let name = &analysis.name;
     let mut files = vec![(format!("{name}.csv"), rows(&all).into_bytes())];
     if figures && all.len() > 1 {
-        let drawing = svg(&figure(case, linear, of, &all));
-        files.extend(png(&drawing).map(|image| (format!("{name}.png"), image)));
-        files.push((format!("{name}.svg"), drawing.into_bytes()));
+        files.extend(drawn(name, &figure(case, linear, of, &all)));
     }
     let body = linear.machine().bodies[of].name();
     let mut text = format!("{}: {}\n", case.name, case.title);
@@ -115,8 +113,11 @@ fn figure(case: &Case, linear: &LinearMachine, of: usize, all: &[(f64, Vec<Undam
                 let own = speeds.iter().filter(|own| whirl(own) == kind).nth(place)?;
                 Some((*stiffness, words::rpm(own.speed)))
             });
-            let name = if kind == "-" { "neither" } else { kind };
-            Line { points: points.collect(), style, name: format!("{name} whirl") }
+            let name = match kind {
+                "-" => "axial or torsional".to_owned(),
+                own => format!("{own} whirl"),
+            };
+            Line { points: points.collect(), style, name }
         })
     });
     let body = linear.machine().bodies[of].name();

@@ -6,13 +6,13 @@
 mod campbell;
 mod coefficients;
 mod found;
-mod lost;
 mod map;
 mod matrices;
 mod modes;
 mod response;
 mod speeds;
 mod stability;
+mod states;
 mod words;
 
 use std::path::{Path, PathBuf};
@@ -208,7 +208,7 @@ fn run(
         let wanted = speeds::wanted(case, &linear, analysis)?;
         let (wanted, figures) = ((analysis, &wanted), !arguments.no_figures);
         let work = || match analysis.kind {
-            AnalysisKind::Modes => modes::found(case, &linear, wanted),
+            AnalysisKind::Modes => modes::found(case, &linear, wanted, &interruption),
             AnalysisKind::Campbell => {
                 campbell::found(case, &linear, wanted, &interruption, figures)
             }

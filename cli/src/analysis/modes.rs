@@ -2,34 +2,30 @@
 
 use std::fmt::Write;
 
-use whirl_solver::linear::{LinearMachine, Mode};
+use whirl_solver::linear::{LinearMachine, Mode, Standstill};
 
 use super::found::Found;
-use super::lost::Lost;
 use super::speeds::Wanted;
+use super::states::{Ended, at_each_speed};
 use super::words;
 use crate::case::{Analysis, Case};
 use crate::errors::Failure;
 use crate::report::table;
+use crate::signals::Interruption;
 
 /// The modes at each speed, as a table and as a file.
 pub(super) fn found(
     case: &Case,
     linear: &LinearMachine,
     (analysis, wanted): (&Analysis, &Wanted),
+    interruption: &Interruption,
 ) -> Result<Found, Failure> {
     let mut text = String::new();
     let mut file = String::from(
         "speed_rpm,mode,frequency_hz,damping_ratio,log_decrement,whirl,sense,real_1_s,imaginary_1_s,beside_hz\n",
     );
-    let (mut near, mut lost) = (None, Lost::default());
-    for &speed in &wanted.speeds {
-        let speeds = match wanted.of {
-            Some(of) => linear.speeds(of, speed, &analysis.ratios),
-            None => Vec::new(),
-        };
-        let Some(at) = lost.take(speed, linear.standing(&speeds, near.as_ref()))? else { continue };
-        let equations = linear.linearised(&at)?;
+    let mut work = |speed: f64, at: &Standstill| -> Result<(), Failure> {
+        let equations = linear.linearised(at)?;
         let modes = linear.modes(&equations, analysis.count)?;
         line(&mut text, &format!("{}: {}", case.name, case.title));
         for (body, own) in linear.machine().bodies.iter().enumerate() {
@@ -72,13 +68,15 @@ pub(super) fn found(
         if !modes.is_stable() {
             line(&mut text, "the machine is NOT STABLE in this state: a motion grows");
         }
-        text.push_str(&words::doubts(&linear.doubts(&at, &equations, &modes.oscillating)?));
+        text.push_str(&words::doubts(&linear.doubts(at, &equations, &modes.oscillating)?));
         text.push('\n');
-        near = Some(at);
-    }
-    text.push_str(&lost.words(near.is_some())?);
+        Ok(())
+    };
+    let Ended { lost, interrupted } =
+        at_each_speed(linear, (analysis, wanted), interruption, &mut work)?;
+    text.push_str(&lost);
     let files = vec![(format!("{}.csv", analysis.name), file.into_bytes())];
-    Ok(Found { text, files, interrupted: false })
+    Ok(Found { text, files, interrupted })
 }
 
 fn row(linear: &LinearMachine, place: usize, mode: &Mode, whirl: &str) -> Vec<String> {

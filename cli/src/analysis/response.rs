@@ -8,13 +8,13 @@ use whirl_solver::linear::{
 };
 use whirl_text::{rounded, shown};
 
-use super::found::{Found, nothing};
-use super::lost::Lost;
+use super::found::{Found, drawn};
 use super::speeds::Wanted;
+use super::states::{Ended, at_each_speed};
 use super::words;
 use crate::case::{Analysis, Case};
 use crate::errors::Failure;
-use crate::figures::{Dot, Figure, Line, Panel, Style, png, svg};
+use crate::figures::{Dot, Figure, Line, Panel, Style};
 use crate::report::table;
 use crate::signals::Interruption;
 
@@ -55,19 +55,13 @@ pub(super) fn found(
     let at = |speed: f64, near: Option<&Standstill>| {
         linear.standing(&linear.speeds(of, speed, &analysis.ratios), near)
     };
-    let (mut near, mut speeds): (Option<Standstill>, Vec<f64>) = (None, Vec::new());
+    let mut speeds: Vec<f64> = Vec::new();
     let mut sources: Vec<Source> = Vec::new();
     let mut ratios = vec![0.0; linear.machine().bodies.len()];
-    let (mut done, mut lost) = (0, Lost::default());
-    for &speed in &wanted.speeds {
-        if interruption.asked() {
-            break;
-        }
-        done += 1;
-        let Some(here) = lost.take(speed, at(speed, near.as_ref()))? else { continue };
-        let equations = linear.linearised(&here)?;
+    let mut work = |speed: f64, here: &Standstill| -> Result<(), Failure> {
+        let equations = linear.linearised(here)?;
         for body in linear.turning() {
-            for (order, motions) in linear.response((&here, &equations), body, &points)? {
+            for (order, motions) in linear.response((here, &equations), body, &points)? {
                 let place = sources.iter().position(|own| own.body == body && own.order == order);
                 let place = place.unwrap_or_else(|| {
                     let (motions, peaks) = (Vec::new(), vec![Vec::new(); points.len()]);
@@ -83,12 +77,10 @@ pub(super) fn found(
             }
         }
         speeds.push(speed);
-        near = Some(here);
-    }
-    let lost = lost.words(near.is_some())?;
-    if speeds.is_empty() {
-        return Err(nothing());
-    }
+        Ok(())
+    };
+    let Ended { lost, interrupted } =
+        at_each_speed(linear, (analysis, wanted), interruption, &mut work)?;
     if sources.is_empty() {
         return Err(Failure::Argument {
             message: format!("no body of `{}` has an unbalance, nor a load that turns with it", case.name),
@@ -98,7 +90,6 @@ pub(super) fn found(
     }
     sources.iter_mut().for_each(|own| own.motions.resize(speeds.len(), still(points.len())));
     sources.sort_by(|a, b| a.body.cmp(&b.body).then(a.order.total_cmp(&b.order)));
-    let interrupted = done < wanted.speeds.len();
     if let ([first, .., last], false) = (speeds.as_slice(), interrupted) {
         for source in &mut sources {
             let order = source.order * ratios[source.body];
@@ -135,9 +126,7 @@ pub(super) fn found(
         (format!("{name}.peaks.csv"), peak_rows(linear, &points, &sources).into_bytes()),
     ];
     if figures {
-        let drawing = svg(&figure(case, linear, (of, &points), &speeds, &sources));
-        files.extend(png(&drawing).map(|image| (format!("{name}.png"), image)));
-        files.push((format!("{name}.svg"), drawing.into_bytes()));
+        files.extend(drawn(name, &figure(case, linear, (of, &points), &speeds, &sources)));
     }
     let text = text(case, linear, &points, (&speeds, &sources)) + &lost;
     Ok(Found { text, files, interrupted })

@@ -2,14 +2,14 @@
 
 use std::fmt::Write;
 
-use whirl_solver::linear::{Campbell, LinearMachine, Mode, Range};
+use whirl_solver::linear::{Campbell, LinearMachine, Mode};
 
-use super::found::{Found, nothing};
+use super::found::{Found, drawn, followed};
 use super::speeds::Wanted;
 use super::words;
 use crate::case::{Analysis, Case};
 use crate::errors::Failure;
-use crate::figures::{Figure, Line, Panel, Style, png, svg};
+use crate::figures::{Figure, Line, Panel, Style};
 use crate::report::table;
 use crate::signals::Interruption;
 
@@ -22,17 +22,7 @@ pub(super) fn found(
     figures: bool,
 ) -> Result<Found, Failure> {
     let of = wanted.of.expect("a body that turns");
-    let range = Range {
-        of,
-        speeds: wanted.speeds.clone(),
-        ratios: analysis.ratios.clone(),
-        count: analysis.count,
-        orders: Vec::new(),
-    };
-    let all = linear.campbell(&range, &|| !interruption.asked())?;
-    if all.speeds.is_empty() {
-        return Err(nothing());
-    }
+    let (all, interrupted) = followed(linear, (analysis, wanted), interruption, &[])?;
     let least: Vec<Option<&Mode>> = (0..all.speeds.len()).map(|place| least(&all, place)).collect();
     let name = &analysis.name;
     let mut files = vec![
@@ -40,9 +30,7 @@ pub(super) fn found(
         (format!("{name}.thresholds.csv"), words::thresholds_file(&all).into_bytes()),
     ];
     if figures && all.speeds.len() > 1 {
-        let drawing = svg(&figure(case, linear, of, &all, &least));
-        files.extend(png(&drawing).map(|image| (format!("{name}.png"), image)));
-        files.push((format!("{name}.svg"), drawing.into_bytes()));
+        files.extend(drawn(name, &figure(case, linear, of, &all, &least)));
     }
     let mut text = format!("{}: {}\n", case.name, case.title);
     let head = ["speed (rpm)", "least log decrement", "frequency (Hz)", "whirl", "moves", ""];
@@ -63,7 +51,6 @@ pub(super) fn found(
     text.push('\n');
     text.push_str(&words::thresholds(&all));
     text.push_str(&words::doubts(&all.doubts));
-    let interrupted = all.speeds.len() + all.lost.len() < wanted.speeds.len();
     Ok(Found { text, files, interrupted })
 }
 

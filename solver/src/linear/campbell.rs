@@ -128,7 +128,7 @@ impl LinearMachine {
             unclear,
             doubts,
             reduced: slow.map(|own| Reduced {
-                columns: own.columns().last().unwrap_or(0),
+                columns: own.columns(),
                 of: self.machine.active(),
                 error: own.error,
             }),

@@ -4,8 +4,6 @@
 //! of the range, the modes between are those of all coordinates but for an error that is measured in its middle. Where it is
 //! too large the piece is halved.
 
-use std::ops::Range as Places;
-
 use num_complex::Complex64;
 
 use super::linearised::Standstill;
@@ -96,11 +94,9 @@ impl Slow {
         &self.pieces[place.min(self.pieces.len() - 1)].1
     }
 
-    /// How many columns the bases have.
-    pub(super) fn columns(&self) -> Places<usize> {
-        let of = |own: &(f64, Matrix)| own.1.cols;
-        let least = self.pieces.iter().map(of).min().unwrap_or(0);
-        least..self.pieces.iter().map(of).max().unwrap_or(0) + 1
+    /// How many columns the largest basis has.
+    pub(super) fn columns(&self) -> usize {
+        self.pieces.iter().map(|own| own.1.cols).max().unwrap_or(0)
     }
 
     /// Adds a piece, or two halves of it. Whether it is worth it.

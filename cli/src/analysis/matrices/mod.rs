@@ -10,9 +10,9 @@ use std::fmt::Write;
 use content::Content;
 use whirl_solver::linear::{LinearMachine, Standstill};
 
-use super::found::{Found, nothing};
-use super::lost::Lost;
+use super::found::Found;
 use super::speeds::Wanted;
+use super::states::{Ended, at_each_speed};
 use super::words;
 use crate::case::{Analysis, Case, MatrixFormat};
 use crate::errors::Failure;
@@ -29,21 +29,11 @@ pub(super) fn found(
     interruption: &Interruption,
 ) -> Result<Found, Failure> {
     let several = wanted.speeds.len() > 1;
-    let (mut near, mut lost): (Option<Standstill>, _) = (None, Lost::default());
     let mut text = format!("{}: {}\n", case.name, case.title);
     let (mut files, mut index) = (Vec::new(), String::from("speed_rpm,name\n"));
-    let mut done = 0;
-    for &speed in &wanted.speeds {
-        if interruption.asked() {
-            break;
-        }
-        let speeds = match wanted.of {
-            Some(of) => linear.speeds(of, speed, &analysis.ratios),
-            None => Vec::new(),
-        };
-        done += 1;
-        let Some(at) = lost.take(speed, linear.standing(&speeds, near.as_ref()))? else { continue };
-        let equations = linear.linearised(&at)?;
+    let mut work = |speed: f64, at: &Standstill| -> Result<(), Failure> {
+        let number = 1 + wanted.speeds.iter().position(|own| *own == speed).unwrap_or(0);
+        let equations = linear.linearised(at)?;
         if !equations.stands_in_space() {
             let names = linear.not_round().map(|body| linear.machine().bodies[body].name());
             return Err(Failure::Argument {
@@ -64,9 +54,9 @@ pub(super) fn found(
                 help: format!("keep fewer `modes` of the bodies: up to {MOST} coordinates in all"),
             });
         }
-        let space = linear.state_space(&at, &equations)?;
+        let space = linear.state_space(at, &equations)?;
         let name =
-            if several { format!("{}.{done}", analysis.name) } else { analysis.name.clone() };
+            if several { format!("{}.{number}", analysis.name) } else { analysis.name.clone() };
         let rpm = words::speed(speed);
         let counts = [size, space.inputs.len(), space.outputs.len()];
         writeln!(
@@ -76,21 +66,19 @@ pub(super) fn found(
         )
         .expect("text can be written");
         writeln!(index, "{},{name}", words::rpm(speed)).expect("text can be written");
-        let content = Content::new(linear, &at, &equations, &space);
+        let content = Content::new(linear, at, &equations, &space);
         files.extend(match analysis.format {
             MatrixFormat::Npz => npz::files(&name, &content),
             MatrixFormat::Market => market::files(&name, &content),
             MatrixFormat::Mat => mat::files(&name, &content),
         });
-        near = Some(at);
-    }
-    let lost = lost.words(near.is_some())?;
-    if near.is_none() {
-        return Err(nothing());
-    }
+        Ok(())
+    };
+    let Ended { lost, interrupted } =
+        at_each_speed(linear, (analysis, wanted), interruption, &mut work)?;
     if several {
         files.push((format!("{}.csv", analysis.name), index.into_bytes()));
     }
     text.push_str(&lost);
-    Ok(Found { text, files, interrupted: done < wanted.speeds.len() })
+    Ok(Found { text, files, interrupted })
 }

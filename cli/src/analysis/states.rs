@@ -1,0 +1,90 @@
+//! The states of a machine at the speeds of an analysis, one from the other; those at which it does not stand are left out, as
+//! films carry nothing at rest.
+
+use whirl_solver::Error;
+use whirl_solver::linear::{LinearMachine, Standstill};
+
+use super::found::nothing;
+use super::speeds::Wanted;
+use super::words;
+use crate::case::Analysis;
+use crate::errors::Failure;
+use crate::signals::Interruption;
+
+/// How the speeds ended.
+pub(super) struct Ended {
+    /// What is said of speeds that were left out.
+    pub(super) lost: String,
+    /// Whether some were not done.
+    pub(super) interrupted: bool,
+}
+
+/// Does something in the state at every speed.
+///
+/// # Errors
+/// The machine stands at none of them, none was done, or `work` fails.
+pub(super) fn at_each_speed(
+    linear: &LinearMachine,
+    (analysis, wanted): (&Analysis, &Wanted),
+    interruption: &Interruption,
+    work: &mut dyn FnMut(f64, &Standstill) -> Result<(), Failure>,
+) -> Result<Ended, Failure> {
+    let (mut near, mut lost): (Option<Standstill>, _) = (None, Lost::default());
+    let mut done = 0;
+    for &speed in wanted.speeds.iter().take_while(|_| !interruption.asked()) {
+        done += 1;
+        let speeds = match wanted.of {
+            Some(of) => linear.speeds(of, speed, &analysis.ratios),
+            None => Vec::new(),
+        };
+        let Some(at) = lost.take(speed, linear.standing(&speeds, near.as_ref()))? else { continue };
+        work(speed, &at)?;
+        near = Some(at);
+    }
+    let lost = lost.words(near.is_some())?;
+    if near.is_none() {
+        return Err(nothing());
+    }
+    Ok(Ended { lost, interrupted: done < wanted.speeds.len() })
+}
+
+/// Those that were left out, and why.
+#[derive(Default)]
+struct Lost {
+    speeds: Vec<f64>,
+    first: Option<Error>,
+}
+
+impl Lost {
+    /// Leaves a speed out, if that is because the machine does not stand there.
+    ///
+    /// # Errors
+    /// Any other error.
+    fn take<T>(&mut self, speed: f64, made: Result<T, Error>) -> Result<Option<T>, Error> {
+        match made {
+            Ok(own) => Ok(Some(own)),
+            Err(error) if error.is_of_balance() => {
+                self.speeds.push(speed);
+                self.first.get_or_insert(error);
+                Ok(None)
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    /// What is said of them, if all is not lost.
+    ///
+    /// # Errors
+    /// Why the machine stands at none of the speeds.
+    fn words(self, found: bool) -> Result<String, Error> {
+        match (self.first, found) {
+            (None, _) => Ok(String::new()),
+            (Some(error), false) => Err(error),
+            (Some(error), true) => {
+                let speeds: Vec<String> =
+                    self.speeds.iter().map(|own| words::speed(*own)).collect();
+                Ok(format!("left out: {} rpm, as {error}\n", speeds.join(", ")))
+            }
+        }
+    }
+}
