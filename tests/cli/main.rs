@@ -21,6 +21,7 @@ mod judged;
 mod law_values;
 mod lost_work;
 mod machines;
+mod marched;
 mod matrices_page;
 mod mesh_forms;
 mod mesh_pictures;

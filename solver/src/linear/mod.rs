@@ -15,6 +15,7 @@ mod campbell;
 mod coefficients;
 mod doubts;
 mod frame;
+mod hill;
 mod linearised;
 mod map;
 mod modes;
