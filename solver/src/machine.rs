@@ -242,6 +242,9 @@ fn check_sides(bearing: &Bearing, bodies: &[Body]) -> Result<(), Error> {
     if spins(journal) && (own.size() > 0 || own.rotation().is_some()) || spins(own) {
         return wrong("a body that spins in a fixed frame needs a rigid bore".to_owned());
     }
+    if bearing.sides.gear.is_some() && [journal, own].iter().any(|body| body.rotation().is_none()) {
+        return wrong("gears are on bodies that turn".to_owned());
+    }
     let off_axis = bearing.sides.bore_axis != [0.0; 2];
     if off_axis && own.rotation().is_some() {
         let name = own.name();
@@ -278,7 +281,13 @@ fn monitor(number: usize, bearing: &Bearing, bodies: &[Body], springs: &Springs)
         along,
         bodies: sides.bodies,
         journal: [0, 1].map(|axis| (0..journal.size()).map(|j| node.shapes[(axis, j)]).collect()),
-        bore: axis_motion(bearing, bore),
+        bore: match &sides.gear {
+            Some(gear) => {
+                let node = &bore.nodes()[gear.second];
+                [0, 1].map(|axis| (0..bore.size()).map(|j| node.shapes[(axis, j)]).collect())
+            }
+            None => axis_motion(bearing, bore),
+        },
         run_out: sides.run_out[1],
         offset: sides.offset[1],
         apart: sides.apart,

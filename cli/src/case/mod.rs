@@ -6,6 +6,7 @@ mod cycle;
 mod dimensions;
 mod embedded;
 mod fields;
+mod gears;
 mod gravity;
 mod joined;
 mod joined_machine;
@@ -49,6 +50,7 @@ pub(crate) use cycle::TWO_REVOLUTIONS;
 pub(crate) use embedded::embedded_cases;
 pub(crate) use fields::Fields;
 pub(crate) use gravity::Gravity;
+pub(crate) use joined::apart;
 pub(crate) use joined_machine::{
     Drive as JoinedDrive, InputForm, JoinedMachine, Load as JoinedLoad,
 };

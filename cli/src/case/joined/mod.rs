@@ -7,12 +7,14 @@ mod bushing;
 mod checks;
 mod fit;
 mod forces;
+mod gear;
 mod joints;
 mod matrices;
 mod parts;
 pub(super) mod schema;
 
 pub(super) use self::joints::stop;
+pub(crate) use self::gear::apart;
 
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
@@ -99,9 +101,11 @@ impl JoinedMachine {
         if file.errors() > before {
             return None;
         }
+        let (mut bodies, joints) = (bodies?, joints.into_iter().collect::<Option<Vec<_>>>()?);
+        gear::start(&mut bodies, &joints);
         let machine = JoinedMachine {
-            bodies: bodies?,
-            joints: joints.into_iter().collect::<Option<_>>()?,
+            bodies,
+            joints,
             drives: drives.into_iter().collect::<Option<_>>()?,
             loads: loads.into_iter().collect::<Option<_>>()?,
             motion: motion?,
