@@ -71,9 +71,9 @@ impl Springs {
         self.planes[plane].flank.map(|own| own.flank.speed_ratio())
     }
 
-    /// Angle of the line of action of a plane from the axis x of space (rad), and the base radius of the first gear (m).
-    pub(crate) fn line_of_action(&self, plane: usize) -> Option<(f64, f64)> {
-        self.planes[plane].flank.map(|own| (own.flank.direction, own.flank.radii[0]))
+    /// Base radii of the gears of a plane (m), with their signs.
+    pub(crate) fn base_radii(&self, plane: usize) -> Option<[f64; 2]> {
+        self.planes[plane].flank.map(|own| own.flank.radii)
     }
 }
 

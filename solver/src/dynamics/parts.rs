@@ -11,6 +11,7 @@ use crate::equations::State;
 use crate::linalg::{Matrix, dot};
 use crate::machine::{Body, Machine};
 use crate::shaft::Shaft;
+use crate::trains::Trains;
 
 /// A part of a machine, and how its motion is measured (m).
 pub(super) struct Part {
@@ -208,8 +209,7 @@ fn groups(equations: &Equations) -> Vec<Group> {
     };
     let sides = (0..springs.planes.len()).filter(twists).map(|own| springs.tied(own, rotations));
     let sides: Vec<Tied> = sides.collect();
-    // Each rotation with the group that it is in, by the smallest place there, and its speed in it.
-    let mut group: Vec<(usize, f64)> = (0..rotations).map(|place| (place, 1.0)).collect();
+    let mut trains = Trains::new(rotations);
     let (mut ground, mut given) = (Vec::new(), Vec::new());
     for own in &sides {
         match own[..] {
@@ -219,30 +219,21 @@ fn groups(equations: &Equations) -> Vec<Group> {
                 let ratio = if a > b { of_a / of_b } else { of_b / of_a };
                 given.push((a.max(b), a.min(b), ratio));
             }
-            [(a, _), (b, _)] if group[a].0 == group[b].0 => {}
-            [(a, of_a), (b, of_b)] => {
-                let ((of_least, least), (of_other, other)) = match group[a].0 <= group[b].0 {
-                    true => ((of_a / group[a].1, group[a].0), (of_b / group[b].1, group[b].0)),
-                    false => ((of_b / group[b].1, group[b].0), (of_a / group[a].1, group[a].0)),
-                };
-                for own in group.iter_mut().filter(|own| own.0 == other) {
-                    *own = (least, own.1 * of_other / of_least);
-                }
-            }
+            [(a, of_a), (b, of_b)] => trains.tie([a, b], of_b / of_a),
             _ => {}
         }
     }
-    let names = (first..rotations).filter(|&place| group[place].0 == place);
+    let names = (first..rotations).filter(|&place| trains.train(place) == place);
     names
         .map(|name| {
-            let places = (first..rotations).filter(|&place| group[place].0 == name);
-            let mut tied = given.iter().filter(|(own, ..)| group[*own].0 == name);
+            let places = (first..rotations).filter(|&place| trains.train(place) == name);
+            let mut tied = given.iter().filter(|(own, ..)| trains.train(*own) == name);
             let from = match (places.clone().any(|place| ground.contains(&place)), tied.next()) {
                 (true, _) => From::Ground,
-                (false, Some(&(own, place, ratio))) => From::Given(place, ratio / group[own].1),
+                (false, Some(&(own, place, ratio))) => From::Given(place, ratio / trains.ratio(own)),
                 (false, None) => From::Mean,
             };
-            let member = |place: usize| (place, inertia(machine, place), group[place].1);
+            let member = |place: usize| (place, inertia(machine, place), trains.ratio(place));
             Group { members: places.map(member).collect(), from }
         })
         .collect()

@@ -31,6 +31,7 @@ mod state_space;
 mod stood;
 #[cfg(test)]
 mod tests;
+mod torsion;
 mod track;
 mod varying;
 
@@ -45,6 +46,7 @@ pub use range::Range;
 pub use response::{Point, Vibration};
 pub use round::LinearMachine;
 pub use state_space::StateSpace;
+pub use torsion::{Node, Torque, Torsion};
 
 #[cfg(doc)]
 use crate::machine::Machine;

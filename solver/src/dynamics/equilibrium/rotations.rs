@@ -9,6 +9,7 @@
 
 use crate::equations::State;
 use crate::machine::Machine;
+use crate::trains::Trains;
 
 use super::turning::{idle_speed, largest};
 
@@ -186,29 +187,17 @@ impl Turn {
 
 /// Bodies that turn, in groups that an angle between any two ties together; with those that stand, if these are tied to one.
 fn groups(machine: &Machine, twisting: &[Twisting]) -> Vec<Vec<Member>> {
-    let mut group: Vec<Member> = (0..machine.bodies.len()).map(|body| (body, 1.0)).collect();
-    for &Twisting { bodies: [a, b], ratio } in twisting {
-        // What stands ties nothing together.
-        let turns = |body: usize| machine.places()[body].rotation.is_some();
-        if !turns(a) || !turns(b) || group[a].0 == group[b].0 {
-            continue;
-        }
-        // Speed of the group of b where that of a turns with 1 rad/s.
-        let of_b = group[a].1 * ratio / group[b].1;
-        let ((keep, other), factor) = match group[a].0 < group[b].0 {
-            true => ((group[a].0, group[b].0), of_b),
-            false => ((group[b].0, group[a].0), 1.0 / of_b),
-        };
-        group
-            .iter_mut()
-            .filter(|own| own.0 == other)
-            .for_each(|own| *own = (keep, own.1 * factor));
+    let turns = |body: usize| machine.places()[body].rotation.is_some();
+    let mut trains = Trains::new(machine.bodies.len());
+    // What stands ties nothing together.
+    for own in twisting.iter().filter(|own| own.bodies.iter().all(|body| turns(*body))) {
+        trains.tie(own.bodies, own.ratio);
     }
     let mut all: Vec<Vec<Member>> = Vec::new();
-    for first in 0..group.len() {
-        let turns = |body: &usize| machine.places()[*body].rotation.is_some();
-        let members = (0..group.len()).filter(|&body| group[body].0 == first).filter(turns);
-        let turning: Vec<Member> = members.map(|body| (body, group[body].1)).collect();
+    for first in 0..machine.bodies.len() {
+        let members = (0..machine.bodies.len()).filter(|&body| trains.train(body) == first);
+        let turning: Vec<Member> =
+            members.filter(|&body| turns(body)).map(|body| (body, trains.ratio(body))).collect();
         if turning.is_empty() {
             continue;
         }
