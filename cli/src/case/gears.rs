@@ -68,7 +68,8 @@ impl Gears {
             } else {
                 FRAC_PI_2 - alpha
             };
-            let (turned, second) = (if sense < 0.0 { PI } else { 0.0 }, if self.internal { -second } else { second });
+            let (turned, second) =
+                (if sense < 0.0 { PI } else { 0.0 }, if self.internal { -second } else { second });
             Flank { direction: centres + along + turned, radii: [sense * first, sense * second] }
         };
         let alpha = self.pressure_angle;
@@ -99,9 +100,12 @@ mod tests {
     /// A force through the pitch point has the moments about both centres that the base radii say, and pushes the teeth apart.
     #[test]
     fn lines_of_action_pass_through_the_pitch_point() {
-        for (sizes, internal) in
-            [([20.0, 30.0], false), ([30.0, 20.0], false), ([20.0, 60.0], true), ([60.0, 20.0], true)]
-        {
+        for (sizes, internal) in [
+            ([20.0, 30.0], false),
+            ([30.0, 20.0], false),
+            ([20.0, 60.0], true),
+            ([60.0, 20.0], true),
+        ] {
             let own = gears(sizes, internal);
             for turn in [0.0, 0.7, 2.9, -2.0] {
                 let apart = [0.1 * f64::cos(turn), 0.1 * f64::sin(turn)];
@@ -111,7 +115,8 @@ mod tests {
                 let pitch = apart.map(|x| side * x / 0.1 * radii[0]);
                 for flank in own.flanks(apart) {
                     let (y, x) = flank.direction.sin_cos();
-                    let moment = |at: [f64; 2], force: [f64; 2]| at[0] * force[1] - at[1] * force[0];
+                    let moment =
+                        |at: [f64; 2], force: [f64; 2]| at[0] * force[1] - at[1] * force[0];
                     let on_first = moment(pitch, [-x, -y]);
                     let on_second = moment([pitch[0] - apart[0], pitch[1] - apart[1]], [x, y]);
                     // Of F_n = −1 on e_n = n·(u₁ − u₂) + r₁θ₁ + r₂θ₂.

@@ -43,7 +43,7 @@ use whirl_codegen::diagnostic::Source;
 use crate::errors::Failure;
 
 pub(crate) use analyses::{
-    Analysis, AnalysisKind, MODES, MatrixFormat, ORDERS, speeds, stiffness, turning,
+    Analysis, AnalysisKind, MODES, MatrixFormat, speeds, stiffness, turning,
 };
 pub(crate) use columns::Columns;
 pub(crate) use cycle::TWO_REVOLUTIONS;

@@ -39,7 +39,12 @@ pub(super) fn say(text: &mut String, joined: &JoinedMachine, plan: &JoinedPlan) 
     }
 }
 
-fn of_joint((joint, joined): (&Joint, &JoinedMachine), law: &str, c: f64, stations: &[f64]) -> String {
+fn of_joint(
+    (joint, joined): (&Joint, &JoinedMachine),
+    law: &str,
+    c: f64,
+    stations: &[f64],
+) -> String {
     let (kind, [first, second]) = joint.kind.words();
     let [a, b] = joint.sides.each_ref().map(|side| side.place.text());
     let values = match joint.kind {

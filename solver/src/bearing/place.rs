@@ -104,7 +104,8 @@ impl Joined {
         let twists = part.other.is_none()
             && (sides.torque_section.is_some() || sides.whole_sections[0].is_some());
         let twists = twists || sides.gear.is_some() && sides.sections[0].is_some();
-        let turned = places[bore].rotation.filter(|_| sides.gear.is_some() && is_free(&bodies[bore]));
+        let turned =
+            places[bore].rotation.filter(|_| sides.gear.is_some() && is_free(&bodies[bore]));
         Joined { bore, twisted: twists.then_some(journal), turned }
     }
 
@@ -312,7 +313,12 @@ impl Placing<'_> {
     fn bores_of(&mut self, joined: Joined) -> usize {
         let known = self.bores.iter().position(|own| own.joined == joined);
         known.unwrap_or_else(|| {
-            self.bores.push(PlacingBores { joined, rows: Vec::new(), offset: Vec::new(), given: Vec::new() });
+            self.bores.push(PlacingBores {
+                joined,
+                rows: Vec::new(),
+                offset: Vec::new(),
+                given: Vec::new(),
+            });
             self.bores.len() - 1
         })
     }

@@ -144,7 +144,8 @@ impl Parts {
         let loose =
             groups.iter().filter(|group| !matches!(group.from, From::Ground) && group.judges());
         let alone = loose.flat_map(|group| &group.members);
-        let alone = alone.filter_map(|&(place, inertia, _)| FreeTurn::new(machine, &[(place, inertia, 1.0)]));
+        let alone = alone
+            .filter_map(|&(place, inertia, _)| FreeTurn::new(machine, &[(place, inertia, 1.0)]));
         let turns = together.chain(alone).collect();
         Parts { first, all, turns, groups }
     }
@@ -154,7 +155,10 @@ impl Parts {
         out.copy_from_slice(&state.q[self.first..]);
         for group in &self.groups {
             let from = group.zero(|place| state.q[place]);
-            group.members.iter().for_each(|(place, _, ratio)| out[place - self.first] -= ratio * from);
+            group
+                .members
+                .iter()
+                .for_each(|(place, _, ratio)| out[place - self.first] -= ratio * from);
         }
     }
 
@@ -165,7 +169,10 @@ impl Parts {
         for group in &self.groups {
             let of = |place: usize| if place < first { 0.0 } else { motion[place - first] };
             let from = group.zero(of);
-            group.members.iter().for_each(|(place, _, ratio)| motion[place - first] -= ratio * from);
+            group
+                .members
+                .iter()
+                .for_each(|(place, _, ratio)| motion[place - first] -= ratio * from);
         }
     }
 }
@@ -187,7 +194,8 @@ impl Group {
             From::Given(place, ratio) => ratio * angle(place),
             From::Mean => {
                 let members = || self.members.iter();
-                let inertia: f64 = members().map(|(_, inertia, ratio)| inertia * ratio * ratio).sum();
+                let inertia: f64 =
+                    members().map(|(_, inertia, ratio)| inertia * ratio * ratio).sum();
                 let weighed =
                     members().map(|(place, inertia, ratio)| inertia * ratio * angle(*place));
                 weighed.sum::<f64>() / inertia
@@ -230,7 +238,9 @@ fn groups(equations: &Equations) -> Vec<Group> {
             let mut tied = given.iter().filter(|(own, ..)| trains.train(*own) == name);
             let from = match (places.clone().any(|place| ground.contains(&place)), tied.next()) {
                 (true, _) => From::Ground,
-                (false, Some(&(own, place, ratio))) => From::Given(place, ratio / trains.ratio(own)),
+                (false, Some(&(own, place, ratio))) => {
+                    From::Given(place, ratio / trains.ratio(own))
+                }
                 (false, None) => From::Mean,
             };
             let member = |place: usize| (place, inertia(machine, place), trains.ratio(place));

@@ -92,7 +92,9 @@ impl LinearMachine {
             let theta = self.machine.places()[body].rotation?;
             let is_unknown = theta >= self.machine.first_unknown();
             // At a speed that is told a body swings as well, if it turns freely and joints tie it to others.
-            let swings = at.get(body).copied().flatten().is_none() || tied.contains(&theta);
+            let swings = at.get(body).copied().flatten().is_none()
+                || self.all_swing
+                || tied.contains(&theta);
             (is_unknown && swings).then_some(theta)
         });
         let mut angles: Vec<usize> = free.collect();
@@ -139,7 +141,15 @@ impl LinearMachine {
             let [mass, damping, stiffness] = self.in_frame((&at.angles, tangents), &seen);
             let (angles, turning) = (at.angles.len(), self.turning_by(at));
             let varying = None;
-            return Ok(Linearised { angles, turning, mass, damping, stiffness, frame: 0.0, varying });
+            return Ok(Linearised {
+                angles,
+                turning,
+                mass,
+                damping,
+                stiffness,
+                frame: 0.0,
+                varying,
+            });
         };
         self.varying(at, uneven, body)
     }

@@ -49,8 +49,6 @@ pub enum Node {
 pub struct Torque {
     /// Place of the joint.
     pub joint: usize,
-    /// By what its columns are called.
-    pub label: String,
     /// On the sections of both bodies (N·m).
     pub torques: [f64; 2],
     /// Force of the teeth along the line of action (N), of gears: below zero if they pull.
@@ -62,9 +60,10 @@ pub(super) fn along_axis(body: &Body, square: &Matrix) -> Result<Vec<Vec<f64>>, 
     let Some(shaft) = body.shaft().filter(|own| own.size() > 0) else { return Ok(Vec::new()) };
     let n = shaft.size();
     let of_node = |node: &BodyNode| -> Vec<f64> { (0..n).map(|j| node.shapes[(2, j)]).collect() };
-    let of_mean = body.measures().iter().map(|own| -> Vec<f64> {
-        (0..n).map(|j| own.displacement[(2, j)]).collect()
-    });
+    let of_mean = body
+        .measures()
+        .iter()
+        .map(|own| -> Vec<f64> { (0..n).map(|j| own.displacement[(2, j)]).collect() });
     let centre = std::iter::once(of_node(&shaft.centre_of_mass.node));
     let rows = centre.chain(of_mean).chain(body.nodes().iter().map(of_node));
     let mut mass = Cholesky::new(n);
@@ -134,7 +133,10 @@ impl LinearMachine {
     }
 
     /// Twists of the bodies, and nodes between them.
-    fn twists(&self, (turning, twisted): (&[usize], &[Complex64])) -> (Vec<Option<f64>>, Vec<Node>) {
+    fn twists(
+        &self,
+        (turning, twisted): (&[usize], &[Complex64]),
+    ) -> (Vec<Option<f64>>, Vec<Node>) {
         let machine = &self.machine;
         let ratios = machine.train_ratios();
         // By joint and side the turn of the section, in the speed of the first body of the train.
@@ -194,7 +196,7 @@ impl LinearMachine {
                 Some([own, other]) => (first * other / own, Some(-first / own)),
                 None => (-first, None),
             };
-            Torque { joint, label: monitor.label.clone(), torques: [first, second], force }
+            Torque { joint, torques: [first, second], force }
         });
         joints.collect()
     }

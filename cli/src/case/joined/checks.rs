@@ -314,7 +314,9 @@ fn acts_along(joint: &Joint, axis: usize) -> bool {
 
 /// Whether joints are in one plane as far as the case says where they are.
 fn in_one_plane(joints: &[&Joint]) -> bool {
-    let across = || joints.iter().filter(|joint| !matches!(joint.kind, JointKind::Coupling | JointKind::Gear));
+    let across = || {
+        joints.iter().filter(|joint| !matches!(joint.kind, JointKind::Coupling | JointKind::Gear))
+    };
     if across().any(|joint| long(joint)) {
         return false;
     }

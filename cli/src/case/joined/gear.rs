@@ -34,10 +34,12 @@ pub(super) fn read(table: &Table) -> Option<Parts> {
     let internal = table.optional_boolean("internal").unwrap_or(false);
     let pressure_angle = table.quantity("pressure_angle").unwrap_or(PRESSURE_ANGLE);
     let given = |key: &str| table.exact_quantity(key);
-    let [stiffness, damping, backlash] =
-        ["mesh_stiffness", "mesh_damping", "backlash"].map(given);
+    let [stiffness, damping, backlash] = ["mesh_stiffness", "mesh_damping", "backlash"].map(given);
     if !table.has("mesh_stiffness") {
-        table.absent("mesh_stiffness", "add `mesh_stiffness = \"2e8 N/m\"`, along the line of action");
+        table.absent(
+            "mesh_stiffness",
+            "add `mesh_stiffness = \"2e8 N/m\"`, along the line of action",
+        );
     }
     let sizes = ["teeth", "pitch_radii"].into_iter().find(|key| table.has(key));
     if sizes.is_none() {
@@ -56,7 +58,8 @@ pub(super) fn read(table: &Table) -> Option<Parts> {
             let message = format!(
                 "the ratio of the pitch radii is {radii:.7}, and that of the teeth {teeth:.7}"
             );
-            let help = "leave `pitch_radii` out: they follow from the teeth and the distance of the axes";
+            let help =
+                "leave `pitch_radii` out: they follow from the teeth and the distance of the axes";
             let at = table.written("pitch_radii");
             table.push(at.error_here(Code::BAD_VALUE, message).help(help));
         }
@@ -86,12 +89,7 @@ pub(super) fn read(table: &Table) -> Option<Parts> {
 }
 
 /// Two values of a key.
-fn pair(
-    table: &Table,
-    key: &str,
-    values: &[f64],
-    fits: impl Fn(&f64) -> bool,
-) -> Option<[f64; 2]> {
+fn pair(table: &Table, key: &str, values: &[f64], fits: impl Fn(&f64) -> bool) -> Option<[f64; 2]> {
     if !table.gives(key) {
         return None;
     }
@@ -111,7 +109,8 @@ pub(super) fn wrong(machine: &JoinedMachine, joint: &Joint) -> Option<(Located, 
     for side in &joint.sides {
         let body = side.body.map(|body| &machine.bodies[body]);
         let Some(body) = body.filter(|own| own.turns()) else {
-            let what = side.body.map_or("the ground".to_owned(), |_| format!("`{}`", side.place.text()));
+            let what =
+                side.body.map_or("the ground".to_owned(), |_| format!("`{}`", side.place.text()));
             let message = format!("{what} does not turn: both gears are on bodies that do");
             let help = "name a body with `turns = \"free\"` or `turns = \"prescribed\"`";
             return Some((side.place.clone(), message, help.to_owned()));
@@ -137,7 +136,8 @@ fn distance(
     let [first, second] = bodies.map(|own| own.name.text());
     let mm = |own: f64| whirl_text::rounded(1e3 * own, 9);
     if found == 0.0 {
-        let message = format!("`{first}` and `{second}` turn about one axis, where no gear can join them");
+        let message =
+            format!("`{first}` and `{second}` turn about one axis, where no gear can join them");
         let at = gears.distance().unwrap_or(0.1);
         let [own_x, own_y] = bodies[0].axis;
         let help = format!(

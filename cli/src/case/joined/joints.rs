@@ -67,7 +67,8 @@ pub(super) fn read(
         return None;
     }
     let parts = parts?;
-    let Parts { springs, law, parameters, mut facts, clearance, stations, angle, gears, .. } = parts;
+    let Parts { springs, law, parameters, mut facts, clearance, stations, angle, gears, .. } =
+        parts;
     let sets = |side: &Side| match side.sets.as_slice() {
         [one] => vec![one.clone(); 3],
         sets => sets.to_vec(),

@@ -13,8 +13,8 @@ mod matrices;
 mod parts;
 pub(super) mod schema;
 
-pub(super) use self::joints::stop;
 pub(crate) use self::gear::apart;
+pub(super) use self::joints::stop;
 
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;

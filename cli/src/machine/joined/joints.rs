@@ -96,7 +96,9 @@ pub(super) fn place(
             sides.surface = Some(surfaces::bore(plan, (set, &nodes), springs, errors)?);
             [const { Vec::new() }; 3]
         }
-        Some(body) if !coupling && !gear => bore(joint, joined, body, (z, sides.bore_axis), errors)?,
+        Some(body) if !coupling && !gear => {
+            bore(joint, joined, body, (z, sides.bore_axis), errors)?
+        }
         _ => [const { Vec::new() }; 3],
     };
     let rigid = !matches!(bodies.get(second), Some(PlannedBody::Meshed(_)));

@@ -70,9 +70,11 @@ fn forces_of_every_kind_of_law_do_the_work_of_their_measures() {
 #[test]
 fn kinds_of_laws_know_what_they_need() {
     let spec = read(JOURNAL).expect("a clearance");
-    let [normal, spring, ring, joint] = spec.contacts.as_slice() else { panic!("four kinds") };
-    let places = [normal, spring, ring, joint].map(|own| own.place);
-    assert_eq!(places, [Place::Spring, Place::Spring, Place::Ring, Place::Joint]);
+    let [normal, spring, ring, joint, gear] = spec.contacts.as_slice() else {
+        panic!("five kinds")
+    };
+    let places = [normal, spring, ring, joint, gear].map(|own| own.place);
+    assert_eq!(places, [Place::Spring, Place::Spring, Place::Ring, Place::Joint, Place::Joint]);
     let motions = |contact: &Contact| contact.bore.iter().map(|(m, _)| *m).collect::<Vec<_>>();
     use BoreMotion::{MeanTurn, MeanX, MeanY, Radial, SectionTurn, Tangential};
     assert_eq!(motions(normal), [Radial]);
@@ -81,6 +83,8 @@ fn kinds_of_laws_know_what_they_need() {
     use BoreMotion::{MeanTiltX, MeanTiltY, MeanZ, SectionTiltX, SectionTiltY, SectionZ};
     let of_sections = [MeanZ, MeanTiltX, MeanTiltY, SectionZ, SectionTiltX, SectionTiltY];
     assert_eq!(motions(joint), [motions(ring), of_sections.to_vec()].concat());
+    use BoreMotion::{SecondFrame, SecondTurn};
+    assert_eq!(motions(gear), [MeanX, MeanY, SectionTurn, SecondFrame, SecondTurn]);
     let units = |contact: &Contact| {
         contact.inputs.iter().map(|input| input.unit.clone()).collect::<Vec<_>>()
     };

@@ -158,8 +158,11 @@ const GEAR_INPUTS: &[Quantity] = &[
     quantity("e_n_dot", Dimension::SPEED, "rate of e_n"),
 ];
 
-const GEAR_OUTPUTS: &[Quantity] =
-    &[quantity("F_n", Dimension::FORCE, "force along the line of action, negative if it pushes the teeth apart")];
+const GEAR_OUTPUTS: &[Quantity] = &[quantity(
+    "F_n",
+    Dimension::FORCE,
+    "force along the line of action, negative if it pushes the teeth apart",
+)];
 
 /// Everything that a law of any kind can take or give, each name once, and the kind that tells itself by it: the only one
 /// that knows it, or the one whose names the others that know it have all of.
