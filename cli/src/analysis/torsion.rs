@@ -24,6 +24,8 @@ use crate::signals::Interruption;
 const SHARE: f64 = 0.1;
 /// Modes that are looked for beside each that is asked for: most move sideways.
 const BESIDE: usize = 3;
+/// Modes that are drawn in any case.
+const FEW: usize = 2;
 /// Mode shapes in the figure.
 const SHAPES: usize = 4;
 /// Speeds are alike to this share.
@@ -475,6 +477,14 @@ impl Train<'_> {
 
     fn figure(&self) -> Figure {
         let all = self.campbell;
+        let ends = [all.speeds.first(), all.speeds.last()].map(|own| own.copied().unwrap_or(0.0));
+        let excited = self.excitations.iter().map(|own| own.order * ends[1].abs() / TAU);
+        let excited = 1.05 * excited.fold(0.0, f64::max);
+        // Modes beyond all excitations say nothing in this diagram, but it has some.
+        let shown = |(number, line): &(usize, Line)| {
+            let least = line.points.iter().map(|own| own.1).fold(f64::INFINITY, f64::min);
+            *number < FEW || least <= excited
+        };
         let lines = self.branches.iter().map(|&branch| Line {
             points: all.branches[branch]
                 .iter()
@@ -484,6 +494,7 @@ impl Train<'_> {
             style: Style::First,
             name: "modes of torsion".to_owned(),
         });
+        let lines = lines.enumerate().filter(shown).map(|own| own.1);
         let mut diagram = Panel {
             title: "interference diagram".to_owned(),
             x: format!("speed of {} (rpm)", self.body()),
@@ -493,7 +504,6 @@ impl Train<'_> {
         };
         let points = diagram.lines.iter().flat_map(|own| &own.points);
         let highest = 1.1 * points.fold(0.0, |most: f64, own| most.max(own.1));
-        let ends = [all.speeds.first(), all.speeds.last()].map(|own| own.copied().unwrap_or(0.0));
         let styles = [Style::Limit, Style::Third, Style::Fourth, Style::Second];
         let mut kinds: Vec<&str> = Vec::new();
         for own in self.excitations {

@@ -38,7 +38,7 @@ fn a_force_does_no_work_that_the_clearance_does_not_do() {
 fn forces_of_every_kind_of_law_do_the_work_of_their_measures() {
     // Σ (generalised force) · (rate) = Σ F_m ẋ_m, and no kind works on a uniform motion of shaft and bore.
     let spec = read(JOURNAL).expect("a clearance");
-    assert_eq!(spec.contacts.len(), 4);
+    assert_eq!(spec.contacts.len(), 5);
     for contact in &spec.contacts {
         let mut d = spec.derive(contact).expect("derivatives");
         let coordinates: Vec<Id> = spec.ring.iter().map(|c| c.symbol).collect();
