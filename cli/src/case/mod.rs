@@ -50,7 +50,7 @@ pub(crate) use cycle::TWO_REVOLUTIONS;
 pub(crate) use embedded::embedded_cases;
 pub(crate) use fields::Fields;
 pub(crate) use gravity::Gravity;
-pub(crate) use joined::apart;
+pub(crate) use joined::axes_apart;
 pub(crate) use joined_machine::{
     Drive as JoinedDrive, InputForm, JoinedMachine, Load as JoinedLoad,
 };

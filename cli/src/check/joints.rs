@@ -89,7 +89,7 @@ fn teeth(joint: &Joint, joined: &JoinedMachine) -> String {
     else {
         return String::new();
     };
-    let [x, y] = case::apart([first, second].map(|body| &joined.bodies[body]));
+    let [x, y] = case::axes_apart([first, second].map(|body| &joined.bodies[body]));
     let [own, other] = gears.pitch_radii(x.hypot(y)).map(|radius| rounded(1e3 * radius, 6));
     let of = |name: &str| {
         let found = joint.bearing.parameters.iter().find(|own| own.name() == name);

@@ -1,4 +1,4 @@
-//! Two gears on bodies whose axes are apart, and the turns that joints tie together.
+//! Two gears on bodies whose axes are apart.
 //!
 //! Along the line of action with the unit vector n, on which the first gear pushes the second, teeth overlap by
 //! e_n = n·(u₁ − u₂) + r₁θ₁ + r₂θ₂, with the displacements u of the centres in space, base radii r (that of an internal gear
@@ -7,9 +7,6 @@
 
 use whirl_specs::BoreMotion;
 
-use super::Bearing;
-use super::plane::Plane;
-use super::springs::Springs;
 use crate::bodies::{Body, BodyPlace};
 
 /// The teeth of two gears.
@@ -50,33 +47,6 @@ pub(crate) struct FlankPlane {
     pub(super) rotations: [usize; 2],
 }
 
-/// Places in q of rotations that a plane ties elastically, each with a speed that goes with those of the others.
-pub(crate) type Tied = Vec<(usize, f64)>;
-
-impl Springs {
-    /// The rotations between which the law of a plane acts by their angles.
-    pub(crate) fn tied(&self, plane: usize, rotations: usize) -> Tied {
-        let plane = &self.planes[plane];
-        match &plane.flank {
-            Some(own) => vec![(own.rotations[0], 1.0), (own.rotations[1], own.flank.speed_ratio())],
-            None => {
-                let places = plane.rows[0].iter().map(|(place, _)| *place);
-                places.filter(|&place| place < rotations).map(|place| (place, 1.0)).collect()
-            }
-        }
-    }
-
-    /// Speed of the body on the second side of a plane over that on the first where teeth mesh, even if they do not touch.
-    pub(crate) fn gear_ratio(&self, plane: usize) -> Option<f64> {
-        self.planes[plane].flank.map(|own| own.flank.speed_ratio())
-    }
-
-    /// Base radii of the gears of a plane (m), with their signs.
-    pub(crate) fn base_radii(&self, plane: usize) -> Option<[f64; 2]> {
-        self.planes[plane].flank.map(|own| own.flank.radii)
-    }
-}
-
 /// A motion of the second gear, or of the section of the first: a row over the coordinates of a body, what its frame's
 /// rotation brings to it, and what is added (m, rad).
 pub(super) struct GearRow {
@@ -88,7 +58,7 @@ pub(super) struct GearRow {
 
 impl GearRow {
     pub(super) fn new(
-        bearing: &Bearing,
+        sections: [Option<usize>; 2],
         (gear, flank): (&Gear, &Flank),
         bodies: [&Body; 2],
         motion: BoreMotion,
@@ -96,7 +66,7 @@ impl GearRow {
         let node = &bodies[1].nodes()[gear.second];
         let shape = |axis: usize| (0..bodies[1].size()).map(|j| node.shapes[(axis, j)]).collect();
         let turn = |side: usize, factor: f64| {
-            let Some(section) = bearing.sides.sections[side] else { return Vec::new() };
+            let Some(section) = sections[side] else { return Vec::new() };
             let rotation = &bodies[side].measures()[section].rotation;
             (0..rotation.cols).map(|j| factor * rotation[(2, j)]).collect()
         };
@@ -119,19 +89,10 @@ impl GearRow {
     }
 }
 
-impl Plane {
+impl FlankPlane {
     /// Where the angle of its ring is counted from (rad).
     pub(super) fn first_angle(&self) -> f64 {
-        self.flank.map_or(0.0, |own| -own.flank.direction)
-    }
-}
-
-/// How far a unit of a rotation moves the teeth of the planes (m), squared: one value a place of q.
-pub(super) fn reach_of_rotations(planes: &[Plane], squares: &mut [f64]) {
-    for own in planes.iter().filter_map(|plane| plane.flank) {
-        for (place, radius) in own.rotations.into_iter().zip(own.flank.radii) {
-            squares[place] += radius * radius;
-        }
+        -self.flank.direction
     }
 }
 

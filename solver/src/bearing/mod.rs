@@ -22,6 +22,7 @@ mod spin;
 mod spline;
 mod springs;
 pub(crate) mod state;
+mod tied;
 mod valid;
 pub(crate) mod work;
 
@@ -35,12 +36,12 @@ pub use valid::{Measure, Worst};
 
 pub(crate) use bore::axis_motion;
 pub(crate) use bores::Bores;
-pub(crate) use gear::Tied;
 pub(crate) use mirrors::BlockMemory;
 pub(crate) use on_section::OnJournal;
 pub(crate) use plane::Plane;
 pub(crate) use rounding::SpringRounding;
 pub(crate) use state::TurnedRows;
+pub(crate) use tied::Tied;
 
 /// A journal in its bore, as a case describes it.
 #[derive(Debug, Clone, PartialEq)]

@@ -222,7 +222,8 @@ impl Placing<'_> {
                 let bodies = bearing.sides.bodies.map(|body| &self.bodies[body]);
                 for flank in &gear.flanks {
                     for (place_of_motion, motion) in kind.bore.iter().enumerate() {
-                        let found = GearRow::new(bearing, (gear, flank), bodies, *motion);
+                        let found =
+                            GearRow::new(bearing.sides.sections, (gear, flank), bodies, *motion);
                         let mut row = wide(found.row, bearing.sides.bodies[found.side]);
                         if found.by_rotation != 0.0 {
                             let theta = self.places[body].rotation;
@@ -508,7 +509,11 @@ fn reach(
         let twist = plane.rows[0].iter().filter(|(place, _)| !rotations.contains(place));
         twist.for_each(|&(place, part)| squares[place] += (plane.arm * part).powi(2));
     }
-    gear::reach_of_rotations(planes, &mut squares);
+    for own in planes.iter().filter_map(|plane| plane.flank) {
+        for (place, radius) in own.rotations.into_iter().zip(own.flank.radii) {
+            squares[place] += radius * radius;
+        }
+    }
     for own in bores {
         for (j, place) in own.place.clone().enumerate() {
             if rotations.contains(&place) {

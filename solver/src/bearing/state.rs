@@ -101,7 +101,7 @@ impl PlaneState {
             Some(spin) => spin.ring([x, y], [x_dot, y_dot], c),
             None => Ring { position: self.position, velocity: self.velocity, c },
         };
-        ring.position[0] += plane.first_angle();
+        ring.position[0] += plane.flank.map_or(0.0, |own| own.first_angle());
         ring.position[1] += plane.run_out[0];
         ring.position[2] += plane.run_out[1];
         ring

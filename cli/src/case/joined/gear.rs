@@ -122,7 +122,7 @@ pub(super) fn wrong(machine: &JoinedMachine, joint: &Joint) -> Option<(Located, 
 }
 
 /// Axis of the second body less that of the first (m).
-pub(crate) fn apart([first, second]: [&NamedBody; 2]) -> [f64; 2] {
+pub(crate) fn axes_apart([first, second]: [&NamedBody; 2]) -> [f64; 2] {
     [0, 1].map(|axis| second.axis[axis] - first.axis[axis])
 }
 
@@ -131,7 +131,7 @@ fn distance(
     joint: &Joint,
     bodies: [&NamedBody; 2],
 ) -> Option<(Located, String, String)> {
-    let [x, y] = apart(bodies);
+    let [x, y] = axes_apart(bodies);
     let found = x.hypot(y);
     let [first, second] = bodies.map(|own| own.name.text());
     let mm = |own: f64| whirl_text::rounded(1e3 * own, 9);

@@ -13,7 +13,7 @@ mod matrices;
 mod parts;
 pub(super) mod schema;
 
-pub(crate) use self::gear::apart;
+pub(crate) use self::gear::axes_apart;
 pub(super) use self::joints::stop;
 
 use whirl_codegen::diagnostic::{Code, Located};

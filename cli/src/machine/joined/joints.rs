@@ -68,10 +68,11 @@ pub(super) fn place(
     sides.whole_sections = others::whole_sections(joint, bodies, errors);
     let of_journal = if turns(joined, first) { [0.0; 2] } else { own };
     let journal = journal(joint, &mut bodies[first], (of_journal, z), errors)?;
-    if let Some(gears) = &joint.gears {
-        let pair = [first, second].map(|body| &joined.bodies[body]);
+    // A side on the ground is an error that was noted.
+    let pair = joint.sides.each_ref().map(|side| Some(&joined.bodies[side.body?]));
+    if let (Some(gears), [Some(own), Some(other)]) = (&joint.gears, pair) {
         let second = centre_of(&joint.sides[1], &mut bodies[second], z[1], errors)?;
-        sides.gear = Some(Gear { second, flanks: gears.flanks(case::apart(pair)) });
+        sides.gear = Some(Gear { second, flanks: gears.flanks(case::axes_apart([own, other])) });
     }
     if joint.kind == JointKind::Bushing {
         // Where it stands, and not on the axis of a body: its second side may turn a little.
