@@ -198,9 +198,8 @@ impl Train {
             determinant *= a[k][k];
             for i in k + 1..SIZE {
                 let factor = a[i][k] / a[k][k];
-                for j in k..SIZE {
-                    a[i][j] -= factor * a[k][j];
-                }
+                let first = a[k];
+                a[i].iter_mut().zip(first).skip(k).for_each(|(own, first)| *own -= factor * first);
             }
         }
         determinant

@@ -64,12 +64,11 @@ pub(super) fn read(table: &Table) -> Option<Parts> {
             table.push(at.error_here(Code::BAD_VALUE, message).help(help));
         }
     }
-    if let (true, Some([first, second])) = (internal, teeth.or(radii)) {
-        if first == second {
-            let message = "an internal gear is larger than the one that turns in it";
-            let at = table.written(sizes.unwrap_or("teeth"));
-            table.push(at.error_here(Code::BAD_VALUE, message).help("give them different sizes"));
-        }
+    let alike = teeth.or(radii).is_some_and(|[first, second]| first == second);
+    if internal && alike {
+        let message = "an internal gear is larger than the one that turns in it";
+        let at = table.written(sizes.unwrap_or("teeth"));
+        table.push(at.error_here(Code::BAD_VALUE, message).help("give them different sizes"));
     }
     if table.errors() > before {
         return None;
