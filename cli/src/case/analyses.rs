@@ -172,7 +172,6 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
     let margin = if given { table.number_or_middle("margin") } else { MARGIN };
     let format = table.optional_word("format").and_then(MatrixFormat::of);
     let kind = kind?;
-    of_torsion(table, kind);
     let mut analysis = Analysis {
         name: name.to_owned(),
         count,
@@ -221,17 +220,6 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
     }
     errors.iter().for_each(|error| table.push(error.clone()));
     Some(analysis)
-}
-
-/// Notes keys of torsion in an analysis of another kind, which would have no effect.
-fn of_torsion(table: &Table, kind: AnalysisKind) {
-    for key in ["mesh_orders", "operation", "margin"] {
-        if kind != AnalysisKind::Torsion && table.gives(key) {
-            let message = format!("`{key}` is of torsion, and this analysis is `{}`", kind.word());
-            let help = "leave it out, or write `kind = \"torsion\"`";
-            table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
-        }
-    }
 }
 
 /// The body that turns and is called so.
