@@ -308,6 +308,61 @@ fn the_order_of_sides_and_bodies_changes_nothing() {
     }
 }
 
+/// Unbalance moves both shafts through the teeth, as the equations say, and has one order.
+#[test]
+fn unbalance_acts_through_the_teeth() {
+    let train = Train { turn: 50.0, ..PLAIN };
+    let unbalance = "unbalance.own = { mass = \"3 g\", radius = \"40 mm\" }\n";
+    let case = train.case([0.0; 2], "");
+    let case = case.replacen("[body.pinion]\n", &format!("[body.pinion]\n{unbalance}"), 1);
+    let bench = Workbench::new().file("case.toml", &case);
+    let arguments = ["response", "case.toml", "--speeds", "3000 rpm", "--of", "motor"];
+    ran(&bench, &[&arguments[..], &["--out", "out", "--no-figures"]].concat());
+    // (K − ω²M) u of unit forces on the pinion along x and y: X = F (u_x − i u_y).
+    let omega = 3000.0 * TAU / 60.0;
+    let inertia = masses();
+    let mut columns = [[0.0; SIZE]; SIZE];
+    for (j, column) in columns.iter_mut().enumerate() {
+        let mut unit = [0.0; SIZE];
+        unit[j] = 1.0;
+        let force = train.acceleration(&unit, &[0.0; SIZE], [0.0; 2]);
+        *column = std::array::from_fn(|i| -force[i] * inertia[i]);
+        column[j] -= omega * omega * inertia[j];
+    }
+    let solved = |place: usize| -> [f64; SIZE] {
+        // Symmetric: rows are columns.
+        let mut a = columns;
+        let mut x = [0.0; SIZE];
+        x[place] = 1.0;
+        for k in 0..SIZE {
+            let (first, own) = (a[k], x[k]);
+            for i in k + 1..SIZE {
+                let factor = a[i][k] / first[k];
+                a[i].iter_mut().zip(first).for_each(|(sum, part)| *sum -= factor * part);
+                x[i] -= factor * own;
+            }
+        }
+        for k in (0..SIZE).rev() {
+            let rest: f64 = (k + 1..SIZE).map(|j| a[k][j] * x[j]).sum();
+            x[k] = (x[k] - rest) / a[k][k];
+        }
+        x
+    };
+    let force = 3e-3 * 0.04 * omega * omega;
+    let (along, across) = (solved(4), solved(5));
+    let points = column(&bench, "out/response.csv", "point");
+    let orders = numbers(&bench, "out/response.csv", "order");
+    assert!(orders.iter().all(|own| *own == 1.0), "{orders:?}");
+    for (name, first) in [("joint.pinion", 4), ("joint.wheel", 6)] {
+        let place = points.iter().position(|own| own == name).expect("a point");
+        for (k, axis) in ["x_um", "y_um"].into_iter().enumerate() {
+            let exact = 1e6 * force * along[first + k].hypot(across[first + k]);
+            let found = numbers(&bench, "out/response.csv", axis)[place];
+            assert!((found / exact - 1.0).abs() < 1e-6, "{name} {axis}: {found} {exact}");
+        }
+    }
+}
+
 /// Coordinates at the end of a march: angles (rad), displacements (m).
 fn marched(train: &Train, couples: [f64; 2], step: &str, steps: usize) -> [f64; SIZE] {
     let march = format!("[march]\ntime_step = \"{step}\"\nsteps = {steps}\n");

@@ -1,6 +1,7 @@
 //! Rotations that laws of the angle tie to each other: of torsional couplings and of gears.
 
 use super::springs::Springs;
+use super::state::SpringState;
 
 /// Places in q of rotations that a plane ties elastically, each with a speed that goes with those of the others.
 pub(crate) type Tied = Vec<(usize, f64)>;
@@ -26,5 +27,31 @@ impl Springs {
     /// Base radii of the gears of a plane (m), with their signs.
     pub(crate) fn base_radii(&self, plane: usize) -> Option<[f64; 2]> {
         self.planes[plane].flank.map(|own| own.flank.radii)
+    }
+}
+
+impl SpringState {
+    /// Subtracts the generalised forces of laws that tie rotations to each other from those on q; not those on rotations that are
+    /// given.
+    pub(crate) fn subtract_ties(&self, springs: &Springs, rotations: usize, out: &mut [f64]) {
+        for (place, plane) in springs.planes.iter().enumerate() {
+            if !springs.may_twist(place) || springs.tied(place, rotations).len() < 2 {
+                continue;
+            }
+            for (row, force) in self.rows(place).iter().zip(self.plane_force(place)) {
+                row.iter().for_each(|&(j, part)| out[j] -= part * force);
+            }
+            let (law, own) = (&springs.laws[plane.law], &self.laws[plane.law]);
+            let bores = &springs.bores[law.bores];
+            for (motion, first) in law.motions.iter().enumerate() {
+                let Some(first) = *first else { continue };
+                for j in plane.springs.clone() {
+                    let force = own.bore_force[motion * law.springs + j];
+                    let column = bores.transposed.col(first + j);
+                    let own = out[bores.place.clone()].iter_mut().zip(column);
+                    own.for_each(|(sum, part)| *sum -= part * force);
+                }
+            }
+        }
     }
 }
