@@ -31,15 +31,14 @@ impl Springs {
 }
 
 impl SpringState {
-    /// Subtracts the generalised forces of laws that tie rotations to each other from those on q; not those on rotations that are
-    /// given.
-    pub(crate) fn subtract_ties(&self, springs: &Springs, rotations: usize, out: &mut [f64]) {
+    /// Adds the generalised forces on q of laws that do not tie rotations to each other.
+    pub(crate) fn add_forces_but_ties(&self, springs: &Springs, rotations: usize, out: &mut [f64]) {
         for (place, plane) in springs.planes.iter().enumerate() {
-            if !springs.may_twist(place) || springs.tied(place, rotations).len() < 2 {
+            if springs.may_twist(place) && springs.tied(place, rotations).len() > 1 {
                 continue;
             }
             for (row, force) in self.rows(place).iter().zip(self.plane_force(place)) {
-                row.iter().for_each(|&(j, part)| out[j] -= part * force);
+                row.iter().for_each(|&(j, part)| out[j] += part * force);
             }
             let (law, own) = (&springs.laws[plane.law], &self.laws[plane.law]);
             let bores = &springs.bores[law.bores];
@@ -49,7 +48,7 @@ impl SpringState {
                     let force = own.bore_force[motion * law.springs + j];
                     let column = bores.transposed.col(first + j);
                     let own = out[bores.place.clone()].iter_mut().zip(column);
-                    own.for_each(|(sum, part)| *sum -= part * force);
+                    own.for_each(|(sum, part)| *sum += part * force);
                 }
             }
         }

@@ -234,11 +234,13 @@ impl LinearMachine {
     /// The residual at places of q, without what ties rotations to each other: a body that is turned alone would wind it up, and in
     /// truth all of its train turns.
     fn residual(&self, equations: &Equations, kept: &[usize]) -> Vec<f64> {
-        let machine = equations.machine;
-        let mut residual = equations.residual().to_vec();
-        let (springs, rotations) = (&machine.springs, machine.rotations());
-        equations.springs.subtract_ties(springs, rotations, &mut residual);
-        kept.iter().map(|&k| residual[k]).collect()
+        let (machine, own) = (equations.machine, equations);
+        let mut spring = vec![0.0; machine.size()];
+        own.springs.add_forces_but_ties(&machine.springs, machine.rotations(), &mut spring);
+        let residual = |&k: &usize| {
+            (own.inertia[k] - own.elastic[k]) + (own.load[k] + spring[k] - own.damper[k])
+        };
+        kept.iter().map(residual).collect()
     }
 
     /// Bodies that have unbalance, by their places.
