@@ -39,6 +39,8 @@ pub(crate) enum Command {
     Coefficients(ModesArguments),
     /// The least stable mode over speed, with stability thresholds
     Stability(ModesArguments),
+    /// Torsional modes of a train with couplings and gears, its interference diagram and static torques
+    Torsion(ModesArguments),
     /// Undamped critical speed map: critical speeds over the stiffness of the supports
     Map(MapArguments),
     /// Mass, damping and stiffness matrices, inputs, outputs and state space, in files for other programs
@@ -173,7 +175,7 @@ pub(crate) struct MapArguments {
     pub(crate) results: AnalysisOutput,
 }
 
-/// Arguments of `whirl modes`, `campbell`, `response`, `coefficients` and `stability`.
+/// Arguments of `whirl modes`, `campbell`, `response`, `coefficients`, `stability` and `torsion`.
 #[derive(Debug, Args)]
 pub(crate) struct ModesArguments {
     /// Path of a case file, or the name of a built-in case (see `whirl list`)

@@ -14,6 +14,7 @@ mod explain;
 mod fields;
 mod figures;
 mod first_law;
+mod gears;
 mod good_runs;
 mod hostile;
 mod in_memory;

@@ -13,6 +13,7 @@ mod response;
 mod speeds;
 mod stability;
 mod states;
+mod torsion;
 mod words;
 
 use std::path::{Path, PathBuf};
@@ -23,7 +24,7 @@ use whirl_solver::linear::LinearMachine;
 use crate::arguments::{
     AnalyseArguments, AnalysisOutput, MapArguments, MatricesArguments, ModesArguments,
 };
-use crate::case::{self, Analysis, AnalysisKind, Case, MODES, MatrixFormat, ORDERS};
+use crate::case::{self, Analysis, AnalysisKind, Case};
 use crate::errors::Failure;
 use crate::output::Output;
 use crate::progress::{self, ProgressMode};
@@ -87,15 +88,10 @@ pub(crate) fn matrices(arguments: &MatricesArguments) -> Result<(), Failure> {
     let case = read(&arguments.case)?;
     let (of, speeds) = asked(&case, arguments.of.as_deref(), arguments.speeds.as_deref())?;
     let analysis = Analysis {
-        name: AnalysisKind::Matrices.word().to_owned(),
-        kind: AnalysisKind::Matrices,
         of,
         speeds,
-        ratios: Vec::new(),
-        count: MODES,
-        orders: ORDERS.to_vec(),
-        stiffness: Vec::new(),
         format: arguments.format,
+        ..Analysis::of_kind(AnalysisKind::Matrices)
     };
     let folder = arguments.out.clone().unwrap_or_else(|| usual(&case));
     let (quiet, cache) = (arguments.quiet, arguments.cache.clone());
@@ -153,15 +149,11 @@ fn described(
         });
     }
     Ok(Analysis {
-        name: kind.word().to_owned(),
-        kind,
         of,
         speeds,
-        ratios: Vec::new(),
         count,
-        orders: if orders.is_empty() { ORDERS.to_vec() } else { orders.to_vec() },
-        stiffness: Vec::new(),
-        format: MatrixFormat::default(),
+        orders: if orders.is_empty() { kind.orders() } else { orders.to_vec() },
+        ..Analysis::of_kind(kind)
     })
 }
 
@@ -221,6 +213,11 @@ fn run(
             }
             AnalysisKind::Map => map::found(case, &linear, wanted, &interruption, figures),
             AnalysisKind::Matrices => matrices::found(case, &linear, wanted, &interruption),
+            AnalysisKind::Torsion => {
+                let (train, released) =
+                    torsion::released((case, &linear), wanted.1.of, cache.as_ref())?;
+                torsion::found(case, &train, wanted, &released, &interruption, figures)
+            }
         };
         let found = progress::during(show, "analysing", work)?;
         if !arguments.quiet {

@@ -6,6 +6,7 @@ mod cycle;
 mod dimensions;
 mod embedded;
 mod fields;
+mod gears;
 mod gravity;
 mod joined;
 mod joined_machine;
@@ -42,13 +43,14 @@ use whirl_codegen::diagnostic::Source;
 use crate::errors::Failure;
 
 pub(crate) use analyses::{
-    Analysis, AnalysisKind, MODES, MatrixFormat, ORDERS, speeds, stiffness, turning,
+    Analysis, AnalysisKind, MODES, MatrixFormat, speeds, stiffness, turning,
 };
 pub(crate) use columns::Columns;
 pub(crate) use cycle::TWO_REVOLUTIONS;
 pub(crate) use embedded::embedded_cases;
 pub(crate) use fields::Fields;
 pub(crate) use gravity::Gravity;
+pub(crate) use joined::axes_apart;
 pub(crate) use joined_machine::{
     Drive as JoinedDrive, InputForm, JoinedMachine, Load as JoinedLoad,
 };

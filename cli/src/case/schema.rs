@@ -328,7 +328,7 @@ const ANALYSIS: &[Key] = &[
     merged(
         "kind",
         Words(AnalysisKind::WORDS),
-        "modes at a speed or followed over speeds, response, coefficients of joints, stability, undamped critical speeds, matrices for other programs",
+        "modes at a speed or followed over speeds, response, coefficients of joints, stability, undamped critical speeds, matrices for other programs, torsion of a train",
     ),
     key("of", Text, "the body whose speed it is; the fastest if left out").like("\"rotor\""),
     key(
@@ -340,7 +340,18 @@ const ANALYSIS: &[Key] = &[
     key("ratios", Named(&Number), "speeds of other bodies over that; as in the case if left out")
         .like("{ outer = -1.5 }"),
     key("count", Count(1, 200), "how many modes, the slowest ones; 10 if left out"),
-    key("orders", List(&Number), "of critical speeds; 1 if left out").like("[1, 2]"),
+    key(
+        "orders",
+        List(&Number),
+        "of critical speeds, 1 if left out; of torsion, of every shaft, 1 and 2 if left out",
+    )
+    .like("[1, 2]"),
+    key("mesh_orders", List(&Number), "of torsion: of the teeth of gears; 1 if left out")
+        .like("[1, 2]"),
+    key("operation", Text, "of torsion: speeds of operation; that of the case if left out")
+        .like("\"2700 rpm .. 3300 rpm\""),
+    key("margin", Between(0.0, 1.0), "of torsion: share by which modes keep off; 0.1 if left out")
+        .like("0.1"),
     key("stiffness", Text, "of the joints of a map, one or a range with a number")
         .like("\"1e5 N/m .. 1e10 N/m, 41, log\""),
     key("format", Words(MatrixFormat::WORDS), "of the files of matrices; npz if left out"),

@@ -32,6 +32,7 @@ mod state_space;
 mod stood;
 #[cfg(test)]
 mod tests;
+mod torsion;
 mod track;
 mod varying;
 
@@ -46,6 +47,7 @@ pub use range::Range;
 pub use response::{Point, Vibration};
 pub use round::LinearMachine;
 pub use state_space::StateSpace;
+pub use torsion::{Node, Torque, Torsion};
 
 #[cfg(doc)]
 use crate::machine::Machine;

@@ -7,7 +7,7 @@
 
 mod tangent;
 
-use super::rotations::{Rotations, Turn};
+use super::rotations::{Rotations, Turn, Twisting};
 use super::turning::TurningStart;
 use crate::equations::SpringTangent;
 use crate::equations::State;
@@ -467,15 +467,19 @@ fn twisting(
     equations: &mut Equations,
     tangent: &mut SpringTangent,
     state: &State,
-) -> Vec<[usize; 2]> {
+) -> Vec<Twisting> {
     let size = machine.size();
     equations.evaluate(0.0, state);
     tangent.subtract(&machine.springs, &equations.springs, 0.0, size, &mut vec![0.0; size * size]);
     let planes = machine.springs.planes.iter().enumerate();
-    let planes = planes.filter(|(plane, own)| {
-        own.other.is_none() && machine.springs.may_twist(*plane) && tangent.by_angle(*plane) != 0.0
+    let planes = planes.filter_map(|(plane, own)| {
+        let meshes = machine.springs.gear_ratio(plane);
+        let twists = own.other.is_none() && machine.springs.may_twist(plane);
+        let twists = twists && (meshes.is_some() || tangent.by_angle(plane) != 0.0);
+        let bodies = machine.monitors[own.bearing].bodies;
+        twists.then_some(Twisting { bodies, ratio: meshes.unwrap_or(1.0) })
     });
-    planes.map(|(_, own)| machine.monitors[own.bearing].bodies).collect()
+    planes.collect()
 }
 
 /// G0 of a body in the coordinates that its quarter turn leaves at rest: g + (L²)ᵀ g, as L² is −1 where it turns.
