@@ -318,7 +318,7 @@ const OUTPUT: &[Key] = &[
         .like("\"front\""),
     key("set", Text, "node set of a mesh: the motion of its node, or the mean of its nodes")
         .like("\"DISC\""),
-    key("z", POSITION, "on a rigid body; at its centre if left out"),
+    key("z", POSITION, "on a rigid body, at its centre if left out; of a mesh the mean of the section there"),
     key("frame", Words(&["space", "body"]), "whose components; space if left out"),
     key("components", NAMES, "of \"x\", \"y\" and \"z\"; x and y if left out")
         .like("[\"x\", \"y\"]"),
