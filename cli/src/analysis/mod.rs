@@ -96,6 +96,7 @@ pub(crate) fn matrices(arguments: &MatricesArguments) -> Result<(), Failure> {
         orders: ORDERS.to_vec(),
         stiffness: Vec::new(),
         format: arguments.format,
+        lateral: None,
     };
     let folder = arguments.out.clone().unwrap_or_else(|| usual(&case));
     let (quiet, cache) = (arguments.quiet, arguments.cache.clone());
@@ -162,6 +163,7 @@ fn described(
         orders: if orders.is_empty() { ORDERS.to_vec() } else { orders.to_vec() },
         stiffness: Vec::new(),
         format: MatrixFormat::default(),
+        lateral: None,
     })
 }
 

@@ -6,7 +6,7 @@ use whirl_codegen::document::Table;
 use whirl_codegen::document::tree::Place;
 use whirl_codegen::units::{Dimension, Quantity};
 
-use super::{JoinedMachine, names};
+use super::{JoinedMachine, Lateral, lateral, names};
 use crate::values::range::{Range, is_range};
 
 /// Speeds of a range that does not say how many.
@@ -36,6 +36,8 @@ pub(crate) struct Analysis {
     pub(crate) stiffness: Vec<f64>,
     /// Of matrices.
     pub(crate) format: MatrixFormat,
+    /// What standards ask for, of a lateral analysis.
+    pub(crate) lateral: Option<Box<Lateral>>,
 }
 
 /// What an analysis finds.
@@ -55,6 +57,8 @@ pub(crate) enum AnalysisKind {
     Map,
     /// Matrices of small motions at one speed or a few.
     Matrices,
+    /// What standards ask of response and stability.
+    Lateral,
 }
 
 /// A format in which matrices are written.
@@ -82,8 +86,8 @@ impl MatrixFormat {
 
 impl AnalysisKind {
     pub(super) const WORDS: &'static [&'static str] =
-        &["modes", "campbell", "response", "coefficients", "stability", "map", "matrices"];
-    const ALL: [AnalysisKind; 7] = [
+        &["modes", "campbell", "response", "coefficients", "stability", "map", "matrices", "lateral"];
+    const ALL: [AnalysisKind; 8] = [
         AnalysisKind::Modes,
         AnalysisKind::Campbell,
         AnalysisKind::Response,
@@ -91,6 +95,7 @@ impl AnalysisKind {
         AnalysisKind::Stability,
         AnalysisKind::Map,
         AnalysisKind::Matrices,
+        AnalysisKind::Lateral,
     ];
 
     /// As a case names it.
@@ -120,6 +125,13 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
     let count = table.optional_count("count").unwrap_or(MODES);
     let orders = table.positive_numbers("orders");
     let format = table.optional_word("format").and_then(MatrixFormat::of);
+    let lateral = match kind {
+        Some(AnalysisKind::Lateral) => Some(Box::new(lateral::read(table, joined)?)),
+        _ => {
+            lateral::refuse(table);
+            None
+        }
+    };
     let mut analysis = Analysis {
         name: name.to_owned(),
         kind: kind?,
@@ -130,6 +142,7 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
         orders: if orders.is_empty() { ORDERS.to_vec() } else { orders },
         stiffness: Vec::new(),
         format: format.unwrap_or_default(),
+        lateral,
     };
     let mut errors = Diagnostics::new();
     if let Some(speeds) = &speeds {
