@@ -54,7 +54,7 @@ pub(crate) use joined_machine::{
     Drive as JoinedDrive, InputForm, JoinedMachine, Load as JoinedLoad,
 };
 pub(crate) use joint::{Joint, JointKind, Side as JointSide};
-pub(crate) use lateral::{Lateral, PlacedUnbalance, Plane, Stage, StageSource, Variant};
+pub(crate) use lateral::{Lateral, Stage, StageSource, Variant};
 pub(crate) use law::{LawSource, NamedLaw};
 pub(crate) use library::{FileStore, refused};
 pub(crate) use loads::{Load, Spread};
