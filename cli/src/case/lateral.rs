@@ -97,8 +97,8 @@ pub(crate) struct Variant {
     pub(crate) set: Vec<Located>,
 }
 
-/// The editions whose formulas are known.
-pub(super) const EDITIONS: [usize; 2] = [7, 9];
+/// The edition whose formulas are taken where a case does not say one.
+const NEWEST: usize = 9;
 /// Words of a stage.
 pub(super) const STAGES: &[&str] = &["impeller", "blades"];
 /// Keys that other kinds of analysis have no use for.
@@ -134,7 +134,7 @@ pub(super) fn refuse(table: &Table) {
 /// Reads what the kind `lateral` asks for.
 pub(super) fn read(table: &Table, joined: Option<&JoinedMachine>) -> Option<Lateral> {
     let before = table.errors();
-    let edition = table.optional_count("edition").unwrap_or(EDITIONS[1]);
+    let edition = table.optional_count("edition").unwrap_or(NEWEST);
     for (key, what) in
         [("minimum_speed", "N_ma, the minimum allowable"), ("maximum_speed", "N_mc, the maximum continuous")]
     {
