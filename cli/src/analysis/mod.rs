@@ -22,7 +22,8 @@ use whirl_codegen::diagnostic::{Diagnostics, Located, suggest};
 use whirl_solver::linear::LinearMachine;
 
 use crate::arguments::{
-    AnalyseArguments, AnalysisOutput, LateralArguments, MapArguments, MatricesArguments, ModesArguments,
+    AnalyseArguments, AnalysisOutput, LateralArguments, MapArguments, MatricesArguments,
+    ModesArguments,
 };
 use crate::case::{self, Analysis, AnalysisKind, Case, MODES, MatrixFormat, ORDERS};
 use crate::errors::Failure;

@@ -85,8 +85,16 @@ impl MatrixFormat {
 }
 
 impl AnalysisKind {
-    pub(super) const WORDS: &'static [&'static str] =
-        &["modes", "campbell", "response", "coefficients", "stability", "map", "matrices", "lateral"];
+    pub(super) const WORDS: &'static [&'static str] = &[
+        "modes",
+        "campbell",
+        "response",
+        "coefficients",
+        "stability",
+        "map",
+        "matrices",
+        "lateral",
+    ];
     const ALL: [AnalysisKind; 8] = [
         AnalysisKind::Modes,
         AnalysisKind::Campbell,

@@ -135,9 +135,10 @@ pub(super) fn refuse(table: &Table) {
 pub(super) fn read(table: &Table, joined: Option<&JoinedMachine>) -> Option<Lateral> {
     let before = table.errors();
     let edition = table.optional_count("edition").unwrap_or(NEWEST);
-    for (key, what) in
-        [("minimum_speed", "N_ma, the minimum allowable"), ("maximum_speed", "N_mc, the maximum continuous")]
-    {
+    for (key, what) in [
+        ("minimum_speed", "N_ma, the minimum allowable"),
+        ("maximum_speed", "N_mc, the maximum continuous"),
+    ] {
         if !table.has(key) {
             table.absent(key, &format!("add `{key} = \"9000 rpm\"`: {what} speed"));
         }
@@ -150,14 +151,16 @@ pub(super) fn read(table: &Table, joined: Option<&JoinedMachine>) -> Option<Late
         table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help.to_owned()));
     };
     if minimum > maximum {
-        let help = "N_ma, the minimum allowable speed, is at most N_mc, the maximum continuous speed";
+        let help =
+            "N_ma, the minimum allowable speed, is at most N_mc, the maximum continuous speed";
         above("minimum_speed", "`minimum_speed` is above `maximum_speed`", help);
     }
     if trip.is_some_and(|trip| trip < maximum) && maximum.is_finite() {
         let help = "leave it out for 105 % of `maximum_speed`";
         above("trip_speed", "`trip_speed` is below `maximum_speed`", help);
     }
-    let scale_limit = if table.has("scale_limit") { table.number_or_middle("scale_limit") } else { SCALE };
+    let scale_limit =
+        if table.has("scale_limit") { table.number_or_middle("scale_limit") } else { SCALE };
     let lateral = Lateral {
         edition,
         minimum,
@@ -176,11 +179,7 @@ pub(super) fn read(table: &Table, joined: Option<&JoinedMachine>) -> Option<Late
         stages: table.named_tables("stages").into_iter().filter_map(stage).collect(),
         cross_coupling_z: table.quantity("cross_coupling_z"),
         gas_density: table.quantity("gas_density"),
-        seals: table
-            .texts("seals")
-            .iter()
-            .filter_map(|name| joint(table, joined?, name))
-            .collect(),
+        seals: table.texts("seals").iter().filter_map(|name| joint(table, joined?, name)).collect(),
         variants: table.named_tables("variants").into_iter().map(variant).collect(),
     };
     (table.errors() == before).then_some(lateral)
@@ -195,7 +194,9 @@ fn modes(table: &Table) -> Vec<usize> {
         } else {
             let message = format!("`{own}` is no number of a mode");
             let help = "count forward modes from the slowest one, such as `[1, 2]`";
-            table.push(table.written("unbalance_modes").error_here(Code::BAD_VALUE, message).help(help));
+            table.push(
+                table.written("unbalance_modes").error_here(Code::BAD_VALUE, message).help(help),
+            );
         }
     }
     all

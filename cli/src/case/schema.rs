@@ -12,10 +12,10 @@ use super::joined::schema as joined;
 use super::lateral::STAGES;
 use super::march::{AUTOMATIC, ESTIMATE, GENERALIZED_ALPHA, MOST_STEPS, NEWMARK, ONE_CYCLE};
 use super::shapes::{
-    ANGLE, CLEARANCE, CROSS_STIFFNESS, DAMPING, DAMPING_TIME, DENSITY, DURATION, FORCE, FREQUENCY, GAS_DENSITY, GRAVITY,
-    GROUND_SPRING, LENGTH, MASS, MERGE, MODULUS, MOST_CELLS, MOST_MODES, MOST_SPRINGS, MOTION,
-    NAMES, PARAMETERS, PARAMETERS_EXAMPLE, POSITION, POWER, SELECTION, SPEED, START, STIFFNESS,
-    TARGET_SPEED, TIME, TOLERANCE, TORQUE, TURNING_SPEED, VELOCITY,
+    ANGLE, CLEARANCE, CROSS_STIFFNESS, DAMPING, DAMPING_TIME, DENSITY, DURATION, FORCE, FREQUENCY,
+    GAS_DENSITY, GRAVITY, GROUND_SPRING, LENGTH, MASS, MERGE, MODULUS, MOST_CELLS, MOST_MODES,
+    MOST_SPRINGS, MOTION, NAMES, PARAMETERS, PARAMETERS_EXAMPLE, POSITION, POWER, SELECTION, SPEED,
+    START, STIFFNESS, TARGET_SPEED, TIME, TOLERANCE, TORQUE, TURNING_SPEED, VELOCITY,
 };
 
 impl Case {
@@ -319,7 +319,11 @@ const OUTPUT: &[Key] = &[
         .like("\"front\""),
     key("set", Text, "node set of a mesh: the motion of its node, or the mean of its nodes")
         .like("\"DISC\""),
-    key("z", POSITION, "on a rigid body, at its centre if left out; of a mesh the mean of the section there"),
+    key(
+        "z",
+        POSITION,
+        "on a rigid body, at its centre if left out; of a mesh the mean of the section there",
+    ),
     key("frame", Words(&["space", "body"]), "whose components; space if left out"),
     key("components", NAMES, "of \"x\", \"y\" and \"z\"; x and y if left out")
         .like("[\"x\", \"y\"]"),
@@ -345,15 +349,27 @@ const ANALYSIS: &[Key] = &[
     key("stiffness", Text, "of the joints of a map, one or a range with a number")
         .like("\"1e5 N/m .. 1e10 N/m, 41, log\""),
     key("format", Words(MatrixFormat::WORDS), "of the files of matrices; npz if left out"),
-    key("edition", Count(7, 9), "of API 617, whose formulas a lateral analysis uses; 9 if left out"),
+    key(
+        "edition",
+        Count(7, 9),
+        "of API 617, whose formulas a lateral analysis uses; 9 if left out",
+    ),
     key("minimum_speed", SPEED, "N_ma, the minimum allowable speed"),
     key("maximum_speed", SPEED, "N_mc, the maximum continuous speed"),
     key("trip_speed", SPEED, "105 % of the maximum speed if left out"),
-    key("probes", NAMES, "points where vibration is measured; the journals of the body if left out")
-        .like("[\"joint.left\", \"joint.right\"]"),
+    key(
+        "probes",
+        NAMES,
+        "points where vibration is measured; the journals of the body if left out",
+    )
+    .like("[\"joint.left\", \"joint.right\"]"),
     key("probe_angle", ANGLE, "from x to the first of two probes; 45 deg if left out"),
-    key("clearances", Named(&LENGTH), "least diametral clearance at points, beside that of bearings")
-        .like("{ \"output.eye\" = \"500 um\" }"),
+    key(
+        "clearances",
+        Named(&LENGTH),
+        "least diametral clearance at points, beside that of bearings",
+    )
+    .like("{ \"output.eye\" = \"500 um\" }"),
     key("scale_limit", Between(0.0, 1e6), "the largest scale factor S_cc; 6 if left out").like("6"),
     key(
         "unbalance_modes",
@@ -372,7 +388,11 @@ const ANALYSIS: &[Key] = &[
     ),
     key("gas_density", GAS_DENSITY, "average of suction and discharge, for regions A and B"),
     key("seals", NAMES, "joints left out of stability of level I").like("[\"seal\"]"),
-    key("variants", Named(&Table(&[VARIANT])), "other values of keys, such as clearances or viscosity"),
+    key(
+        "variants",
+        Named(&Table(&[VARIANT])),
+        "other values of keys, such as clearances or viscosity",
+    ),
 ];
 
 const APPLIED: &[Key] = &[
@@ -387,7 +407,8 @@ const STAGE: &[Key] = &[
     key("power", POWER, "rated, of the stage"),
     key("diameter", LENGTH, "of the impeller; pitch diameter of blades"),
     key("width", LENGTH, "the smaller of impeller and diffuser at its outlet; height of blades"),
-    key("density_ratio", Between(0.0, 1000.0), "discharge over suction, of an impeller").like("1.6"),
+    key("density_ratio", Between(0.0, 1000.0), "discharge over suction, of an impeller")
+        .like("1.6"),
     key("stiffness", CROSS_STIFFNESS, "across, in place of a power"),
 ];
 

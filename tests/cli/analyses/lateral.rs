@@ -13,7 +13,8 @@ fn bench(case: &str) -> Workbench {
             $bench$(.file($name, include_str!(concat!("../../data/ross-example/", $name))))*
         };
     }
-    let bench = with!(Workbench::new(), "K.mtx" "M.mtx" "Y.mtx" "H.mtx" "G.mtx" "load.mtx" "dofs.csv");
+    let bench =
+        with!(Workbench::new(), "K.mtx" "M.mtx" "Y.mtx" "H.mtx" "G.mtx" "load.mtx" "dofs.csv");
     bench.file("case.toml", case)
 }
 
@@ -22,18 +23,29 @@ fn lateral(bench: &Workbench) -> String {
 }
 
 /// Rows of the table that fit: value, speed, limit and `pass`.
-fn lines(bench: &Workbench, unbalance: &str, quantity: &str, place: &str) -> Vec<(f64, f64, f64, String)> {
+fn lines(
+    bench: &Workbench,
+    unbalance: &str,
+    quantity: &str,
+    place: &str,
+) -> Vec<(f64, f64, f64, String)> {
     let of = |name: &str| column(bench, "out/api.csv", name);
     let number = |name: &str| numbers(bench, "out/api.csv", name);
     let (unbalances, quantities, places) = (of("unbalance"), of("quantity"), of("place"));
-    let (values, speeds, limits, passes) = (number("value"), number("speed_rpm"), number("limit"), of("pass"));
+    let (values, speeds, limits, passes) =
+        (number("value"), number("speed_rpm"), number("limit"), of("pass"));
     (0..values.len())
         .filter(|&k| unbalances[k] == unbalance && quantities[k] == quantity && places[k] == place)
         .map(|k| (values[k], speeds[k], limits[k], passes[k].clone()))
         .collect()
 }
 
-fn line(bench: &Workbench, unbalance: &str, quantity: &str, place: &str) -> (f64, f64, f64, String) {
+fn line(
+    bench: &Workbench,
+    unbalance: &str,
+    quantity: &str,
+    place: &str,
+) -> (f64, f64, f64, String) {
     let all = lines(bench, unbalance, quantity, place);
     assert_eq!(all.len(), 1, "{unbalance}, {quantity}, {place}: {all:?}");
     all[0].clone()
@@ -55,10 +67,14 @@ fn the_table_of_a_rotor_is_that_of_ross() {
     let of = |name: &str| numbers(&bench, "out/api.unbalance.csv", name);
     let z = of("z_mm");
     assert!(z.iter().zip([750.0, 0.0, 1500.0]).all(|(own, z)| (own - z).abs() < 1e-6), "{z:?}");
-    for (own, known) in of("load_kg").iter().zip([88.18180401658343, 44.09090200829096, 44.09090200829096]) {
+    for (own, known) in
+        of("load_kg").iter().zip([88.18180401658343, 44.09090200829096, 44.09090200829096])
+    {
         agree("W", *own, known);
     }
-    for (own, known) in of("unbalance_g_mm").iter().zip([124.43432344562272, 62.21716172281058, 62.21716172281058]) {
+    for (own, known) in
+        of("unbalance_g_mm").iter().zip([124.43432344562272, 62.21716172281058, 62.21716172281058])
+    {
         agree("U_a", *own, known);
     }
     let phases = of("phase_deg");
@@ -66,8 +82,10 @@ fn the_table_of_a_rotor_is_that_of_ross() {
 
     // Readings and orbits at speeds that ROSS samples (rpm, µm).
     let speeds = numbers(&bench, "out/api.response.csv", "speed_rpm");
-    let (places, unbalances) =
-        (column(&bench, "out/api.response.csv", "place"), column(&bench, "out/api.response.csv", "unbalance"));
+    let (places, unbalances) = (
+        column(&bench, "out/api.response.csv", "place"),
+        column(&bench, "out/api.response.csv", "unbalance"),
+    );
     let readings = numbers(&bench, "out/api.response.csv", "unscaled_um_pkpk");
     let scale = 1.03663543848906;
     for (speed, place, known) in [
@@ -83,14 +101,20 @@ fn the_table_of_a_rotor_is_that_of_ross() {
         (8800.0, "joint.NDE", 25.839151542324683 / scale),
         (10000.0, "output.eye", 4.650702605445936 / scale),
     ] {
-        let at = |k: &usize| (speeds[*k] - speed).abs() < 1e-6 && places[*k] == place && unbalances[*k] == "mode 1";
+        let at = |k: &usize| {
+            (speeds[*k] - speed).abs() < 1e-6 && places[*k] == place && unbalances[*k] == "mode 1"
+        };
         let found = (0..speeds.len()).find(at).unwrap_or_else(|| panic!("{place} at {speed} rpm"));
         agree(place, readings[found], known);
     }
 
     // Peaks (rpm), amplification factors, required margins (%) by hand.
     for (unbalance, place, known) in [
-        ("mode 1", "joint.DE 45 deg", &[(868.6592102706, 20.5430352783, 16.0), (927.3590068665, 24.5496530846, 16.0)][..]),
+        (
+            "mode 1",
+            "joint.DE 45 deg",
+            &[(868.6592102706, 20.5430352783, 16.0), (927.3590068665, 24.5496530846, 16.0)][..],
+        ),
         ("mode 1", "joint.NDE 135 deg", &[(917.4492126883, 13.9126262784, 15.630391)]),
         ("mode 2", "joint.DE 45 deg", &[(2964.5521749098, 5.4458334046, 12.691645)]),
         ("mode 2", "joint.NDE 135 deg", &[(2839.0154455483, 4.5084526369, 11.349048)]),
@@ -98,7 +122,8 @@ fn the_table_of_a_rotor_is_that_of_ross() {
         let factors = lines(&bench, unbalance, "amplification factor", place);
         let margins = lines(&bench, unbalance, "separation margin", place);
         assert_eq!(margins.len(), known.len());
-        for ((factor, margin), (speed, known, required)) in factors.iter().zip(&margins).zip(known) {
+        for ((factor, margin), (speed, known, required)) in factors.iter().zip(&margins).zip(known)
+        {
             agree("peak", factor.1, *speed);
             agree("amplification factor", factor.0, *known);
             agree("separation margin", margin.0, 100.0 * (1.0 - speed / 7000.0));
@@ -115,9 +140,11 @@ fn the_table_of_a_rotor_is_that_of_ross() {
     assert_eq!((most.2, most.3.as_str()), (25.4, "yes"));
     let factor = line(&bench, "mode 1", "scale factor S_cc", "").0;
     agree("S_cc", factor, 25.4 / 24.5050577724339);
-    for (place, height, limit) in
-        [("joint.DE", 36.614557482167484, 150.0), ("output.eye", 100.58951924812379, 375.0), ("joint.NDE", 36.614557482167484, 180.0)]
-    {
+    for (place, height, limit) in [
+        ("joint.DE", 36.614557482167484, 150.0),
+        ("output.eye", 100.58951924812379, 375.0),
+        ("joint.NDE", 36.614557482167484, 180.0),
+    ] {
         let own = line(&bench, "mode 1", "scaled response at clearance", place);
         agree(place, own.0, factor * height);
         assert!((own.2 - limit).abs() < 1e-9 && own.3 == "yes");
@@ -126,8 +153,10 @@ fn the_table_of_a_rotor_is_that_of_ross() {
     agree("A_max", most.0, 91.17137286766348);
     assert_eq!(most.3, "NO");
 
-    let (across, decrements) =
-        (numbers(&bench, "out/api.stability.csv", "cross_coupling_N_m"), numbers(&bench, "out/api.stability.csv", "log_decrement"));
+    let (across, decrements) = (
+        numbers(&bench, "out/api.stability.csv", "cross_coupling_N_m"),
+        numbers(&bench, "out/api.stability.csv", "log_decrement"),
+    );
     for (q, known) in [
         (0.0, 0.1329036401031138),
         (1e5, -0.31645610161690096),
@@ -151,11 +180,22 @@ fn the_table_of_a_rotor_is_that_of_ross() {
 fn editions_and_limits_change_what_they_say() {
     let case = CASE.replace("minimum_speed = \"7000 rpm\"", "minimum_speed = \"9000 rpm\"");
     let case = case.replace("[analysis.api.stages.one]\nstiffness = \"1e5 N/m\"\n", "");
-    let older = bench(&case.replace("kind = \"lateral\"", "kind = \"lateral\"\nedition = 7\nscale_limit = 0.25\nunbalance_modes = [1]"));
+    let older = bench(&case.replace(
+        "kind = \"lateral\"",
+        "kind = \"lateral\"\nedition = 7\nscale_limit = 0.25\nunbalance_modes = [1]",
+    ));
     let text = lateral(&older);
     assert!(text.contains("note: no `stages`"), "{text}");
-    agree("U_a", numbers(&older, "out/api.unbalance.csv", "unbalance_g_mm")[0], 2.0 * 124.43432344562272);
-    agree("A_max", line(&older, "mode 1", "probe vibration A_max", "joint.NDE 135 deg").0, 2.0 * 24.463175534437076);
+    agree(
+        "U_a",
+        numbers(&older, "out/api.unbalance.csv", "unbalance_g_mm")[0],
+        2.0 * 124.43432344562272,
+    );
+    agree(
+        "A_max",
+        line(&older, "mode 1", "probe vibration A_max", "joint.NDE 135 deg").0,
+        2.0 * 24.463175534437076,
+    );
     assert_eq!(line(&older, "mode 1", "scale factor S_cc", "").0, 0.25);
     let newer = bench(&case);
     lateral(&newer);
@@ -189,8 +229,11 @@ fn unbalance_that_the_case_places_acts_alike() {
     lateral(&by_hand);
     for (unbalance, known) in [("middle", 24.5050577724339), ("ends", 91.17137286766348)] {
         let most = |place: &str| lines(&by_hand, unbalance, "probe vibration A_max", place);
-        let all: Vec<f64> =
-            ["joint.DE 135 deg", "joint.NDE 135 deg"].iter().flat_map(|own| most(own)).map(|own| own.0).collect();
+        let all: Vec<f64> = ["joint.DE 135 deg", "joint.NDE 135 deg"]
+            .iter()
+            .flat_map(|own| most(own))
+            .map(|own| own.0)
+            .collect();
         assert_eq!(all.len(), 1);
         agree(unbalance, all[0], known);
     }
@@ -246,19 +289,31 @@ fn variants_set_keys_as_sweeps_do() {
         column(&bench, "out/api.csv", "quantity"),
     );
     let limits = |variant: &str| -> Vec<f64> {
-        let fits = |k: &usize| variants[*k] == variant && quantities[*k] == "scaled response at clearance";
+        let fits =
+            |k: &usize| variants[*k] == variant && quantities[*k] == "scaled response at clearance";
         (0..limits.len()).filter(fits).map(|k| limits[k]).collect()
     };
     for (variant, limit) in [("as given", 90.0), ("wide", 112.5), ("thin", 90.0)] {
         let found = limits(variant);
-        assert!(!found.is_empty() && found.iter().all(|own| (own - limit).abs() < 1e-9), "{variant}: {found:?}");
+        assert!(
+            !found.is_empty() && found.iter().all(|own| (own - limit).abs() < 1e-9),
+            "{variant}: {found:?}"
+        );
     }
     let loads = numbers(&bench, "out/api.unbalance.csv", "load_kg");
     // By levers 24 kg and 16 kg, as one unbalance or two.
-    assert!(loads.iter().all(|own| [40.0, 24.0, 16.0].iter().any(|known| (own / known - 1.0).abs() < 1e-6)), "{loads:?}");
+    assert!(
+        loads
+            .iter()
+            .all(|own| [40.0, 24.0, 16.0].iter().any(|known| (own / known - 1.0).abs() < 1e-6)),
+        "{loads:?}"
+    );
     let decrements: Vec<f64> = {
         let values = numbers(&bench, "out/api.csv", "value");
-        (0..values.len()).filter(|k| quantities[*k] == "level II log decrement").map(|k| values[k]).collect()
+        (0..values.len())
+            .filter(|k| quantities[*k] == "level II log decrement")
+            .map(|k| values[k])
+            .collect()
     };
     assert_eq!(decrements.len(), 3);
     assert!(decrements[0] != decrements[1] && decrements[0] != decrements[2], "{decrements:?}");
@@ -275,15 +330,22 @@ fn what_is_wrong_is_told_with_its_place() {
     };
     let of_kind = "kind = \"lateral\"";
     let with = |line: &str| CASE.replace(of_kind, &format!("{of_kind}\n{line}"));
-    refused(&with("probes = \"output.ey\""), &["there is no point `output.ey`", "case.toml", "output.eye"]);
+    refused(
+        &with("probes = \"output.ey\""),
+        &["there is no point `output.ey`", "case.toml", "output.eye"],
+    );
     refused(&CASE.replace("\"output.eye\" =", "eye ="), &["there is no point `eye`"]);
     refused(&with("seals = [\"DE\", \"NDE\"]"), &["`rotor` has no journal"]);
-    refused(&CASE.replace(of_kind, "kind = \"campbell\""), &["is of an analysis of the kind `lateral`"]);
+    refused(
+        &CASE.replace(of_kind, "kind = \"campbell\""),
+        &["is of an analysis of the kind `lateral`"],
+    );
     let without = CASE.split("[analysis.api]").next().expect("a case");
     refused(without, &["has no lateral analysis", "minimum_speed"]);
     let far = format!("{CASE}[analysis.api.unbalance.far]\nz = [\"2 m\"]\nload = [\"1 kg\"]\n");
     refused(&far, &["no section of", "2000 mm"]);
-    let misspelt = format!("{CASE}[analysis.api.variants.soft]\nset = [\"joint.DE.stifness.xx = 5e5 N/m\"]\n");
+    let misspelt =
+        format!("{CASE}[analysis.api.variants.soft]\nset = [\"joint.DE.stifness.xx = 5e5 N/m\"]\n");
     refused(&misspelt, &["stifness"]);
 }
 

@@ -55,8 +55,12 @@ fn bode(lateral: &Lateral, done: &Done, place: usize) -> Panel {
         }
         let speed = words::rpm(own.speed);
         let end = match own.speed {
-            below if below < lateral.minimum => speed / (1.0 - 0.01 * standard::margin_below(factor)),
-            above if above > lateral.maximum => speed / (1.0 + 0.01 * standard::margin_above(factor)),
+            below if below < lateral.minimum => {
+                speed / (1.0 - 0.01 * standard::margin_below(factor))
+            }
+            above if above > lateral.maximum => {
+                speed / (1.0 + 0.01 * standard::margin_above(factor))
+            }
             _ => continue,
         };
         lines.push(Line {
@@ -65,7 +69,8 @@ fn bode(lateral: &Lateral, done: &Done, place: usize) -> Panel {
             name: "required separation margin".to_owned(),
         });
     }
-    let dots = peaks().map(|own| Dot { at: (words::rpm(own.speed), own.height), name: "peaks".to_owned() });
+    let dots = peaks()
+        .map(|own| Dot { at: (words::rpm(own.speed), own.height), name: "peaks".to_owned() });
     let mark = |name: &str, speed: f64| Mark { x: words::rpm(speed), name: name.to_owned() };
     Panel {
         title: format!("unbalance {}", response.name),
@@ -79,10 +84,16 @@ fn bode(lateral: &Lateral, done: &Done, place: usize) -> Panel {
 }
 
 fn decrement(all: &[Done]) -> Option<Panel> {
-    let of = |done: &Done| done.stability.as_ref().filter(|own| !own.curve.is_empty()).map(|own| own.curve.clone());
+    let of = |done: &Done| {
+        done.stability.as_ref().filter(|own| !own.curve.is_empty()).map(|own| own.curve.clone())
+    };
     let curves = all.iter().filter_map(|done| Some((done, of(done)?))).zip(STYLES);
     let mut lines: Vec<Line> = curves
-        .map(|((done, points), style)| Line { points, style, name: format!("level I, {}", done.name) })
+        .map(|((done, points), style)| Line {
+            points,
+            style,
+            name: format!("level I, {}", done.name),
+        })
         .collect();
     let most = lines.first()?.points.last()?.0;
     lines.push(Line {

@@ -99,6 +99,8 @@ pub(super) fn verdict(lines: &[Line]) -> String {
     };
     match count(Pass::No) {
         0 => format!("PASSES: all {judged} lines that have a limit{of_level_two}\n"),
-        some => format!("DOES NOT PASS: {some} of {judged} lines that have a limit{of_level_two}\n"),
+        some => {
+            format!("DOES NOT PASS: {some} of {judged} lines that have a limit{of_level_two}\n")
+        }
     }
 }

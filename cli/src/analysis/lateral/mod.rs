@@ -66,7 +66,13 @@ pub(super) fn found(
     for variant in variants {
         let own = variant.map(|own| varied(file, own)).transpose()?;
         let name = variant.map_or(AS_IT_IS, |own| own.name.as_str());
-        let done = of_variant(name, own.as_ref().unwrap_or(case), (analysis, lateral), cache, interruption)?;
+        let done = of_variant(
+            name,
+            own.as_ref().unwrap_or(case),
+            (analysis, lateral),
+            cache,
+            interruption,
+        )?;
         interrupted |= done.responses.interrupted;
         all.push(done);
         if interrupted {
@@ -95,7 +101,10 @@ pub(super) fn found(
     let mut text = format!("{}: {}\n", case.name, case.title);
     let edition = lateral.edition;
     let [low, high, trip] = [lateral.minimum, lateral.maximum, lateral.trip].map(words::speed);
-    let _ = writeln!(text, "API 617, edition {edition}: N_ma {low} rpm, N_mc {high} rpm, trip {trip} rpm");
+    let _ = writeln!(
+        text,
+        "API 617, edition {edition}: N_ma {low} rpm, N_mc {high} rpm, trip {trip} rpm"
+    );
     for done in &all {
         let _ = writeln!(text, "\n{}\n", heading(done, lateral));
         text += &told_unbalance(&done.unbalance);
@@ -164,9 +173,8 @@ fn of_variant(
 
 /// Two probes at each of their points.
 fn probes(model: &Model, lateral: &Lateral) -> Result<Vec<Probe>, Failure> {
-    let journal = |name: &Located| {
-        Located::new(name.source(), name.span(), format!("joint.{}", name.text()))
-    };
+    let journal =
+        |name: &Located| Located::new(name.source(), name.span(), format!("joint.{}", name.text()));
     let names: Vec<Located> = match lateral.probes.as_slice() {
         [] => model.journals.iter().map(|own| journal(&own.name)).collect(),
         own => own.to_vec(),
@@ -176,7 +184,11 @@ fn probes(model: &Model, lateral: &Lateral) -> Result<Vec<Probe>, Failure> {
         let point = model.point(name)?;
         for angle in [lateral.probe_angle, lateral.probe_angle + std::f64::consts::FRAC_PI_2] {
             let degrees = whirl_text::rounded(angle.to_degrees(), 4);
-            all.push(Probe { name: format!("{} {degrees} deg", point.name), point: point.clone(), angle });
+            all.push(Probe {
+                name: format!("{} {degrees} deg", point.name),
+                point: point.clone(),
+                angle,
+            });
         }
     }
     Ok(all)
@@ -199,9 +211,11 @@ fn closes(model: &Model, lateral: &Lateral) -> Result<Vec<Close>, Failure> {
 }
 
 fn heading(done: &Done, lateral: &Lateral) -> String {
-    let loads = done.model.journals.iter().map(|own| {
-        format!("{} {} kg", own.name.text(), shown(own.load, 5, 1e-4..1e7))
-    });
+    let loads = done
+        .model
+        .journals
+        .iter()
+        .map(|own| format!("{} {} kg", own.name.text(), shown(own.load, 5, 1e-4..1e7)));
     let loads = loads.collect::<Vec<_>>().join(", ");
     match lateral.variants.is_empty() {
         true => format!("static loads: {loads}"),
@@ -227,7 +241,8 @@ fn unbalance_rows(all: &[Done]) -> String {
     for done in all {
         for own in &done.unbalance {
             for plane in &own.planes {
-                let values = [1e3 * plane.z, plane.load, 1e6 * plane.moment, plane.phase.to_degrees()];
+                let values =
+                    [1e3 * plane.z, plane.load, 1e6 * plane.moment, plane.phase.to_degrees()];
                 let values = values.map(|own| own.to_string()).join(",");
                 let _ = writeln!(text, "{},{},{values}", done.name, own.name);
             }
@@ -242,11 +257,14 @@ fn response_rows(all: &[Done]) -> String {
     for done in all {
         for own in &done.responses.all {
             for (place, speed) in done.responses.speeds.iter().enumerate() {
-                let probes = done.probes.iter().map(|own| own.name.as_str()).zip(&own.readings[place]);
-                let closes = done.closes.iter().map(|own| own.point.name.as_str()).zip(&own.orbits[place]);
+                let probes =
+                    done.probes.iter().map(|own| own.name.as_str()).zip(&own.readings[place]);
+                let closes =
+                    done.closes.iter().map(|own| own.point.name.as_str()).zip(&own.orbits[place]);
                 for (name, value) in probes.chain(closes) {
                     let (rpm, scaled) = (words::rpm(*speed), own.scale * value);
-                    let _ = writeln!(text, "{},{},{rpm},{name},{value},{scaled}", done.name, own.name);
+                    let _ =
+                        writeln!(text, "{},{},{rpm},{name},{value},{scaled}", done.name, own.name);
                 }
             }
         }

@@ -89,7 +89,12 @@ impl Model {
                 clearances.push((format!("joint.{}", joint.name.text()), clearance));
             }
             if !lateral.seals.contains(&place) {
-                journals.push(Journal { joint: place, name: joint.name.clone(), z: joint_z(place), load: 0.0 });
+                journals.push(Journal {
+                    joint: place,
+                    name: joint.name.clone(),
+                    z: joint_z(place),
+                    load: 0.0,
+                });
             }
         }
         journals.sort_by(|a, b| a.z.total_cmp(&b.z));
@@ -99,7 +104,8 @@ impl Model {
                     "`{}` has no journal: a lateral analysis needs its loads",
                     own.machine.bodies[of].name.text()
                 ),
-                help: "add a `[joint.NAME]` that carries the body, and name seals only in `seals`".to_owned(),
+                help: "add a `[joint.NAME]` that carries the body, and name seals only in `seals`"
+                    .to_owned(),
             });
         };
         let ends = [first.z, last.z];
@@ -162,7 +168,8 @@ impl Model {
     fn load(&mut self, lateral: &Lateral) -> Result<(), Failure> {
         let joints = self.linear.coefficients(&self.at);
         let weight = self.linear.machine().bodies[self.of].centre_of_mass().mass * GRAVITY;
-        let mut found: Vec<f64> = joints.iter().map(|own| own.force[0].hypot(own.force[1])).collect();
+        let mut found: Vec<f64> =
+            joints.iter().map(|own| own.force[0].hypot(own.force[1])).collect();
         if self.journals.iter().all(|own| found[own.joint] < NOTHING * weight) {
             let at = (&self.at, &self.equations);
             found = self.linear.loads_by_acceleration(at, self.of, [GRAVITY, 0.0])?;
@@ -234,7 +241,8 @@ fn levels(body: &NamedBody, planned: &PlannedBody, journals: &[Journal]) -> Vec<
     let Some(plan) = planned.meshed() else {
         return journals.iter().map(|own| own.z).chain(carried).collect();
     };
-    let mut all: Vec<f64> = plan.mesh.nodes()[..plan.mesh.placed()].iter().map(|own| own[2]).collect();
+    let mut all: Vec<f64> =
+        plan.mesh.nodes()[..plan.mesh.placed()].iter().map(|own| own[2]).collect();
     all.sort_by(f64::total_cmp);
     let (first, last) = (all[0], all[all.len() - 1]);
     all.dedup_by(|a, b| (*a - *b).abs() <= 1e-6 * (last - first));

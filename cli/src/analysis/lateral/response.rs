@@ -75,8 +75,12 @@ pub(super) fn found(
     interruption: &Interruption,
 ) -> Result<Responses, Failure> {
     let (linear, of) = (&model.linear, model.of);
-    let points: Vec<Point> =
-        probes.iter().map(|own| &own.point).chain(closes.iter().map(|own| &own.point)).cloned().collect();
+    let points: Vec<Point> = probes
+        .iter()
+        .map(|own| &own.point)
+        .chain(closes.iter().map(|own| &own.point))
+        .cloned()
+        .collect();
     let mut speeds = Vec::new();
     let mut all: Vec<Response> = unbalance
         .iter()
@@ -124,9 +128,15 @@ pub(super) fn found(
             let applied = own.applied();
             let mut near: Option<Standstill> = None;
             let mut at = |speed: f64, point: &Point| -> Result<Vibration, Error> {
-                let here = linear.standing(&linear.speeds(of, speed, &analysis.ratios), near.as_ref())?;
+                let here =
+                    linear.standing(&linear.speeds(of, speed, &analysis.ratios), near.as_ref())?;
                 let equations = linear.linearised(&here)?;
-                let moved = linear.response_to((&here, &equations), of, &applied, std::slice::from_ref(point))?;
+                let moved = linear.response_to(
+                    (&here, &equations),
+                    of,
+                    &applied,
+                    std::slice::from_ref(point),
+                )?;
                 near = Some(here);
                 Ok(moved[0])
             };
@@ -211,13 +221,23 @@ fn judge(
                 false => (speed / lateral.maximum - 1.0, standard::margin_above(factor)),
             };
             let pass = Pass::of(100.0 * actual >= required);
-            add("6.8.2.10", "separation margin", at, Some(speed), 100.0 * actual, Some(required), "%", pass);
+            add(
+                "6.8.2.10",
+                "separation margin",
+                at,
+                Some(speed),
+                100.0 * actual,
+                Some(required),
+                "%",
+                pass,
+            );
         }
     }
     let range = [lateral.minimum, lateral.maximum];
     let mut most: (f64, f64, &str) = (lateral.minimum, 0.0, "");
     for (place, probe) in probes.iter().enumerate() {
-        let own = largest(range, speeds, &|at| response.readings[at][place], &response.peaks[place]);
+        let own =
+            largest(range, speeds, &|at| response.readings[at][place], &response.peaks[place]);
         if own.1 > most.1 {
             most = (own.0, own.1, &probe.name);
         }
@@ -225,7 +245,16 @@ fn judge(
     let (speed, reading, at) = most;
     let limit = standard::vibration_limit(rpm);
     let pass = Pass::of(reading <= limit);
-    add("6.8.2.10", "probe vibration A_max", at, Some(speed), reading, Some(limit), "um pk-pk", pass);
+    add(
+        "6.8.2.10",
+        "probe vibration A_max",
+        at,
+        Some(speed),
+        reading,
+        Some(limit),
+        "um pk-pk",
+        pass,
+    );
     let scale = (limit / reading).min(lateral.scale_limit);
     response.scale = scale;
     add("6.8.2.11", "scale factor S_cc", "", None, scale, None, "1", Pass::None);
@@ -234,6 +263,15 @@ fn judge(
         let allowed = standard::CLEARANCE * 1e6 * close.clearance;
         let (value, pass) = (scale * own.1, Pass::of(scale * own.1 < allowed));
         let quantity = "scaled response at clearance";
-        add("6.8.2.11", quantity, &close.point.name, Some(own.0), value, Some(allowed), "um pk-pk", pass);
+        add(
+            "6.8.2.11",
+            quantity,
+            &close.point.name,
+            Some(own.0),
+            value,
+            Some(allowed),
+            "um pk-pk",
+            pass,
+        );
     }
 }

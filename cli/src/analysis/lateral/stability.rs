@@ -40,7 +40,8 @@ pub(super) fn found(
     bare: &Model,
     (analysis, lateral): (&Analysis, &Lateral),
 ) -> Result<Stability, Failure> {
-    let mut all = Stability { curve: Vec::new(), expected: 0.0, lines: Vec::new(), notes: String::new() };
+    let mut all =
+        Stability { curve: Vec::new(), expected: 0.0, lines: Vec::new(), notes: String::new() };
     let rpm = words::rpm(lateral.maximum);
     let mut add = |quantity, place: &str, speed, value, limit, unit, pass| {
         all.lines.push(Line {
@@ -66,7 +67,8 @@ pub(super) fn found(
             .map(|k| 10.0 * total * k as f64 / (STEPS - 1) as f64)
             .map(|q| Ok((q, decrement(q)?)))
             .collect::<Result<_, Failure>>()?;
-        let curve: Vec<(f64, f64)> = curve.into_iter().filter_map(|(q, own)| Some((q, own?))).collect();
+        let curve: Vec<(f64, f64)> =
+            curve.into_iter().filter_map(|(q, own)| Some((q, own?))).collect();
         for own in &lateral.stages {
             let q = across(own, lateral.maximum);
             add("stiffness across q_A", &own.name, Some(rpm), q, None, "N/m", Pass::None);
@@ -81,9 +83,18 @@ pub(super) fn found(
         let ratio = zero.map_or(f64::INFINITY, |own| own / total);
         let shown = ratio.min(standard::RATIOS[1]);
         let pass = if ratio >= standard::RATIOS[0] { Pass::Yes } else { Pass::LevelTwo };
-        add("level I Q_0/Q_A (10 or more: 10)", "", Some(rpm), shown, Some(standard::RATIOS[0]), "1", pass);
+        add(
+            "level I Q_0/Q_A (10 or more: 10)",
+            "",
+            Some(rpm),
+            shown,
+            Some(standard::RATIOS[0]),
+            "1",
+            pass,
+        );
         if let Some(density) = lateral.gas_density {
-            let machine = bare.linear.unsupported(&bare.linear.speeds(bare.of, 1.0, &analysis.ratios));
+            let machine =
+                bare.linear.unsupported(&bare.linear.speeds(bare.of, 1.0, &analysis.ratios));
             let rigid = bare.linear.undamped(&machine, RIGID, analysis.count)?;
             let first = rigid.iter().find(|own| own.sense > 0.1);
             if let Some(first) = first {

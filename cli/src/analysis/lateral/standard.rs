@@ -65,7 +65,10 @@ mod tests {
         near(factor(7) * residual_unbalance(100.0, 12_700.0), 200.0);
         near(residual_unbalance(39.37, 30_000.0), 10.0);
         // Both formulas agree at 25 000 rpm to the digits of the second.
-        assert!((residual_unbalance(1.0, 24_999.999) / residual_unbalance(1.0, 25_000.0) - 1.0).abs() < 1e-4);
+        assert!(
+            (residual_unbalance(1.0, 24_999.999) / residual_unbalance(1.0, 25_000.0) - 1.0).abs()
+                < 1e-4
+        );
         near(vibration_limit(12_000.0), 25.4);
         near(vibration_limit(48_000.0), 12.7);
         near(vibration_limit(3000.0), 25.4);
@@ -75,7 +78,13 @@ mod tests {
         assert_eq!([margin_below(1e9), margin_above(1e9)], [16.0, 26.0]);
         // 9.55 · 3 · 1e6 / (400 · 10 · 9550) · 1.5 kN/mm, as the standard writes it.
         let speed = 9550.0 * std::f64::consts::TAU / 60.0;
-        assert!((of_impeller(1e6, speed, [0.4, 0.01], 1.5) / (9.55 * 3.0 * 1e6 / (400.0 * 10.0 * 9550.0) * 1.5 * 1e6) - 1.0).abs() < 1e-4);
+        assert!(
+            (of_impeller(1e6, speed, [0.4, 0.01], 1.5)
+                / (9.55 * 3.0 * 1e6 / (400.0 * 10.0 * 9550.0) * 1.5 * 1e6)
+                - 1.0)
+                .abs()
+                < 1e-4
+        );
         near(of_blades(1e6, 1000.0, [0.5, 0.1]), 3e4);
         near(region_boundary(60.0), 2.0);
         assert_eq!([region_boundary(10.0), region_boundary(61.0)], [2.5, 0.0]);

@@ -93,7 +93,8 @@ impl PlannedBody {
                 match section_at(plan, *z) {
                     Ok(mean) => plan.output_on(mean, plan.spec.means[mean].centre()),
                     Err(lack) => {
-                        errors.push(place.error_here(Code::BAD_VALUE, lack.message).help(lack.help));
+                        errors
+                            .push(place.error_here(Code::BAD_VALUE, lack.message).help(lack.help));
                         0
                     }
                 }
