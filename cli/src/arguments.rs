@@ -43,6 +43,8 @@ pub(crate) enum Command {
     Torsion(ModesArguments),
     /// Undamped critical speed map: critical speeds over the stiffness of the supports
     Map(MapArguments),
+    /// Hold unbalance response and stability against API 617: the tables `kind = "lateral"` of a case
+    Lateral(LateralArguments),
     /// Mass, damping and stiffness matrices, inputs, outputs and state space, in files for other programs
     Matrices(MatricesArguments),
     /// Check a case, sweep or spec file: describe it, and report every error
@@ -151,6 +153,16 @@ pub(crate) struct AnalyseArguments {
     pub(crate) case: String,
     /// Name of one analysis [default: all]
     pub(crate) name: Option<String>,
+    /// Where results go
+    #[command(flatten)]
+    pub(crate) results: AnalysisOutput,
+}
+
+/// Arguments of `whirl lateral`.
+#[derive(Debug, Args)]
+pub(crate) struct LateralArguments {
+    /// Path of a case file with an [analysis.NAME] of the kind "lateral"
+    pub(crate) case: String,
     /// Where results go
     #[command(flatten)]
     pub(crate) results: AnalysisOutput,

@@ -148,7 +148,7 @@ fn still(points: usize) -> Vec<Vibration> {
 }
 
 /// Some of many speeds, both ends among them.
-fn coarse(speeds: &[f64]) -> Vec<f64> {
+pub(super) fn coarse(speeds: &[f64]) -> Vec<f64> {
     const MOST: usize = 31;
     let last = speeds.len() - 1;
     let count = speeds.len().min(MOST);
@@ -156,7 +156,7 @@ fn coarse(speeds: &[f64]) -> Vec<f64> {
 }
 
 /// The peaks beside critical speeds.
-fn peaks(
+pub(super) fn peaks(
     seeds: &[Critical],
     range: [f64; 2],
     response: &mut dyn FnMut(f64) -> Result<f64, Error>,

@@ -6,7 +6,7 @@ use whirl_codegen::document::Table;
 use whirl_codegen::document::tree::Place;
 use whirl_codegen::units::{Dimension, Quantity};
 
-use super::{JoinedMachine, names};
+use super::{JoinedMachine, Lateral, lateral, names};
 use crate::values::range::{Range, is_range};
 
 /// Speeds of a range that does not say how many.
@@ -47,6 +47,8 @@ pub(crate) struct Analysis {
     pub(crate) stiffness: Vec<f64>,
     /// Of matrices.
     pub(crate) format: MatrixFormat,
+    /// What standards ask for, of a lateral analysis.
+    pub(crate) lateral: Option<Box<Lateral>>,
 }
 
 /// What an analysis finds.
@@ -68,6 +70,8 @@ pub(crate) enum AnalysisKind {
     Matrices,
     /// Torsional modes of a train, with what excites them.
     Torsion,
+    /// What standards ask of response and stability.
+    Lateral,
 }
 
 impl Analysis {
@@ -86,6 +90,7 @@ impl Analysis {
             margin: MARGIN,
             stiffness: Vec::new(),
             format: MatrixFormat::default(),
+            lateral: None,
         }
     }
 }
@@ -123,8 +128,9 @@ impl AnalysisKind {
         "map",
         "matrices",
         "torsion",
+        "lateral",
     ];
-    const ALL: [AnalysisKind; 8] = [
+    const ALL: [AnalysisKind; 9] = [
         AnalysisKind::Modes,
         AnalysisKind::Campbell,
         AnalysisKind::Response,
@@ -133,6 +139,7 @@ impl AnalysisKind {
         AnalysisKind::Map,
         AnalysisKind::Matrices,
         AnalysisKind::Torsion,
+        AnalysisKind::Lateral,
     ];
 
     /// Orders where none are asked for.
@@ -171,6 +178,13 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
     let given = table.gives("margin");
     let margin = if given { table.number_or_middle("margin") } else { MARGIN };
     let format = table.optional_word("format").and_then(MatrixFormat::of);
+    let lateral = match kind {
+        Some(AnalysisKind::Lateral) => Some(Box::new(lateral::read(table, joined)?)),
+        _ => {
+            lateral::refuse(table);
+            None
+        }
+    };
     let kind = kind?;
     let mut analysis = Analysis {
         name: name.to_owned(),
@@ -179,6 +193,7 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
         mesh_orders: if mesh_orders.is_empty() { MESH_ORDERS.to_vec() } else { mesh_orders },
         margin,
         format: format.unwrap_or_default(),
+        lateral,
         ..Analysis::of_kind(kind)
     };
     let mut errors = Diagnostics::new();

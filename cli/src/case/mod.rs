@@ -11,6 +11,7 @@ mod gravity;
 mod joined;
 mod joined_machine;
 mod joint;
+mod lateral;
 mod law;
 mod library;
 mod loads;
@@ -55,6 +56,7 @@ pub(crate) use joined_machine::{
     Drive as JoinedDrive, InputForm, JoinedMachine, Load as JoinedLoad,
 };
 pub(crate) use joint::{Joint, JointKind, Side as JointSide};
+pub(crate) use lateral::{Lateral, Stage, StageSource, Variant};
 pub(crate) use law::{LawSource, NamedLaw};
 pub(crate) use library::{FileStore, refused};
 pub(crate) use loads::{Load, Spread};

@@ -50,6 +50,8 @@ measures! {
     ACCELERATION: ANGULAR_ACCELERATION, "600 rpm/s", Any;
     FREQUENCY: FREQUENCY, "37.5 Hz", Positive;
     ANGLE: ANGLE, "90 deg", Any;
+    POWER: POWER, "1200 kW", Positive;
+    GAS_DENSITY: DENSITY, "45 kg/m^3", Positive;
 }
 
 /// Springs of a bearing in all its rings.

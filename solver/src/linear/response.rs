@@ -44,6 +44,18 @@ impl Vibration {
     pub fn orbit(&self) -> Orbit {
         Orbit::new(self.amplitudes)
     }
+
+    /// Amplitude along a direction at an angle (rad) from x (m): of a probe that stands there.
+    pub fn along(&self, angle: f64) -> f64 {
+        let (sin, cos) = angle.sin_cos();
+        (cos * self.amplitudes[0] + sin * self.amplitudes[1]).norm()
+    }
+
+    /// Whether it is on the other side of the axis than another one, by the mean over the motion.
+    pub fn is_opposite(&self, other: &Vibration) -> bool {
+        let parts = self.amplitudes.iter().zip(&other.amplitudes);
+        parts.map(|(own, other)| (own.conj() * other).re).sum::<f64>() < 0.0
+    }
 }
 
 impl LinearMachine {
