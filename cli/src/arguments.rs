@@ -41,6 +41,8 @@ pub(crate) enum Command {
     Stability(ModesArguments),
     /// Torsional modes of a train with couplings and gears, its interference diagram and static torques
     Torsion(ModesArguments),
+    /// Deflection, shear, bending moment, axial force and torque along the bodies: at rest in the loads, in response and modes
+    Forces(ModesArguments),
     /// Undamped critical speed map: critical speeds over the stiffness of the supports
     Map(MapArguments),
     /// Hold unbalance response and stability against API 617: the tables `kind = "lateral"` of a case
@@ -187,7 +189,7 @@ pub(crate) struct MapArguments {
     pub(crate) results: AnalysisOutput,
 }
 
-/// Arguments of `whirl modes`, `campbell`, `response`, `coefficients`, `stability` and `torsion`.
+/// Arguments of `whirl modes`, `campbell`, `response`, `coefficients`, `stability`, `torsion` and `forces`.
 #[derive(Debug, Args)]
 pub(crate) struct ModesArguments {
     /// Path of a case file, or the name of a built-in case (see `whirl list`)

@@ -70,6 +70,7 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
         }
         Command::Stability(arguments) => analysis::of_kind(AnalysisKind::Stability, arguments),
         Command::Torsion(arguments) => analysis::of_kind(AnalysisKind::Torsion, arguments),
+        Command::Forces(arguments) => analysis::of_kind(AnalysisKind::Forces, arguments),
         Command::Map(arguments) => analysis::map_of(arguments),
         Command::Lateral(arguments) => analysis::lateral_of(arguments),
         Command::Matrices(arguments) => analysis::matrices(arguments),

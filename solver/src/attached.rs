@@ -184,6 +184,7 @@ mod tests {
             coordinates: ["x", "y", "α", "β", "γ"].map(str::to_owned).to_vec(),
             nodes: Vec::new(),
             measures: Vec::new(),
+            sections: Vec::new(),
             centre_of_mass: CentreOfMass::none(5),
         }
     }

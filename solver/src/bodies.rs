@@ -7,6 +7,7 @@ use crate::body::BodyNode;
 use crate::centre_of_mass::CentreOfMass;
 use crate::measure::MeanMotion;
 use crate::schedule::Schedule;
+use crate::section::Section;
 use crate::shaft::Shaft;
 use crate::support::Support;
 
@@ -142,6 +143,14 @@ impl Body {
         match self {
             Body::Turning { shaft, .. } => &shaft.measures,
             Body::Standing { support, .. } => &support.measures,
+        }
+    }
+
+    /// Its sections, by z.
+    pub fn sections(&self) -> &[Section] {
+        match self {
+            Body::Turning { shaft, .. } => &shaft.sections,
+            Body::Standing { support, .. } => &support.sections,
         }
     }
 

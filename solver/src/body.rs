@@ -83,6 +83,8 @@ pub struct BodySpec {
     pub means: Vec<NodeSetMean>,
     /// Loads on dofs whose static answers are kept beside the modes.
     pub corrections: Vec<Row>,
+    /// z (m) near which sections are wanted, with what passes them.
+    pub sections: Vec<f64>,
     /// Bytes that may be in use while it is reduced.
     pub memory: usize,
 }

@@ -34,6 +34,7 @@ pub mod rigid;
 mod rotating;
 pub mod roundness;
 pub mod schedule;
+pub mod section;
 pub mod shaft;
 pub mod sparse;
 mod stiffening;

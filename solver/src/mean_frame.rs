@@ -37,11 +37,11 @@ impl Shaft {
         self.coordinates.remove(follows);
         let nodes = self.nodes.iter_mut().chain([&mut self.centre_of_mass.node]);
         let shapes = nodes.map(|node| &mut node.shapes);
-        let means = self.measures.iter_mut();
-        let rows = means.flat_map(|mean| [&mut mean.displacement, &mut mean.rotation]);
-        for rows in shapes.chain(rows) {
+        for rows in shapes {
             *rows = multiply(rows.view(), transform.view());
         }
+        self.measures = self.measures.iter().map(|own| own.over(&transform)).collect();
+        self.sections = self.sections.iter().map(|own| own.over(&transform)).collect();
         self
     }
 }

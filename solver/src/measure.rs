@@ -44,6 +44,13 @@ impl MeanMotion {
         }
     }
 
+    /// Over other coordinates, of which these are a transform.
+    pub(crate) fn over(&self, transform: &Matrix) -> MeanMotion {
+        let over = |rows: &Matrix| multiply(rows.view(), transform.view());
+        let (displacement, rotation) = (over(&self.displacement), over(&self.rotation));
+        MeanMotion { centre: self.centre, displacement, rotation }
+    }
+
     /// The motion of a point that moves with the set: as a node at `position` (m).
     pub fn node_at(&self, position: [f64; 3]) -> BodyNode {
         let r = [0, 1, 2].map(|axis| position[axis] - self.centre[axis]);

@@ -16,6 +16,7 @@ use crate::measure::MeanMotion;
 use crate::mesh::matrices::BodyMatrices;
 use crate::mesh::{Mesh, NodeSetMean};
 use crate::reduction::{CraigBampton, Row};
+use crate::section::{self, Section};
 use crate::sparse::SparseMatrix;
 use crate::stiffening::stiffening;
 
@@ -163,6 +164,8 @@ pub struct Reduced {
     /// Nodes of the mesh, ascending, and where they are (m).
     nodes: Vec<usize>,
     pub(crate) positions: Vec<[f64; 3]>,
+    /// Those of the spec.
+    pub(crate) sections: Vec<Section>,
 }
 
 impl Reduced {
@@ -174,7 +177,19 @@ impl Reduced {
     /// Of the spec and the mesh, and of the linear algebra: see [`crate::error::ReductionError`].
     pub fn new(kind: BodyKind, mesh: &Mesh, spec: &BodySpec) -> Result<Reduced, Error> {
         let body = spec.assemble(mesh)?;
-        let whole = spec.reduce(mesh, &body)?;
+        let has_sections = !spec.sections.is_empty() && mesh.matrices().is_none();
+        let whole = match has_sections {
+            true => {
+                let answered = section::answered(mesh, &body.mass, &spec.means);
+                let corrections = spec.corrections.iter().cloned().chain(answered).collect();
+                BodySpec { corrections, ..spec.clone() }.reduce(mesh, &body)?
+            }
+            false => spec.reduce(mesh, &body)?,
+        };
+        let sections = match has_sections {
+            true => section::sections(mesh, &spec.sections, &whole)?,
+            false => Vec::new(),
+        };
         let spin = match kind {
             BodyKind::Shaft => {
                 let (inertia, coupling) =
@@ -199,7 +214,8 @@ impl Reduced {
         let shapes =
             Matrix::from_fn(3 * nodes.len(), whole.shapes.cols, |i, j| whole.shapes[(row(i), j)]);
         let positions = nodes.iter().map(|&node| mesh.nodes()[node]).collect();
-        Ok(Reduced { reduction: CraigBampton { shapes, ..whole }, spin, weight, nodes, positions })
+        let reduction = CraigBampton { shapes, ..whole };
+        Ok(Reduced { reduction, spin, weight, nodes, positions, sections })
     }
 
     /// The key of [`Reduced::new`]: the same for whatever gives the same bits, another for everything else, another
@@ -216,8 +232,9 @@ impl Reduced {
             stiffening,
             // Among the nodes that are output, as the sets of the mesh.
             nodes: _,
-            means: _,
+            means,
             corrections,
+            sections,
             // Says how, not what.
             memory: _,
         } = spec;
@@ -233,8 +250,11 @@ impl Reduced {
             stiffens.then(|| constraints.equations().iter().map(terms).collect());
         let program = (PROGRAM, instruction_set());
         let nodes = output_nodes(mesh, spec);
-        let interface = (retained, held, modes, springs, corrections);
-        Key::of(&(program, kind, mesh.content(), interface, nodes, held_while_turning))
+        let interface = (retained, held, modes, springs, corrections, sections);
+        // What acts through means is answered where there are sections.
+        let means: Option<Vec<_>> = (!sections.is_empty())
+            .then(|| means.iter().map(|mean| (mean.nodes(), mean.weights())).collect());
+        Key::of(&(program, kind, mesh.content(), (interface, means), nodes, held_while_turning))
     }
 
     /// The displacement of the modes, and of what corrects them, under a load in its own direction (m/N): Σ (f·x)²/ω². None

@@ -139,6 +139,7 @@ impl RigidInertia {
             coordinates: self.names(),
             nodes: positions.iter().map(|&position| self.node(position, &UNIT)).collect(),
             measures: self.measures(&[self.centre], true),
+            sections: Vec::new(),
             centre_of_mass: self.centre_of_mass(&UNIT),
         }
     }
@@ -162,6 +163,7 @@ impl RigidInertia {
             coordinates: self.names(),
             nodes: positions.iter().map(|&position| self.node(position, &scales)).collect(),
             measures: self.measures(&[self.centre], false),
+            sections: Vec::new(),
             centre_of_mass: self.centre_of_mass(&scales),
         }
     }

@@ -10,6 +10,7 @@ use crate::measure::MeanMotion;
 use crate::mesh::Mesh;
 use crate::reduced::{BodyKind, Reduced, SpinTensors, Undeformed, Weight};
 use crate::reduction::CraigBampton;
+use crate::section::{self, Section};
 use crate::sparse::SparseMatrix;
 
 /// A flexible shaft in the frame that turns with it by θ (about z), reduced to n coordinates η.
@@ -44,6 +45,8 @@ pub struct Shaft {
     pub nodes: Vec<BodyNode>,
     /// The means asked for, in that order.
     pub measures: Vec<MeanMotion>,
+    /// Sections, by z.
+    pub sections: Vec<Section>,
     /// Its mass, and where that is.
     pub centre_of_mass: CentreOfMass,
 }
@@ -86,7 +89,8 @@ impl Reduced {
         let measures = self.measures(&active, spec);
         let weight = self.weight.centre_of_mass(&active);
         let shaft = Shaft::from_spin(&self.reduction, spin, &active, spec.damping, nodes, weight);
-        Ok(Shaft { measures, ..shaft })
+        let sections = section::active(&self.sections, &active, spec.damping);
+        Ok(Shaft { measures, sections, ..shaft })
     }
 }
 
@@ -150,6 +154,7 @@ impl Shaft {
             coordinates: active.names.clone(),
             nodes,
             measures: Vec::new(),
+            sections: Vec::new(),
             centre_of_mass,
         }
     }
@@ -179,6 +184,7 @@ impl Shaft {
             coordinates: vec!["mass x".to_owned(), "mass y".to_owned()],
             nodes: vec![node.clone()],
             measures: Vec::new(),
+            sections: Vec::new(),
             centre_of_mass: CentreOfMass { mass, node },
         }
     }

@@ -12,6 +12,7 @@ use crate::measure::MeanMotion;
 use crate::mesh::Mesh;
 use crate::reduced::{BodyKind, Reduced};
 use crate::reduction::{CraigBampton, hertz};
+use crate::section::{self, Section};
 
 /// A flexible support in the fixed frame as n oscillators that nothing but their forces couples:
 /// ẍ_i + c_i ẋ_i + k_i x_i = f_i (masses are 1 by the scaling of the shapes).
@@ -29,8 +30,18 @@ pub struct Support {
     pub nodes: Vec<BodyNode>,
     /// The means asked for, in that order.
     pub measures: Vec<MeanMotion>,
+    /// Sections, by z.
+    pub sections: Vec<Section>,
     /// Its mass, and where that is.
     pub centre_of_mass: CentreOfMass,
+}
+
+/// What is seen of a support, over its coordinates.
+struct Seen {
+    nodes: Vec<BodyNode>,
+    measures: Vec<MeanMotion>,
+    sections: Vec<Section>,
+    weight: CentreOfMass,
 }
 
 impl Reduced {
@@ -47,7 +58,9 @@ impl Reduced {
         let nodes = nodes.iter().map(|&node| self.node(&active, node)).collect();
         let measures = self.measures(&active, spec);
         let weight = self.weight.centre_of_mass(&active);
-        Ok(Support::new(&self.reduction, &active, spec.damping, nodes, measures, weight)?)
+        let sections = section::active(&self.sections, &active, spec.damping);
+        let seen = Seen { nodes, measures, sections, weight };
+        Ok(Support::new(&self.reduction, &active, spec.damping, seen)?)
     }
 }
 
@@ -63,26 +76,27 @@ impl Support {
     /// The support of a reduction. Where retained dofs stay free after elimination, its modes are
     /// those of the reduced body with these dofs free, otherwise the fixed-interface modes themselves.
     ///
-    /// `nodes`, `measures`, `weight`: those wanted and the centre of mass, over the active coordinates.
+    /// `seen`: over the active coordinates.
     ///
     /// # Errors
     /// The mass of the reduction is not positive definite.
-    pub(crate) fn new(
+    fn new(
         reduction: &CraigBampton,
         active: &Coordinates,
         damping: Rayleigh,
-        mut nodes: Vec<BodyNode>,
-        mut measures: Vec<MeanMotion>,
-        mut weight: CentreOfMass,
+        mut seen: Seen,
     ) -> Result<Support, LinearAlgebraError> {
         let mass = congruence(&reduction.mass, &active.transform);
         let stiffness = congruence(&reduction.stiffness, &active.transform);
         let n = mass.rows;
+        let hertz_fixed = reduction.hertz.clone();
         if mass == Matrix::identity(n) && is_diagonal(&stiffness) {
             let squares = (0..n).map(|i| stiffness[(i, i)]).collect();
-            let support = Support::oscillators(squares, damping, active.names.clone(), nodes);
-            let (hertz, centre_of_mass) = (reduction.hertz.clone(), weight);
-            return Ok(Support { hertz, measures, centre_of_mass, ..support });
+            return Ok(Support::of_oscillators(
+                (squares, damping),
+                (active.names.clone(), hertz_fixed),
+                seen,
+            ));
         }
         let mut eigen =
             generalised_symmetric_eigen(&stiffness.symmetric_part(), &mass.symmetric_part())?;
@@ -94,20 +108,26 @@ impl Support {
                 column.iter_mut().for_each(|value| *value = -*value);
             }
         }
-        for node in nodes.iter_mut().chain([&mut weight.node]) {
+        for node in seen.nodes.iter_mut().chain([&mut seen.weight.node]) {
             node.shapes = multiply(node.shapes.view(), eigen.vectors.view());
         }
-        for measure in &mut measures {
-            for rows in [&mut measure.displacement, &mut measure.rotation] {
-                *rows = multiply(rows.view(), eigen.vectors.view());
-            }
-        }
+        seen.measures = seen.measures.iter().map(|own| own.over(&eigen.vectors)).collect();
+        seen.sections = seen.sections.iter().map(|own| own.over(&eigen.vectors)).collect();
         // A rigid motion's ω² is 0 but for rounding, of either sign.
         let squares: Vec<f64> = eigen.values.iter().map(|value| value.max(0.0)).collect();
         let frequencies: Vec<f64> = squares.iter().map(|&square| hertz(square)).collect();
-        let support = Support::oscillators(squares, damping, mode_names(&frequencies), nodes);
-        let (hertz, centre_of_mass) = (reduction.hertz.clone(), weight);
-        Ok(Support { hertz, measures, centre_of_mass, ..support })
+        let names = mode_names(&frequencies);
+        Ok(Support::of_oscillators((squares, damping), (names, hertz_fixed), seen))
+    }
+
+    fn of_oscillators(
+        (squares, damping): (Vec<f64>, Rayleigh),
+        (names, hertz): (Vec<String>, Vec<f64>),
+        seen: Seen,
+    ) -> Support {
+        let Seen { nodes, measures, sections, weight } = seen;
+        let support = Support::oscillators(squares, damping, names, nodes);
+        Support { hertz, measures, sections, centre_of_mass: weight, ..support }
     }
 
     /// A support that does not move: no coordinates, and nodes at `positions` (m).
@@ -145,6 +165,7 @@ impl Support {
                 .map(|&position| BodyNode { position, shapes: shapes.clone() })
                 .collect(),
             measures: Vec::new(),
+            sections: Vec::new(),
             centre_of_mass: CentreOfMass { mass, node },
         }
     }
@@ -168,6 +189,7 @@ impl Support {
             coordinates,
             nodes,
             measures: Vec::new(),
+            sections: Vec::new(),
         }
     }
 }
@@ -198,8 +220,8 @@ mod tests {
     fn oscillators(reduction: &CraigBampton, active: &Coordinates, damping: Rayleigh) -> Support {
         let node = BodyNode::new(reduction, active, &[[0.0; 3]], 0);
         let weight = CentreOfMass { mass: 3.0, node: node.clone() };
-        let support =
-            Support::new(reduction, active, damping, vec![node], Vec::new(), weight).unwrap();
+        let seen = Seen { nodes: vec![node], measures: Vec::new(), sections: Vec::new(), weight };
+        let support = Support::new(reduction, active, damping, seen).unwrap();
         assert_eq!(support.centre_of_mass.node, support.nodes[0]);
         support
     }

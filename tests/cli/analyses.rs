@@ -2,6 +2,7 @@
 
 mod closed_forms;
 mod coaxial;
+mod forces;
 mod invariance;
 mod lateral;
 mod matrices;

@@ -105,6 +105,7 @@ fn spec(mesh: &Mesh, retained: &[usize], modes: usize) -> BodySpec {
     let dofs = retained.iter().flat_map(|node| [3 * node, 3 * node + 1, 3 * node + 2]);
     BodySpec {
         corrections: Vec::new(),
+        sections: Vec::new(),
         retained: dofs.map(|dof| Retained::dof(dof, format!("dof {dof}"))).collect(),
         held: mesh.matrices().map(|own| own.absent().collect()).unwrap_or_default(),
         modes,

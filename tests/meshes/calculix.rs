@@ -70,6 +70,7 @@ fn frequencies(mesh: &Mesh) -> Vec<f64> {
         stiffening: false,
         means: Vec::new(),
         corrections: Vec::new(),
+        sections: Vec::new(),
         memory: usize::MAX,
     };
     Support::from_mesh(mesh, &spec).expect("a body").hertz

@@ -39,6 +39,7 @@ fn body() -> Body {
     constraints.fix("axial", 4);
     let spec = BodySpec {
         corrections: Vec::new(),
+        sections: Vec::new(),
         retained: retained.map(|dof| Retained::dof(dof, format!("dof {dof}"))).collect(),
         held: Vec::new(),
         modes: 4,

@@ -95,6 +95,7 @@ fn reference_shaft() {
     constraints.equation("torsion", [(25, 1.0), (26, -1.0)]);
     let spec = BodySpec {
         corrections: Vec::new(),
+        sections: Vec::new(),
         retained,
         held: Vec::new(),
         modes: 50,
@@ -156,6 +157,7 @@ fn reference_support() {
     let bore = mesh.node_set("BORE1_LEFT").unwrap();
     let spec = BodySpec {
         corrections: Vec::new(),
+        sections: Vec::new(),
         retained,
         held: Vec::new(),
         modes: 150,
@@ -185,6 +187,7 @@ fn a_dof_retained_twice_is_named() {
     retained.push(again);
     let spec = BodySpec {
         corrections: Vec::new(),
+        sections: Vec::new(),
         retained,
         held: Vec::new(),
         modes: 1,

@@ -71,6 +71,7 @@ pub(crate) fn shaft(mesh: &Mesh) -> Shaft {
     constraints.equation("drive", [(top, 1.0), (bottom, -1.0)]);
     let spec = BodySpec {
         corrections: Vec::new(),
+        sections: Vec::new(),
         retained,
         held: Vec::new(),
         modes: 8,

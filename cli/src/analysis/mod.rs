@@ -5,6 +5,7 @@
 
 mod campbell;
 mod coefficients;
+mod forces;
 mod found;
 mod lateral;
 mod map;
@@ -214,8 +215,9 @@ fn run(
     let cache = arguments.cache.open();
     let build =
         || streams::warned(|warnings| machine::build_planned(case, cache.as_ref(), warnings));
-    // Lateral analyses build machines of their own, with what they look at.
-    let linear = match analyses.iter().any(|own| own.kind != AnalysisKind::Lateral) {
+    // Some build machines of their own, with what they look at.
+    let alone = |kind: AnalysisKind| matches!(kind, AnalysisKind::Lateral | AnalysisKind::Forces);
+    let linear = match analyses.iter().any(|own| !alone(own.kind)) {
         true => {
             let built = progress::during(show, case.reducing(), build)?;
             Some(LinearMachine::new(built.machine)?)
@@ -226,14 +228,19 @@ fn run(
     for analysis in analyses {
         let name = &analysis.name;
         let found = match &linear {
-            Some(linear) if analysis.kind != AnalysisKind::Lateral => {
+            Some(linear) if !alone(analysis.kind) => {
                 let (of, show) = ((case, linear), (show, !arguments.no_figures));
                 of_machine(of, analysis, cache.as_ref(), &interruption, show)?
             }
             _ => {
                 let figures = !arguments.no_figures;
                 let (of, cache) = ((case, file), cache.as_ref());
-                let work = || lateral::found(of, analysis, cache, &interruption, figures);
+                let work = || match analysis.kind {
+                    AnalysisKind::Forces => {
+                        forces::found(case, analysis, cache, &interruption, figures)
+                    }
+                    _ => lateral::found(of, analysis, cache, &interruption, figures),
+                };
                 progress::during(show, "analysing", work)?
             }
         };
@@ -287,7 +294,9 @@ fn of_machine(
             let (train, released) = torsion::released((case, linear), wanted.1.of, cache)?;
             torsion::found(case, &train, wanted, &released, interruption, figures)
         }
-        AnalysisKind::Lateral => unreachable!("it has machines of its own"),
+        AnalysisKind::Forces | AnalysisKind::Lateral => {
+            unreachable!("they have machines of their own")
+        }
     };
     progress::during(show, "analysing", work)
 }

@@ -33,7 +33,10 @@ pub(super) fn wanted(
     let fastest = linear.turning().max_by(|a, b| top(*a).total_cmp(&top(*b)).then(b.cmp(a)));
     let at_one = matches!(
         analysis.kind,
-        AnalysisKind::Modes | AnalysisKind::Coefficients | AnalysisKind::Matrices
+        AnalysisKind::Modes
+            | AnalysisKind::Coefficients
+            | AnalysisKind::Matrices
+            | AnalysisKind::Forces
     );
     let Some(of) = analysis.of.or(fastest) else {
         if at_one && analysis.speeds.is_empty() {

@@ -19,6 +19,8 @@ const TORSION: [f64; 2] = [1.0, 2.0];
 const MESH_ORDERS: [f64; 1] = [1.0];
 /// API 684, and the standards of machines that refer to it: torsional natural frequencies are 10 % off all excitations.
 const MARGIN: f64 = 0.1;
+/// Planes along a body.
+const STATIONS: usize = 41;
 
 /// An analysis under its name.
 #[derive(Debug, Clone)]
@@ -45,6 +47,8 @@ pub(crate) struct Analysis {
     pub(crate) margin: f64,
     /// Stiffnesses of the joints of a map (N/m), ascending; the usual ones where there are none.
     pub(crate) stiffness: Vec<f64>,
+    /// Planes along each body at which forces are wanted.
+    pub(crate) stations: usize,
     /// Of matrices.
     pub(crate) format: MatrixFormat,
     /// What standards ask for, of a lateral analysis.
@@ -70,6 +74,8 @@ pub(crate) enum AnalysisKind {
     Matrices,
     /// Torsional modes of a train, with what excites them.
     Torsion,
+    /// Forces and moments along bodies.
+    Forces,
     /// What standards ask of response and stability.
     Lateral,
 }
@@ -89,6 +95,7 @@ impl Analysis {
             operation: Vec::new(),
             margin: MARGIN,
             stiffness: Vec::new(),
+            stations: STATIONS,
             format: MatrixFormat::default(),
             lateral: None,
         }
@@ -128,9 +135,10 @@ impl AnalysisKind {
         "map",
         "matrices",
         "torsion",
+        "forces",
         "lateral",
     ];
-    const ALL: [AnalysisKind; 9] = [
+    const ALL: [AnalysisKind; 10] = [
         AnalysisKind::Modes,
         AnalysisKind::Campbell,
         AnalysisKind::Response,
@@ -139,6 +147,7 @@ impl AnalysisKind {
         AnalysisKind::Map,
         AnalysisKind::Matrices,
         AnalysisKind::Torsion,
+        AnalysisKind::Forces,
         AnalysisKind::Lateral,
     ];
 
@@ -177,6 +186,7 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
     let operation = table.optional_string("operation");
     let given = table.gives("margin");
     let margin = if given { table.number_or_middle("margin") } else { MARGIN };
+    let stations = table.optional_count("stations").unwrap_or(STATIONS);
     let format = table.optional_word("format").and_then(MatrixFormat::of);
     let lateral = match kind {
         Some(AnalysisKind::Lateral) => Some(Box::new(lateral::read(table, joined)?)),
@@ -192,6 +202,7 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
         orders: if orders.is_empty() { kind.orders() } else { orders },
         mesh_orders: if mesh_orders.is_empty() { MESH_ORDERS.to_vec() } else { mesh_orders },
         margin,
+        stations,
         format: format.unwrap_or_default(),
         lateral,
         ..Analysis::of_kind(kind)

@@ -333,7 +333,7 @@ const ANALYSIS: &[Key] = &[
     merged(
         "kind",
         Words(AnalysisKind::WORDS),
-        "modes at a speed or followed over speeds, response, coefficients of joints, stability, undamped critical speeds, matrices for other programs, torsion of a train, what standards ask for",
+        "modes at a speed or followed over speeds, response, coefficients of joints, stability, undamped critical speeds, matrices for other programs, torsion of a train, forces along bodies, what standards ask for",
     ),
     key("of", Text, "the body whose speed it is; the fastest if left out").like("\"rotor\""),
     key(
@@ -359,6 +359,7 @@ const ANALYSIS: &[Key] = &[
         .like("0.1"),
     key("stiffness", Text, "of the joints of a map, one or a range with a number")
         .like("\"1e5 N/m .. 1e10 N/m, 41, log\""),
+    key("stations", Count(1, 1000), "of forces: planes along each body; 41 if left out"),
     key("format", Words(MatrixFormat::WORDS), "of the files of matrices; npz if left out"),
     key(
         "edition",

@@ -349,6 +349,7 @@ mod tests {
             coordinates: ["x", "y", "α", "β", "γ"].map(str::to_owned).to_vec(),
             nodes: Vec::new(),
             measures: vec![mean],
+            sections: Vec::new(),
             centre_of_mass: CentreOfMass::none(5),
         };
         let body = Body::standing("block", support);

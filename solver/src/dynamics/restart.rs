@@ -216,6 +216,7 @@ fn content(body: &Body) -> Key {
                 coordinates,
                 nodes: _,
                 measures: _,
+                sections: _,
                 centre_of_mass: CentreOfMass { mass: _, node },
             } = shaft;
             let matrices = [mass, stiffness, spin_inertia, spin_coupling, spin_net];
@@ -232,6 +233,7 @@ fn content(body: &Body) -> Key {
                 coordinates,
                 nodes: _,
                 measures: _,
+                sections: _,
                 centre_of_mass: CentreOfMass { mass, node },
             } = support;
             Key::of(&(coordinates, stiffness, mass, node))

@@ -77,6 +77,7 @@ pub(super) fn machine(rotation: Rotation) -> Machine {
         coordinates: vec!["mode 1".to_owned(), "mode 2".to_owned()],
         nodes: vec![node.clone()],
         measures: Vec::new(),
+        sections: Vec::new(),
         centre_of_mass: CentreOfMass::none(2),
     };
     let around: Vec<[f64; 3]> =

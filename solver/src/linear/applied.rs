@@ -60,7 +60,12 @@ impl LinearMachine {
         self.vibration(at, point, &mode.shape)
     }
 
-    fn vibration(&self, at: &Standstill, point: &Point, moved: &[Complex64]) -> Vibration {
+    pub(super) fn vibration(
+        &self,
+        at: &Standstill,
+        point: &Point,
+        moved: &[Complex64],
+    ) -> Vibration {
         let amplitudes = self
             .rows(at, point)
             .map(|row| row.iter().zip(moved).map(|(row, own)| row * own).sum::<Complex64>());

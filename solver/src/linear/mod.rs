@@ -11,6 +11,7 @@
 //! constant in its own frame, if all else is round and nothing stands in space (`varying`), or vary with its angle (Hill's
 //! method, [`crate::linalg`]).
 
+mod along;
 mod applied;
 mod campbell;
 mod coefficients;
@@ -37,6 +38,7 @@ mod torsion;
 mod track;
 mod varying;
 
+pub use along::Along;
 pub use applied::AppliedUnbalance;
 pub use campbell::{Branch, Campbell, Critical, Reduced, Threshold};
 pub use coefficients::JointCoefficients;

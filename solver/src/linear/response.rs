@@ -93,6 +93,34 @@ impl LinearMachine {
         body: usize,
         points: &[Point],
     ) -> Result<Vec<(f64, Vec<Vibration>)>, Error> {
+        let moved = self.responded((at, equations), body)?;
+        let all: Vec<(f64, Vec<Vibration>)> = moved
+            .iter()
+            .map(|(order, own)| {
+                let motions = points.iter().map(|point| self.vibration(at, point, own));
+                let motions = motions.map(|mut own| {
+                    if *order == 0.0 {
+                        own.amplitudes.iter_mut().for_each(|own| own.im = 0.0);
+                    }
+                    own
+                });
+                (*order, motions.collect())
+            })
+            .collect();
+        let size = |own: &[Vibration]| own.iter().map(|own| own.orbit().major).fold(0.0, f64::max);
+        let most = all.iter().map(|own| size(&own.1)).fold(0.0, f64::max);
+        Ok(all.into_iter().filter(|own| size(&own.1) > NOTHING * most).collect())
+    }
+
+    /// The coordinates of what [`LinearMachine::response`] is of, by orders.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn responded(
+        &self,
+        (at, equations): (&Standstill, &Linearised),
+        body: usize,
+    ) -> Result<Vec<(f64, Vec<Complex64>)>, Error> {
         let speed = at.speeds[body];
         if speed == 0.0 {
             return Ok(Vec::new());
@@ -138,29 +166,8 @@ impl LinearMachine {
                 add(*order, solve_complex(mass.rows, &matrix, force)?);
             }
         }
-        let of = |point: &Point, moved: &[Complex64]| {
-            let amplitudes = self
-                .rows(at, point)
-                .map(|row| row.iter().zip(moved).map(|(row, own)| row * own).sum::<Complex64>());
-            Vibration { amplitudes }
-        };
         moved.sort_by_key(|own| own.0);
-        let all: Vec<(f64, Vec<Vibration>)> = moved
-            .iter()
-            .map(|(order, own)| {
-                let order = f64::from(*order) / HALVES;
-                let motions = points.iter().map(|point| of(point, own)).map(|mut own| {
-                    if order == 0.0 {
-                        own.amplitudes.iter_mut().for_each(|own| own.im = 0.0);
-                    }
-                    own
-                });
-                (order, motions.collect())
-            })
-            .collect();
-        let size = |own: &[Vibration]| own.iter().map(|own| own.orbit().major).fold(0.0, f64::max);
-        let most = all.iter().map(|own| size(&own.1)).fold(0.0, f64::max);
-        Ok(all.into_iter().filter(|own| size(&own.1) > NOTHING * most).collect())
+        Ok(moved.into_iter().map(|(order, own)| (f64::from(order) / HALVES, own)).collect())
     }
 
     /// The coordinates of small motions at the state that stands.

@@ -186,6 +186,7 @@ impl Shaft {
             coordinates: kept.iter().map(|&place| self.coordinates[place].clone()).collect(),
             nodes: self.nodes.iter().map(node).collect(),
             measures: self.measures.iter().map(mean).collect(),
+            sections: Vec::new(),
             centre_of_mass: CentreOfMass {
                 mass: self.centre_of_mass.mass,
                 node: node(&self.centre_of_mass.node),

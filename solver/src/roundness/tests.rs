@@ -136,6 +136,7 @@ impl Prism {
         }
         let spec = BodySpec {
             corrections: Vec::new(),
+            sections: Vec::new(),
             retained,
             held: Vec::new(),
             modes: self.modes,

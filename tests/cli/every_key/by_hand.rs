@@ -77,6 +77,7 @@ fn body(mesh: &Mesh, which: usize, own: &ByHand, held: Held, nodes: Vec<usize>) 
     assert!(nodes.iter().all(|&node| node < mesh.nodes().len()));
     BodySpec {
         corrections: Vec::new(),
+        sections: Vec::new(),
         retained: held.retained,
         held: Vec::new(),
         modes: own.modes[which],

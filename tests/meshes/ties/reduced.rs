@@ -26,6 +26,7 @@ pub(crate) fn spec(retained: Vec<Retained>, held: Vec<usize>) -> BodySpec {
         stiffening: true,
         means: Vec::new(),
         corrections: Vec::new(),
+        sections: Vec::new(),
         memory: usize::MAX,
     }
 }

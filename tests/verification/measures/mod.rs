@@ -180,6 +180,7 @@ fn near(got: &[f64], want: &[f64], part: f64) {
 fn spec(modes: usize) -> BodySpec {
     BodySpec {
         corrections: Vec::new(),
+        sections: Vec::new(),
         retained: Vec::new(),
         held: Vec::new(),
         modes,

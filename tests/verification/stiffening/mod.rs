@@ -26,6 +26,7 @@ fn spec(dofs: &[usize], held: usize, modes: usize, nodes: Vec<usize>) -> BodySpe
     (0..held).for_each(|place| constraints.fix(format!("hold {place}"), place));
     BodySpec {
         corrections: Vec::new(),
+        sections: Vec::new(),
         retained: dofs.iter().map(|&dof| Retained::dof(dof, format!("dof {dof}"))).collect(),
         held: Vec::new(),
         means: Vec::new(),

@@ -129,7 +129,7 @@ impl JoinedPlan {
     }
 
     /// The bodies that have meshes.
-    pub(super) fn meshed(&mut self) -> impl Iterator<Item = &mut BodyPlan> {
+    pub(crate) fn meshed(&mut self) -> impl Iterator<Item = &mut BodyPlan> {
         self.bodies.iter_mut().filter_map(|body| match body {
             PlannedBody::Meshed(own) => Some(&mut **own),
             PlannedBody::Rigid(_) => None,

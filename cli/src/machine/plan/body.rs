@@ -93,6 +93,7 @@ impl BodyPlan {
             nodes: Vec::new(),
             stiffening: false,
             means: Vec::new(),
+            sections: Vec::new(),
             memory: memory::available().unwrap_or(usize::MAX),
         };
         let (held_by, made_from) = (held_by.clone(), case.mesh.place());

@@ -48,6 +48,7 @@ fn shaft() -> Shaft {
         coordinates: ["a", "b", "c"].map(str::to_owned).to_vec(),
         nodes,
         measures: Vec::new(),
+        sections: Vec::new(),
         centre_of_mass: CentreOfMass::none(3),
     }
 }

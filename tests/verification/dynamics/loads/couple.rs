@@ -33,6 +33,7 @@ fn a_couple_twists_and_bends_a_shaft_and_turns_its_frame() {
     }
     let spec = BodySpec {
         corrections: Vec::new(),
+        sections: Vec::new(),
         retained,
         held: Vec::new(),
         modes: 10,

@@ -115,6 +115,7 @@ fn a_shaft_sags_as_a_beam_with_shear_does() {
     }
     let spec = BodySpec {
         corrections: Vec::new(),
+        sections: Vec::new(),
         retained,
         held: Vec::new(),
         modes: 12,

@@ -62,6 +62,7 @@ fn shaft() -> Shaft {
     constraints.fix("frame", 0);
     let spec = BodySpec {
         corrections: Vec::new(),
+        sections: Vec::new(),
         retained,
         held: Vec::new(),
         modes: 12,

@@ -1,0 +1,316 @@
+//! Deflection, shear, bending moment, axial force and torque along the bodies of a machine: as it stands, in its response and in
+//! its modes.
+
+mod figure;
+
+use std::fmt::Write;
+
+use num_complex::Complex64;
+use whirl_solver::cache::Cache;
+use whirl_solver::linear::{Along, LinearMachine, Standstill};
+use whirl_solver::section::planes;
+use whirl_text::shown;
+
+use super::found::{Found, drawn};
+use super::speeds::{self, Wanted};
+use super::states::{Ended, at_each_speed};
+use super::words;
+use crate::case::{Analysis, Case};
+use crate::errors::Failure;
+use crate::machine;
+use crate::report::table;
+use crate::signals::Interruption;
+use crate::streams;
+
+/// What is seen at a section: the name of its columns, and their unit, and that in SI.
+const QUANTITIES: [(&str, &str, f64); 9] = [
+    ("ux", "um", 1e6),
+    ("uy", "um", 1e6),
+    ("uz", "um", 1e6),
+    ("shear_x", "N", 1.0),
+    ("shear_y", "N", 1.0),
+    ("axial", "N", 1.0),
+    ("moment_x", "Nm", 1.0),
+    ("moment_y", "Nm", 1.0),
+    ("torque", "Nm", 1.0),
+];
+/// Lines of the table for people: what, of which of the quantities, and its unit.
+const SHOWN: [(&str, &[usize], &str); 5] = [
+    ("deflection", &[0, 1], "µm"),
+    ("shear force", &[3, 4], "N"),
+    ("bending moment", &[6, 7], "N·m"),
+    ("axial force", &[5], "N"),
+    ("torque", &[8], "N·m"),
+];
+/// The largest displacement of a mode (m).
+const UNIT: f64 = 1e-6;
+
+/// Shares of the largest deflection below which an order of a response is none, or is in files only.
+const NOTHING: f64 = 1e-6;
+const SMALL: f64 = 1e-2;
+
+/// What is seen along bodies, by their names.
+type Bodies = Vec<(String, Vec<Along>)>;
+
+/// The machine with sections along its bodies, and the names of those that have none.
+struct Cut {
+    linear: LinearMachine,
+    whole: Vec<String>,
+}
+
+/// What passes the sections at each speed, as a table, files and a figure.
+///
+/// # Errors
+/// As the machine's; none of its bodies can be cut.
+pub(super) fn found(
+    case: &Case,
+    analysis: &Analysis,
+    cache: Option<&Cache>,
+    interruption: &Interruption,
+    figures: bool,
+) -> Result<Found, Failure> {
+    let Cut { linear, whole } = cut(case, analysis.stations, cache)?;
+    let wanted = speeds::wanted(case, &linear, analysis)?;
+    let mut files = Files::new();
+    let mut text = String::new();
+    let gravity = case.machine.gravity.as_ref().map_or([0.0; 3], |own| own.acceleration);
+    let mut last: Option<(f64, Bodies)> = None;
+    let mut work = |speed: f64, at: &Standstill| -> Result<(), Failure> {
+        let standing = bodies(&linear, |body| linear.standing_along(at, body, gravity));
+        text.push_str(&head(case, &linear, at));
+        text.push_str(&largest(&standing));
+        files.stand(speed, &standing);
+        moving(&linear, (analysis, &wanted), (speed, at), &mut files, &mut text)?;
+        last = Some((speed, standing));
+        Ok(())
+    };
+    let Ended { lost, interrupted } =
+        at_each_speed(&linear, (analysis, &wanted), interruption, &mut work)?;
+    text.push_str(&lost);
+    for body in whole {
+        let _ = writeln!(text, "note: {body} has no sections, as it is rigid or made of matrices");
+    }
+    let name = &analysis.name;
+    let mut files = files.written(name);
+    if let (true, Some((speed, standing))) = (figures, last) {
+        files.extend(drawn(name, &figure::of(case, speed, &standing)));
+    }
+    Ok(Found { text, files, interrupted })
+}
+
+/// Plans the machine with planes along every mesh, evenly as far as its cells go, and builds it.
+fn cut(case: &Case, stations: usize, cache: Option<&Cache>) -> Result<Cut, Failure> {
+    let mut own = case.clone();
+    own.fields = None;
+    let mut plan = streams::warned(|_| machine::plan(&own, &mut Vec::new()))?;
+    for body in plan.meshed().filter(|body| !body.rigid) {
+        let levels = body.mesh.nodes().iter().map(|node| node[2]);
+        let ends = levels
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |ends, z| [ends[0].min(z), ends[1].max(z)]);
+        let at = |k: usize| ends[0] + (ends[1] - ends[0]) * (k as f64 + 0.5) / stations as f64;
+        let wanted: Vec<f64> = (0..stations).map(at).collect();
+        body.spec.sections = planes(&body.mesh, &wanted);
+    }
+    let built = streams::warned(|warnings| machine::build(&own, &plan, cache, warnings))?;
+    let bodies = built.machine.bodies.iter();
+    let whole: Vec<String> = bodies
+        .filter(|own| own.size() > 0 && own.sections().is_empty())
+        .map(|own| own.name().to_owned())
+        .collect();
+    if built.machine.bodies.iter().all(|own| own.sections().is_empty()) {
+        return Err(Failure::Argument {
+            message: format!(
+                "no body of `{}` can be cut: forces along bodies need a mesh",
+                case.name
+            ),
+            help: "give a body a mesh, `dimensions` or `sections` in place of its mass or matrices"
+                .to_owned(),
+        });
+    }
+    Ok(Cut { linear: LinearMachine::new(built.machine)?, whole })
+}
+
+/// What a function gives of each body that has sections.
+fn bodies(linear: &LinearMachine, of: impl Fn(usize) -> Vec<Along>) -> Bodies {
+    let all = linear.machine().bodies.iter().enumerate();
+    let cut = all.filter(|(_, own)| !own.sections().is_empty());
+    cut.map(|(body, own)| (own.name().to_owned(), of(body))).collect()
+}
+
+/// The response to what turns with each body, and modes; what cannot be had is noted.
+fn moving(
+    linear: &LinearMachine,
+    (analysis, wanted): (&Analysis, &Wanted),
+    (speed, at): (f64, &Standstill),
+    files: &mut Files,
+    text: &mut String,
+) -> Result<(), Failure> {
+    let equations = linear.linearised(at)?;
+    let mut responses: Vec<(String, f64, Bodies)> = Vec::new();
+    for source in linear.turning() {
+        let name = linear.machine().bodies[source].name();
+        for (order, shape) in linear.responded((at, &equations), source)? {
+            let value = Complex64::new(0.0, order * at.speeds[source]);
+            let all = bodies(linear, |body| {
+                let turns = body == source && order == 1.0;
+                linear.moving_along(at, body, (value, &shape), turns)
+            });
+            responses.push((name.to_owned(), order, all));
+        }
+    }
+    let most = responses.iter().map(|own| moved(&own.2)).fold(0.0, f64::max);
+    for (name, order, all) in &responses {
+        let share = moved(all) / most;
+        if share > SMALL {
+            let _ = writeln!(text, "amplitudes by what turns with {name}, order {order}");
+            text.push_str(&largest(all));
+        }
+        if share > NOTHING {
+            files.response.of(&format!("{},{name},{order}", words::rpm(speed)), all);
+        }
+    }
+    if !equations.stands_in_space() {
+        text.push_str("note: a body that turns is not round: its modes are left out here\n\n");
+        return Ok(());
+    }
+    let modes = linear.modes(&equations, analysis.count)?;
+    for (place, mode) in modes.oscillating.iter().take(analysis.count).enumerate() {
+        let mut all =
+            bodies(linear, |body| linear.moving_along(at, body, (mode.value, &mode.shape), false));
+        let moves = all.iter().flat_map(|(_, own)| own).flat_map(|own| own.displacement);
+        let most = moves.fold(
+            Complex64::ZERO,
+            |most, own| {
+                if own.norm() > most.norm() { own } else { most }
+            },
+        );
+        // A mode of rigid bodies alone passes nothing.
+        if most == Complex64::ZERO {
+            continue;
+        }
+        for own in all.iter_mut().flat_map(|(_, own)| own) {
+            let parts = [&mut own.displacement, &mut own.force, &mut own.moment];
+            parts.into_iter().flatten().for_each(|value| *value *= UNIT / most);
+        }
+        let whirl = wanted.of.map_or("-", |_| words::whirl(mode, speed));
+        let (hertz, damping) = (mode.hertz(), mode.damping_ratio());
+        let before = format!("{},{},{hertz},{damping},{whirl}", words::rpm(speed), place + 1);
+        files.modes.of(&before, &all);
+    }
+    Ok(())
+}
+
+fn head(case: &Case, linear: &LinearMachine, at: &Standstill) -> String {
+    let mut text = format!("{}: {}\n", case.name, case.title);
+    for (body, own) in linear.machine().bodies.iter().enumerate() {
+        if at.speeds[body] != 0.0 {
+            let _ = writeln!(text, "{} at {} rpm", own.name(), words::speed(at.speeds[body]));
+        }
+    }
+    text.push_str("as it stands, unbalance left out\n");
+    text
+}
+
+/// The values of a section in the units of files.
+fn values(own: &Along) -> [Complex64; 9] {
+    let all = [own.displacement, own.force, own.moment].concat();
+    std::array::from_fn(|k| all[k] * QUANTITIES[k].2)
+}
+
+/// How much there is of some quantities together: of two that are at right angles the major semi-axis.
+fn size(own: &[Complex64; 9], which: &[usize]) -> f64 {
+    match *which {
+        [x, y] => whirl_solver::linear::Orbit::new([own[x], own[y]]).major,
+        _ => which.iter().map(|&k| own[k].norm()).fold(0.0, f64::max),
+    }
+}
+
+/// The largest deflection (m).
+fn moved(all: &[(String, Vec<Along>)]) -> f64 {
+    let every = all.iter().flat_map(|(_, own)| own).flat_map(|own| own.displacement);
+    every.map(Complex64::norm).fold(0.0, f64::max)
+}
+
+/// The largest values along each body, and where they are.
+fn largest(all: &[(String, Vec<Along>)]) -> String {
+    let mut rows = vec![["body", "largest", "value", "unit", "z (mm)"].map(str::to_owned).to_vec()];
+    for (body, sections) in all {
+        for (what, which, unit) in SHOWN {
+            let sized = sections.iter().map(|own| (size(&values(own), which), own.z));
+            let (most, z) =
+                sized.fold((0.0, f64::NAN), |most, own| if own.0 > most.0 { own } else { most });
+            let z = if z.is_nan() { "-".to_owned() } else { shown(1e3 * z, 6, 1e-3..1e7) };
+            let value = shown(most, 5, 1e-4..1e7);
+            rows.push(vec![body.clone(), what.to_owned(), value, unit.to_owned(), z]);
+        }
+    }
+    format!("\n{}\n", table(&rows))
+}
+
+/// Rows of a file, with or without phases.
+struct Rows {
+    text: String,
+}
+
+impl Rows {
+    fn new(before: &str, phases: bool) -> Rows {
+        let columns = QUANTITIES.map(|(name, unit, _)| match phases {
+            true => format!("{name}_{unit},{name}_deg"),
+            false => format!("{name}_{unit}"),
+        });
+        Rows { text: format!("{before},body,z_mm,{}\n", columns.join(",")) }
+    }
+
+    /// Amplitudes and phases.
+    fn of(&mut self, before: &str, all: &[(String, Vec<Along>)]) {
+        let cell = |own: Complex64| format!("{},{}", own.norm(), own.arg().to_degrees());
+        self.push(before, all, cell);
+    }
+
+    fn push(
+        &mut self,
+        before: &str,
+        all: &[(String, Vec<Along>)],
+        cell: impl Fn(Complex64) -> String,
+    ) {
+        for (body, sections) in all {
+            for own in sections {
+                let cells = values(own).map(&cell).join(",");
+                writeln!(self.text, "{before},{body},{},{cells}", 1e3 * own.z)
+                    .expect("text can be written");
+            }
+        }
+    }
+}
+
+/// The files of an analysis.
+struct Files {
+    stands: Rows,
+    response: Rows,
+    modes: Rows,
+}
+
+impl Files {
+    fn new() -> Files {
+        Files {
+            stands: Rows::new("speed_rpm", false),
+            response: Rows::new("speed_rpm,of,order", true),
+            modes: Rows::new("speed_rpm,mode,frequency_hz,damping_ratio,whirl", true),
+        }
+    }
+
+    fn stand(&mut self, speed: f64, all: &[(String, Vec<Along>)]) {
+        let rpm = words::rpm(speed).to_string();
+        self.stands.push(&rpm, all, |own| own.re.to_string());
+    }
+
+    fn written(self, name: &str) -> Vec<(String, Vec<u8>)> {
+        let more = [("response", self.response), ("modes", self.modes)];
+        let more = more.into_iter().filter(|(_, rows)| rows.text.lines().nth(1).is_some());
+        let mut files = vec![(format!("{name}.csv"), self.stands.text.into_bytes())];
+        files.extend(
+            more.map(|(what, rows)| (format!("{name}.{what}.csv"), rows.text.into_bytes())),
+        );
+        files
+    }
+}
