@@ -140,17 +140,21 @@ pub fn mass_above(mesh: &Mesh, z: f64) -> Result<f64, Error> {
     Ok(mass)
 }
 
-/// Hands the matrix of a form of every cell to `take`: the nodes of the cell, and entry (3a+i, 3b+j) by [a, i] and [b, j].
+/// Hands the matrix of a form of every cell, under the stress of a displacement if it is one of these, to `take`: the nodes of
+/// the cell, and entry (3a+i, 3b+j) by [a, i] and [b, j].
 ///
 /// # Errors
 /// As [`assemble`].
+///
+/// # Panics
+/// As [`assemble_under`].
 pub(crate) fn each_cell(
     mesh: &Mesh,
-    form: &str,
+    (form, displacement): (&str, &[f64]),
     mut take: impl FnMut(&[usize], &dyn Fn([usize; 2], [usize; 2]) -> f64),
 ) -> Result<(), Error> {
     let (kernels, structures) = kernels(mesh, form)?;
-    evaluate(mesh, &kernels, &[], |block, cell, values| {
+    evaluate(mesh, &kernels, displacement, |block, cell, values| {
         let entries = Entries { structure: structures[block], nodes: cell.len(), values };
         take(cell, &|[a, i], [b, j]| entries.get(a, i, b, j));
     })

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use serde::{Deserialize, Serialize};
 
-use crate::assembly::assemble;
+use crate::assembly::{assemble, assemble_under};
 use crate::body::{BodyNode, BodySpec, Coordinates, Retained};
 use crate::cache::{Key, PROGRAM, instruction_set};
 use crate::centre_of_mass::CentreOfMass;
@@ -18,7 +18,7 @@ use crate::mesh::{Mesh, NodeSetMean};
 use crate::reduction::{CraigBampton, Row};
 use crate::section::{self, Section};
 use crate::sparse::SparseMatrix;
-use crate::stiffening::stiffening;
+use crate::stiffening::displacement;
 
 /// Which body a reduction is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -182,28 +182,36 @@ impl Reduced {
             true => {
                 let answered = section::answered(mesh, &body.mass, &spec.means);
                 let corrections = spec.corrections.iter().cloned().chain(answered).collect();
-                BodySpec { corrections, ..spec.clone() }.reduce(mesh, &body)?
+                let mut with = BodySpec { corrections, ..spec.clone() };
+                let once = with.reduce(mesh, &body)?;
+                with.corrections.extend(section::inertia_of_answers(&once, spec.modes, &body.mass));
+                with.reduce(mesh, &body)?
             }
             false => spec.reduce(mesh, &body)?,
         };
-        let sections = match has_sections {
-            true => section::sections(mesh, &spec.sections, &whole)?,
-            false => Vec::new(),
-        };
+        let mut spun = None;
         let spin = match kind {
             BodyKind::Shaft => {
                 let (inertia, coupling) =
                     (assemble(mesh, "spin_inertia")?, assemble(mesh, "spin_coupling")?);
                 let undeformed = Undeformed::of(mesh, &inertia, &coupling);
-                let under_load = || match mesh.matrices() {
+                let mut under_load = || match mesh.matrices() {
                     Some(_) => assemble(mesh, "stiffening"),
-                    None => stiffening(mesh, spec, &body, &whole, &undeformed.y_x0),
+                    None => {
+                        let load = &undeformed.y_x0;
+                        let displaced = displacement(mesh, spec, &body, &whole, load)?;
+                        assemble_under(mesh, "stiffening", spun.insert(displaced))
+                    }
                 };
-                let under_load = spec.stiffening.then(under_load).transpose()?;
+                let under_load = spec.stiffening.then(&mut under_load).transpose()?;
                 let stiffening = under_load.as_ref();
                 Some(SpinTensors::new(&whole, &inertia, &coupling, stiffening, &undeformed))
             }
             BodyKind::Support => None,
+        };
+        let sections = match has_sections {
+            true => section::sections(mesh, &spec.sections, spun.as_deref(), &whole)?,
+            false => Vec::new(),
         };
         let weight = match mesh.matrices() {
             Some(own) => Weight::of_matrices(&whole, mesh, own),

@@ -1,6 +1,5 @@
 //! Stiffening by rotation: G = ∫ σ⁰_ij ∂_i u · ∂_j v dV, with σ⁰ the stress under the centrifugal load of θ̇ = 1.
 
-use crate::assembly::assemble_under;
 use crate::body::{Assembled, BodySpec};
 use crate::error::{Error, ReductionError};
 use crate::linalg::{
@@ -9,26 +8,10 @@ use crate::linalg::{
 };
 use crate::mesh::Mesh;
 use crate::reduction::{CraigBampton, Row, Solid, free_shapes};
-use crate::sparse::SparseMatrix;
 
-/// G of a body (N per (rad/s)² and m), 3·nodes.
+/// K u⁰ = load, with the constraints of the spec; m per (rad/s)². Under it G is [`crate::assembly::assemble_under`].
 ///
 /// `load`: Y x0 (N per (rad/s)²), 3·nodes.
-///
-/// # Errors
-/// As [`displacement`] and [`assemble_under`].
-pub(crate) fn stiffening(
-    mesh: &Mesh,
-    spec: &BodySpec,
-    body: &Assembled,
-    reduction: &CraigBampton,
-    load: &[f64],
-) -> Result<SparseMatrix, Error> {
-    let under_load = displacement(mesh, spec, body, reduction, load)?;
-    assemble_under(mesh, "stiffening", &under_load)
-}
-
-/// K u⁰ = load, with the constraints of the spec; m per (rad/s)².
 ///
 /// A motion that nothing stops is free of load: what the load does on it is taken off as the inertia of that motion,
 /// which strains nothing where all of the body is off the axis alike. A load in balance is left as it is. Then the motion
@@ -36,7 +19,7 @@ pub(crate) fn stiffening(
 ///
 /// # Errors
 /// Constraints that contradict each other; a body of which a part is loose.
-fn displacement(
+pub(crate) fn displacement(
     mesh: &Mesh,
     spec: &BodySpec,
     body: &Assembled,

@@ -96,30 +96,33 @@ impl Moving {
             q.iter().zip(rates).map(|(q, rate)| q + section.damping * rate).collect();
         let mut force = three(&section.force, &strained);
         let mut moment = three(&section.moment, &strained);
-        // Σ m (a − g) over the nodes of the section, and by their places x and y.
         let (once, twice) = (2.0 * self.speed, self.speed * self.speed);
+        if let Some(stressed) = &section.stressed {
+            for (own, rows) in [&mut force, &mut moment].into_iter().zip(stressed) {
+                let by_stress = three(rows, q);
+                own.iter_mut().zip(by_stress).for_each(|(own, more)| *own += twice * more);
+            }
+        }
+        // Places that turn with the body are Re((x + iy) e^{iΩt}) and Re((y − ix) e^{iΩt}).
+        let [x, y, _] = section.mass.places.map(|own| self.turns * own);
+        let turned = [Complex64::new(x, y), Complex64::new(y, -x), Complex64::ZERO];
+        // Σ m (a − g) over the nodes of the section, and by their places x and y.
         let [sum, by_x, by_y] = [0, 1, 2].map(|arm| {
             let moved = &section.mass.moved[arm];
             let [own, rate, place] = [accelerations, rates, q].map(|own| three(moved, own));
             let gravity = self.gravity.map(|own| section.mass.moments[arm] * own);
-            let coriolis = [-once * rate[1], once * rate[0], Complex64::ZERO];
-            let beside: [Complex64; 3] =
-                std::array::from_fn(|axis| own[axis] + coriolis[axis] - gravity[axis]);
-            (beside, place)
+            [
+                own[0] - once * rate[1] - twice * place[0] - gravity[0],
+                own[1] + once * rate[0] - twice * place[1] - gravity[1],
+                own[2] - gravity[2],
+            ]
         });
-        // Places that turn with the body are Re((x + iy) e^{iΩt}) and Re((y − ix) e^{iΩt}).
-        let [x, y, _] = section.mass.places.map(|own| self.turns * own);
-        let turned = [Complex64::new(x, y), Complex64::new(y, -x), Complex64::ZERO];
         for axis in 0..3 {
-            let centripetal =
-                if axis < 2 { twice * (sum.1[axis] + turned[axis]) } else { Complex64::ZERO };
-            force[axis] -= sum.0[axis] - centripetal;
+            force[axis] -= sum[axis] - twice * turned[axis];
         }
-        // About the axis through the section as it is displaced, the acceleration −Ω² (x, y) of undeformed places has arms of its
-        // own: what it does to moments is taken off along x and y and added along z.
-        moment[0] -= by_y.0[2] + twice * by_y.1[2];
-        moment[1] += by_x.0[2] + twice * by_x.1[2];
-        moment[2] -= by_x.0[1] - by_y.0[0];
+        moment[0] -= by_y[2];
+        moment[1] += by_x[2];
+        moment[2] -= by_x[1] - by_y[0];
         let displacement = three(&section.motion.displacement, q);
         Along { z: section.z(), displacement, force, moment }
     }

@@ -9,9 +9,9 @@ use crate::figures::{Figure, Line, Panel, Style};
 
 /// Panels: title, axis, and curves by the places of their quantities.
 const PANELS: [(&str, &str, &[(usize, &str)]); 4] = [
-    ("deflection", "displacement (µm)", &[(0, "along x"), (1, "along y")]),
-    ("shear force", "force (N)", &[(3, "along x"), (4, "along y")]),
-    ("bending moment", "moment (N·m)", &[(6, "about x"), (7, "about y")]),
+    ("deflection along x and y", "displacement (µm)", &[(0, "x"), (1, "y")]),
+    ("shear force along x and y", "force (N)", &[(3, "x"), (4, "y")]),
+    ("bending moment about x and y", "moment (N·m)", &[(6, "x"), (7, "y")]),
     ("axial force and torque", "force (N), torque (N·m)", &[(5, "axial force"), (8, "torque")]),
 ];
 const STYLES: [Style; 4] = [Style::First, Style::Second, Style::Third, Style::Fourth];

@@ -49,6 +49,9 @@ const UNIT: f64 = 1e-6;
 const NOTHING: f64 = 1e-6;
 const SMALL: f64 = 1e-2;
 
+/// Share of the largest force of a body that is rounding of others.
+const ROUNDING: f64 = 1e-6;
+
 /// What is seen along bodies, by their names.
 type Bodies = Vec<(String, Vec<Along>)>;
 
@@ -78,8 +81,9 @@ pub(super) fn found(
     let mut work = |speed: f64, at: &Standstill| -> Result<(), Failure> {
         let standing = bodies(&linear, |body| linear.standing_along(at, body, gravity));
         text.push_str(&head(case, &linear, at));
-        text.push_str(&largest(&standing));
         files.stand(speed, &standing);
+        let standing = without_rounding(standing);
+        text.push_str(&largest(&standing));
         moving(&linear, (analysis, &wanted), (speed, at), &mut files, &mut text)?;
         last = Some((speed, standing));
         Ok(())
@@ -163,7 +167,7 @@ fn moving(
         let share = moved(all) / most;
         if share > SMALL {
             let _ = writeln!(text, "amplitudes by what turns with {name}, order {order}");
-            text.push_str(&largest(all));
+            text.push_str(&largest(&without_rounding(all.clone())));
         }
         if share > NOTHING {
             files.response.of(&format!("{},{name},{order}", words::rpm(speed)), all);
@@ -225,6 +229,25 @@ fn size(own: &[Complex64; 9], which: &[usize]) -> f64 {
     }
 }
 
+/// For people: forces and moments that are rounding of the largest of their body are none.
+fn without_rounding(mut all: Bodies) -> Bodies {
+    for (_, sections) in &mut all {
+        let most = |of: fn(&Along) -> [Complex64; 3]| {
+            let every = sections.iter().flat_map(of);
+            ROUNDING * every.map(Complex64::norm).fold(0.0, f64::max)
+        };
+        let bounds = [most(|own| own.displacement), most(|own| own.force), most(|own| own.moment)];
+        for own in sections {
+            let parts = [&mut own.displacement, &mut own.force, &mut own.moment];
+            for (part, bound) in parts.into_iter().zip(bounds) {
+                let small = part.iter_mut().filter(|value| value.norm() < bound);
+                small.for_each(|value| *value = Complex64::ZERO);
+            }
+        }
+    }
+    all
+}
+
 /// The largest deflection (m).
 fn moved(all: &[(String, Vec<Along>)]) -> f64 {
     let every = all.iter().flat_map(|(_, own)| own).flat_map(|own| own.displacement);
@@ -239,7 +262,7 @@ fn largest(all: &[(String, Vec<Along>)]) -> String {
             let sized = sections.iter().map(|own| (size(&values(own), which), own.z));
             let (most, z) =
                 sized.fold((0.0, f64::NAN), |most, own| if own.0 > most.0 { own } else { most });
-            let z = if z.is_nan() { "-".to_owned() } else { shown(1e3 * z, 6, 1e-3..1e7) };
+            let z = if most == 0.0 { "-".to_owned() } else { shown(1e3 * z, 6, 1e-3..1e7) };
             let value = shown(most, 5, 1e-4..1e7);
             rows.push(vec![body.clone(), what.to_owned(), value, unit.to_owned(), z]);
         }
