@@ -4,8 +4,10 @@ use whirl_solver::error::Error;
 use whirl_solver::mesh::crank::CrankThrow;
 use whirl_solver::mesh::shaft::SolidShaft;
 use whirl_solver::mesh::support::RingSupport;
-use whirl_solver::mesh::{Fineness, Mesh};
+use whirl_solver::mesh::{Fineness, Material, Mesh};
 use whirl_specs::Element;
+
+use super::sections::Sections;
 
 /// Dimensions from which a mesh is made.
 #[derive(Debug, Clone)]
@@ -16,6 +18,8 @@ pub(crate) enum Dimensions {
     Crank(CrankThrow),
     /// Of rings below a beam.
     Support(RingSupport),
+    /// Of a round body, by its sections.
+    Sections(Box<Sections>),
 }
 
 impl Dimensions {
@@ -28,6 +32,7 @@ impl Dimensions {
             Dimensions::Shaft(shaft) => shaft.mesh(elements),
             Dimensions::Crank(crank) => crank.mesh(elements),
             Dimensions::Support(support) => support.mesh(elements),
+            Dimensions::Sections(own) => own.table.mesh(elements),
         }
     }
 
@@ -37,6 +42,15 @@ impl Dimensions {
             Dimensions::Shaft(shaft) => shaft.fineness(),
             Dimensions::Crank(_) => None,
             Dimensions::Support(support) => support.fineness(),
+            Dimensions::Sections(own) => own.table.fineness(),
+        }
+    }
+
+    /// The materials of rows; none where one material is that of all cells.
+    pub(crate) fn materials(&self) -> Vec<&Material> {
+        match self {
+            Dimensions::Sections(own) => own.table.rows.iter().map(|row| &row.material).collect(),
+            _ => Vec::new(),
         }
     }
 }

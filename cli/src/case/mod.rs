@@ -25,6 +25,7 @@ mod reduction;
 mod rotor;
 mod run;
 mod schema;
+pub(crate) mod sections;
 mod selections;
 mod shapes;
 mod start;

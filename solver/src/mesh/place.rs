@@ -124,6 +124,9 @@ impl Mesh {
                 };
                 found(all(&near), Vec::new(), None)
             }
+            Selection::Section { at, within } => {
+                found(all(&|node| (node[2] - at).abs() <= within), Vec::new(), None)
+            }
             Selection::Plane { across, at, within } => {
                 let near = |node: &[f64; 3]| (node[across] - at).abs() <= within;
                 if self.matrices().is_some() {
