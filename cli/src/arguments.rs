@@ -39,8 +39,12 @@ pub(crate) enum Command {
     Coefficients(ModesArguments),
     /// The least stable mode over speed, with stability thresholds
     Stability(ModesArguments),
+    /// Torsional modes of a train with couplings and gears, its interference diagram and static torques
+    Torsion(ModesArguments),
     /// Undamped critical speed map: critical speeds over the stiffness of the supports
     Map(MapArguments),
+    /// Hold unbalance response and stability against API 617: the tables `kind = "lateral"` of a case
+    Lateral(LateralArguments),
     /// Mass, damping and stiffness matrices, inputs, outputs and state space, in files for other programs
     Matrices(MatricesArguments),
     /// Check a case, sweep or spec file: describe it, and report every error
@@ -154,6 +158,16 @@ pub(crate) struct AnalyseArguments {
     pub(crate) results: AnalysisOutput,
 }
 
+/// Arguments of `whirl lateral`.
+#[derive(Debug, Args)]
+pub(crate) struct LateralArguments {
+    /// Path of a case file with an [analysis.NAME] of the kind "lateral"
+    pub(crate) case: String,
+    /// Where results go
+    #[command(flatten)]
+    pub(crate) results: AnalysisOutput,
+}
+
 /// Arguments of `whirl map`.
 #[derive(Debug, Args)]
 pub(crate) struct MapArguments {
@@ -173,7 +187,7 @@ pub(crate) struct MapArguments {
     pub(crate) results: AnalysisOutput,
 }
 
-/// Arguments of `whirl modes`, `campbell`, `response`, `coefficients` and `stability`.
+/// Arguments of `whirl modes`, `campbell`, `response`, `coefficients`, `stability` and `torsion`.
 #[derive(Debug, Args)]
 pub(crate) struct ModesArguments {
     /// Path of a case file, or the name of a built-in case (see `whirl list`)

@@ -69,7 +69,9 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
             analysis::of_kind(AnalysisKind::Coefficients, arguments)
         }
         Command::Stability(arguments) => analysis::of_kind(AnalysisKind::Stability, arguments),
+        Command::Torsion(arguments) => analysis::of_kind(AnalysisKind::Torsion, arguments),
         Command::Map(arguments) => analysis::map_of(arguments),
+        Command::Lateral(arguments) => analysis::lateral_of(arguments),
         Command::Matrices(arguments) => analysis::matrices(arguments),
         Command::Check(arguments) => check::check(arguments).and_then(|text| say(&text)),
         Command::Explain(arguments) => explain::explain(arguments).and_then(|text| say(&text)),

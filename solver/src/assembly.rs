@@ -108,6 +108,38 @@ pub fn mass_properties(mesh: &Mesh) -> Result<MassProperties, Error> {
     Ok(MassProperties { mass, volume, centre: first.map(|m| m / mass), second_moment: second })
 }
 
+/// Mass (kg) of a body at larger z than this (m), as its nodes share it; of nodes at this z half.
+///
+/// # Errors
+/// As [`assemble`].
+pub fn mass_above(mesh: &Mesh, z: f64) -> Result<f64, Error> {
+    /// Of the largest coordinate.
+    const AT: f64 = 1e-9;
+    let reach = mesh.nodes().iter().fold(0.0, |most: f64, node| most.max(node[2].abs()));
+    let part = |node: usize| match mesh.nodes()[node][2] - z {
+        off if off.abs() <= AT * reach => 0.5,
+        off if off > 0.0 => 1.0,
+        _ => 0.0,
+    };
+    let mut mass = 0.0;
+    if let Some(own) = mesh.matrices() {
+        let momenta = own.rigid_mass(mesh).momenta;
+        for node in 0..mesh.placed() {
+            mass += part(node) * momenta[(3 * node, 0)];
+        }
+        return Ok(mass);
+    }
+    let (kernels, structures) = kernels(mesh, "mass")?;
+    evaluate(mesh, &kernels, &[], |block, cell, values| {
+        let entry = Entries { structure: structures[block], nodes: cell.len(), values };
+        for (a, &node) in cell.iter().enumerate() {
+            let own: f64 = (0..cell.len()).map(|b| entry.get(a, 0, b, 0)).sum();
+            mass += part(node) * own;
+        }
+    })?;
+    Ok(mass)
+}
+
 /// The kernels of a form, and how each stores its matrices; a block each.
 fn kernels<'a>(
     mesh: &'a Mesh,

@@ -40,5 +40,6 @@ mod stiffening;
 pub mod stress;
 pub mod support;
 mod time_function;
+mod trains;
 
 pub use error::Error;

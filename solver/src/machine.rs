@@ -15,6 +15,7 @@ use crate::linalg::dot;
 use crate::loads::Load;
 use crate::output::Output;
 use crate::shaft::Shaft;
+use crate::trains::Trains;
 
 /// What a machine is made from.
 pub struct MachineParts {
@@ -70,6 +71,8 @@ pub(crate) struct Monitor {
     pub(crate) label: String,
     /// Its planes of springs.
     pub(crate) planes: Vec<usize>,
+    /// Turns of the sections of journal and bore against the frames of their bodies, as rows over the coordinates of the bodies.
+    pub(crate) sections: [Vec<f64>; 2],
     /// The planes in which a law on tilts, or on the whole joint, gives moments about x and y, and in which one gives a force
     /// along z.
     pub(crate) tilts: Option<usize>,
@@ -190,6 +193,46 @@ impl Machine {
         (0..self.bodies.len()).filter(takes)
     }
 
+    /// Joints that tie rotations to each other by laws of the angle: torsional couplings and gears.
+    pub(crate) fn twisting_joints(&self) -> impl Iterator<Item = usize> {
+        let twists = |joint: &usize| {
+            let mut planes = self.monitors[*joint].planes.iter();
+            planes.any(|&plane| {
+                let tied = || self.springs.tied(plane, self.layout.rotations).len() > 1;
+                self.springs.may_twist(plane) && tied()
+            })
+        };
+        (0..self.monitors.len()).filter(twists)
+    }
+
+    /// Bodies that joints tie to each other by their angles.
+    pub fn tied_bodies(&self) -> Vec<usize> {
+        let mut bodies: Vec<usize> =
+            self.tied_rotations().into_iter().map(|theta| self.owner(theta).body).collect();
+        bodies.sort_unstable();
+        bodies.dedup();
+        bodies
+    }
+
+    /// By body its speed over that of the first body of its train, as the gears have it.
+    pub fn train_ratios(&self) -> Vec<f64> {
+        let mut trains = Trains::new(self.bodies.len());
+        for joint in self.twisting_joints() {
+            let monitor = &self.monitors[joint];
+            let ratio = monitor.planes.iter().find_map(|&own| self.springs.gear_ratio(own));
+            trains.tie(monitor.bodies, ratio.unwrap_or(1.0));
+        }
+        (0..self.bodies.len()).map(|body| trains.ratio(body)).collect()
+    }
+
+    /// Places in q of rotations that laws of the angle tie to each other: of torsional couplings and of gears.
+    pub(crate) fn tied_rotations(&self) -> Vec<usize> {
+        let springs = &self.springs;
+        let twisting = (0..springs.planes.len()).filter(|&plane| springs.may_twist(plane));
+        let tied = twisting.map(|plane| springs.tied(plane, self.layout.rotations));
+        tied.filter(|own| own.len() > 1).flatten().map(|(place, _)| place).collect()
+    }
+
     /// Angle (rad) and speed (rad/s) of a body that turns, as people see it, at time `t` (s); `theta` is those of its
     /// frame.
     pub(crate) fn turn(&self, body: usize, t: f64, theta: [f64; 2]) -> [f64; 2] {
@@ -242,6 +285,9 @@ fn check_sides(bearing: &Bearing, bodies: &[Body]) -> Result<(), Error> {
     if spins(journal) && (own.size() > 0 || own.rotation().is_some()) || spins(own) {
         return wrong("a body that spins in a fixed frame needs a rigid bore".to_owned());
     }
+    if bearing.sides.gear.is_some() && [journal, own].iter().any(|body| body.rotation().is_none()) {
+        return wrong("gears are on bodies that turn".to_owned());
+    }
     let off_axis = bearing.sides.bore_axis != [0.0; 2];
     if off_axis && own.rotation().is_some() {
         let name = own.name();
@@ -274,11 +320,24 @@ fn monitor(number: usize, bearing: &Bearing, bodies: &[Body], springs: &Springs)
         label: bearing.label.clone().unwrap_or_else(|| (number + 1).to_string()),
         torque: planes.iter().any(|&plane| springs.gives_torque(plane)),
         planes,
+        sections: [(0, journal), (1, bore)].map(|(side, body)| {
+            let row = |section: usize| {
+                let rotation = &body.measures()[section].rotation;
+                (0..rotation.cols).map(|j| rotation[(2, j)]).collect()
+            };
+            sides.sections[side].map_or(Vec::new(), row)
+        }),
         tilts,
         along,
         bodies: sides.bodies,
         journal: [0, 1].map(|axis| (0..journal.size()).map(|j| node.shapes[(axis, j)]).collect()),
-        bore: axis_motion(bearing, bore),
+        bore: match &sides.gear {
+            Some(gear) => {
+                let node = &bore.nodes()[gear.second];
+                [0, 1].map(|axis| (0..bore.size()).map(|j| node.shapes[(axis, j)]).collect())
+            }
+            None => axis_motion(bearing, bore),
+        },
         run_out: sides.run_out[1],
         offset: sides.offset[1],
         apart: sides.apart,

@@ -160,6 +160,10 @@ pub enum BoreMotion {
     SectionTiltX,
     /// Mean rotation of the journal's section about y of its body (rad).
     SectionTiltY,
+    /// The frame of the second of two gears, in space (rad).
+    SecondFrame,
+    /// The second of two gears in space, times the ratio of its base radius to that of the first (rad).
+    SecondTurn,
 }
 
 /// How often a law of a kind acts.

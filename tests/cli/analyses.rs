@@ -3,6 +3,7 @@
 mod closed_forms;
 mod coaxial;
 mod invariance;
+mod lateral;
 mod matrices;
 
 use std::f64::consts::TAU;

@@ -139,3 +139,22 @@ fn a_crank_closes_its_orbits_every_second_revolution() {
     let carried = mean("RX_main1_N") + mean("RX_main2_N");
     assert!((carried / -gas - 1.0).abs() < 0.02, "{carried} {gas}");
 }
+
+/// The teeth carry the couples from the first row on, and the ripple of the motor passes through them.
+#[test]
+fn gears_carry_what_the_motor_gives() {
+    let bench = Workbench::new();
+    let column = run(&bench, "geared");
+    let (first, second) = (column("omega_rad_s"), column("omega_wheel_rad_s"));
+    let moments = column("MZ_mesh_Nm");
+    assert!((moments[0] / -320.0 - 1.0).abs() < 1e-3, "{}", moments[0]);
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+    let half = moments.len() / 2;
+    assert!((mean(&moments[half..]) / -320.0 - 1.0).abs() < 0.01, "{}", mean(&moments[half..]));
+    assert!(moments[half..].iter().any(|own| (own + 320.0).abs() > 2.0), "the ripple");
+    let ratio = mean(&second[half..]) / mean(&first[half..]);
+    assert!((ratio / (-23.0 / 67.0) - 1.0).abs() < 1e-3, "{ratio}");
+    let turned = |name: &str| column(name).last().copied().expect("a row");
+    let angles = turned("theta_wheel_rad") / turned("theta_pinion_rad");
+    assert!((angles / (-23.0 / 67.0) - 1.0).abs() < 1e-3, "{angles}");
+}

@@ -9,7 +9,7 @@ use crate::workbench::Workbench;
 
 /// A point mass on a shaft with unequal stiffnesses (N/m) that turns, its hub held; the ground's springs and dampers at the
 /// mass in TOML.
-fn point_mass(stiffness: [f64; 2], ground: &str, head: &str, speed: &str) -> Workbench {
+pub(crate) fn point_mass(stiffness: [f64; 2], ground: &str, head: &str, speed: &str) -> Workbench {
     // A body that turns is free: the hub beside the mass, which a joint holds, is so light and so stiff that it is none.
     let mut k = String::new();
     for (place, value) in [stiffness[0], stiffness[1], 1e5].into_iter().enumerate() {

@@ -41,7 +41,7 @@ enum Meaning {
     Psi,
 }
 
-/// Places of the measures: h, s, α, e_x, e_y, e_z, α_x, α_y.
+/// Places of the measures: h, s, α, e_x, e_y, e_z, α_x, α_y, e_n.
 fn meaning(input: &str) -> Meaning {
     match input {
         "h" => Meaning::Value(0),
@@ -58,6 +58,8 @@ fn meaning(input: &str) -> Meaning {
         "e_z_dot" => Meaning::Rate(5),
         "alpha_x_dot" => Meaning::Rate(6),
         "alpha_y_dot" => Meaning::Rate(7),
+        "e_n" => Meaning::Value(8),
+        "e_n_dot" => Meaning::Rate(8),
         "theta" => Meaning::Angle,
         "psi" => Meaning::Psi,
         _ => panic!("{input}: a meaning is needed"),
@@ -65,7 +67,7 @@ fn meaning(input: &str) -> Meaning {
 }
 
 fn measure_of(force: &str) -> usize {
-    let forces = ["Q", "T", "M_z", "F_x", "F_y", "F_z", "M_x", "M_y"];
+    let forces = ["Q", "T", "M_z", "F_x", "F_y", "F_z", "M_x", "M_y", "F_n"];
     forces.iter().position(|own| *own == force).expect("known")
 }
 
@@ -81,7 +83,9 @@ fn size(unit: &str) -> f64 {
 
 fn is_turn(motion: BoreMotion) -> bool {
     use BoreMotion::{MeanTiltX, MeanTiltY, MeanTurn, SectionTiltX, SectionTiltY, SectionTurn};
-    matches!(motion, MeanTurn | MeanTiltX | MeanTiltY | SectionTurn | SectionTiltX | SectionTiltY)
+    use BoreMotion::{SecondFrame, SecondTurn};
+    let of_sections = matches!(motion, SectionTurn | SectionTiltX | SectionTiltY);
+    of_sections || matches!(motion, MeanTurn | MeanTiltX | MeanTiltY | SecondFrame | SecondTurn)
 }
 
 impl Bench {
@@ -96,7 +100,7 @@ impl Bench {
                 Bench { kind, count, table }
             })
             .collect();
-        assert_eq!(benches.len(), 4, "normal forces, springs, rings and joints");
+        assert_eq!(benches.len(), 5, "normal forces, springs, rings, joints and gears");
         benches
     }
 
@@ -231,7 +235,7 @@ impl Bench {
     }
 
     /// All measures of spring j in numbers that carry derivatives along two directions.
-    fn hyper(&self, state: &State, j: usize, first: &[f64], second: &[f64]) -> [Hyper; 8] {
+    fn hyper(&self, state: &State, j: usize, first: &[f64], second: &[f64]) -> [Hyper; 9] {
         let at = |i: usize| Hyper::new(state.q[i], first[i], second[i]);
         let constant = |value: f64| Hyper::new(value, 0.0, 0.0);
         let motion = |wanted: BoreMotion| {
@@ -255,6 +259,8 @@ impl Bench {
             motion(BoreMotion::SectionZ),
             motion(BoreMotion::SectionTiltX),
             motion(BoreMotion::SectionTiltY),
+            motion(BoreMotion::SecondFrame),
+            motion(BoreMotion::SecondTurn),
             constant(C),
             constant(R),
         )
@@ -404,12 +410,17 @@ fn reactions_on_shaft_and_bore_are_equal_and_opposite() {
             for [x, y] in [[1.0, 0.0], [0.0, 1.0]] {
                 // ε in the turning frame; the bore's motion as its own coordinates see it.
                 let mut motion = vec![0.0, cos * x + sin * y, cos * y - sin * x];
+                // That of the second gear is in a frame of its own.
+                let frame = BoreMotion::SecondFrame;
+                let frame = bench.kind.bore.iter().position(|own| *own == frame);
+                let (turned, upright) =
+                    frame.map_or((0.0, 1.0), |own| state.q[bench.place(own, 0)].sin_cos());
                 for own in bench.kind.bore {
                     motion.extend((0..bench.count).map(|j| match own {
                         BoreMotion::Radial => psi(j).cos() * x + psi(j).sin() * y,
                         BoreMotion::Tangential => psi(j).cos() * y - psi(j).sin() * x,
-                        BoreMotion::MeanX => x,
-                        BoreMotion::MeanY => y,
+                        BoreMotion::MeanX => upright * x + turned * y,
+                        BoreMotion::MeanY => upright * y - turned * x,
                         _ => 0.0,
                     }));
                 }
@@ -474,6 +485,8 @@ fn reactions_on_shaft_and_bore_are_equal_and_opposite() {
                 let turn = match own {
                     BoreMotion::Tangential => R,
                     BoreMotion::MeanTurn => 1.0,
+                    // Teeth roll off.
+                    BoreMotion::SecondTurn => -1.0,
                     _ => 0.0,
                 };
                 motion.extend(vec![turn; bench.count]);

@@ -35,7 +35,7 @@ pub mod journal {
         let twice_y_ = -y_;
         [[x_, y_], [y_, by_angle_y_], [by_angle_y_, twice_y_]]
     }
-    /// h, s, alpha, e_x, e_y, e_z, alpha_x, alpha_y of psi, theta, eps_x, eps_y, delta, tau, b_x, b_y, beta, b_z, g_x, g_y, gamma, s_z, a_x, a_y, c, R, SI.
+    /// h, s, alpha, e_x, e_y, e_z, alpha_x, alpha_y, e_n of psi, theta, eps_x, eps_y, delta, tau, b_x, b_y, beta, b_z, g_x, g_y, gamma, s_z, a_x, a_y, phi, lambda, c, R, SI.
     pub fn measures<L: Lane>(
         psi: L,
         theta: L,
@@ -53,9 +53,11 @@ pub mod journal {
         s_z: L,
         a_x: L,
         a_y: L,
+        phi: L,
+        lambda: L,
         c: L,
         R: L,
-    ) -> [L; 8] {
+    ) -> [L; 9] {
         let cos_theta = theta.cos();
         let sin_theta = theta.sin();
         let h_part2 = eps_x * cos_theta - eps_y * sin_theta;
@@ -63,7 +65,8 @@ pub mod journal {
         let h_part5 = eps_x * sin_theta + eps_y * cos_theta;
         let sin_psi = psi.sin();
         let h = c + delta - h_part2 * cos_psi - h_part5 * sin_psi;
-        let s_part5 = R * (theta + gamma) - tau - h_part2 * sin_psi;
+        let s_part = theta + gamma;
+        let s_part5 = R * s_part - tau - h_part2 * sin_psi;
         let s = s_part5 + h_part5 * cos_psi;
         let alpha = theta - beta + gamma;
         let cos_beta = beta.cos();
@@ -77,7 +80,11 @@ pub mod journal {
         let alpha_x_part5 = sin_theta * a_x - g_y + cos_theta * a_y;
         let alpha_x = cos_beta * alpha_x_part2 + sin_beta * alpha_x_part5;
         let alpha_y = cos_beta * alpha_x_part5 - sin_beta * alpha_x_part2;
-        [h, s, alpha, e_x, e_y, e_z, alpha_x, alpha_y]
+        let cos_phi = phi.cos();
+        let sin_phi = phi.sin();
+        let e_n_part2 = h_part2 - cos_phi * b_x + sin_phi * b_y;
+        let e_n = e_n_part2 + R * (s_part + lambda);
+        [h, s, alpha, e_x, e_y, e_z, alpha_x, alpha_y, e_n]
     }
     /// Kinds of laws.
     pub mod contacts {
@@ -3193,6 +3200,405 @@ pub mod journal {
                 tangent,
             };
         }
+        /// Laws that act once a joint: F_n of e_n, e_n_dot.
+        pub mod gear {
+            use crate::{
+                BoreMotion, Contact, ContactPlace, ContactState, ContactTangent,
+                ContactVariable, Lane,
+            };
+            /// Nothing is kept.
+            pub fn prepare(_: &[f64], _: &mut [f64]) {}
+            /// Inputs of the law.
+            ///
+            /// Once a ring: 5 add, 7 mul, 2 function; each spring: 11 add, 10 mul, 2 function.
+            pub fn inputs(count_: usize, state_: &ContactState, out_: &mut [f64]) {
+                let _ = state_;
+                let [b_x_row_, b_y_row_, gamma_row_, phi_row_, lambda_row_] = crate::strided(
+                    count_,
+                    state_.stride,
+                    state_.bore,
+                );
+                let [b_x_dot_row_, b_y_dot_row_, gamma_dot_row_, phi_dot_row_,
+                lambda_dot_row_] = crate::strided(
+                    count_,
+                    state_.stride,
+                    state_.bore_dot,
+                );
+                let [theta, eps_x, eps_y] = state_.ring.position;
+                let [theta_dot, eps_x_dot, eps_y_dot] = state_.ring.velocity;
+                let R = state_.radius;
+                let cos_theta = Lane::cos(theta);
+                let sin_theta = Lane::sin(theta);
+                let taken_e_n__part = eps_x * cos_theta - eps_y * sin_theta;
+                let taken_e_n_dot__part2 = R - eps_x * sin_theta - eps_y * cos_theta;
+                let taken_e_n_dot__part5 = theta_dot * taken_e_n_dot__part2
+                    + cos_theta * eps_x_dot - sin_theta * eps_y_dot;
+                let [taken_e_n_out_, taken_e_n_dot_out_] = crate::strided_mut(
+                    count_,
+                    state_.stride,
+                    out_,
+                );
+                for j_ in 0..count_ {
+                    let b_x = b_x_row_[j_];
+                    let b_y = b_y_row_[j_];
+                    let gamma = gamma_row_[j_];
+                    let phi = phi_row_[j_];
+                    let lambda = lambda_row_[j_];
+                    let b_x_dot = b_x_dot_row_[j_];
+                    let b_y_dot = b_y_dot_row_[j_];
+                    let gamma_dot = gamma_dot_row_[j_];
+                    let phi_dot = phi_dot_row_[j_];
+                    let lambda_dot = lambda_dot_row_[j_];
+                    let sin_phi = Lane::sin(phi);
+                    let cos_phi = Lane::cos(phi);
+                    let taken_e_n__part6 = sin_phi * b_y - cos_phi * b_x
+                        + (theta + (gamma + lambda)) * R;
+                    let taken_e_n_ = taken_e_n__part + taken_e_n__part6;
+                    let taken_e_n_dot__part7 = sin_phi * b_y_dot - cos_phi * b_x_dot
+                        + gamma_dot * R;
+                    let taken_e_n_dot__part9 = phi_dot * (sin_phi * b_x + cos_phi * b_y);
+                    let taken_e_n_dot_ = taken_e_n_dot__part5
+                        + (taken_e_n_dot__part7 + taken_e_n_dot__part9 + lambda_dot * R);
+                    taken_e_n_out_[j_] = taken_e_n_;
+                    taken_e_n_dot_out_[j_] = taken_e_n_dot_;
+                }
+            }
+            /// Generalised forces.
+            ///
+            /// Once a ring: 2 add, 2 mul, 2 function; each spring: 2 add, 6 mul, 2 function, 1 add into sums; after the springs: 1 add, 3 mul.
+            pub fn force(
+                count_: usize,
+                state_: &ContactState,
+                forces_: &[f64],
+                ring_: &mut [f64; 3],
+                out_: &mut [f64],
+            ) {
+                let _ = state_;
+                let [b_x_row_, b_y_row_, _, phi_row_, _] = crate::strided(
+                    count_,
+                    state_.stride,
+                    state_.bore,
+                );
+                let [F_n_row_] = crate::strided(count_, state_.stride, forces_);
+                let [theta, eps_x, eps_y] = state_.ring.position;
+                let R = state_.radius;
+                let cos_theta = Lane::cos(theta);
+                let sin_theta = Lane::sin(theta);
+                let taken_e_n_dot__part2 = R - eps_x * sin_theta - eps_y * cos_theta;
+                let [force_3_out_, force_4_out_, force_5_out_, force_6_out_, force_7_out_,
+                ] = crate::strided_mut(count_, state_.stride, out_);
+                let mut total_F_n_of_spring = 0.0;
+                for j_ in 0..count_ {
+                    let b_x = b_x_row_[j_];
+                    let b_y = b_y_row_[j_];
+                    let phi = phi_row_[j_];
+                    let F_n = F_n_row_[j_];
+                    let sin_phi = Lane::sin(phi);
+                    let cos_phi = Lane::cos(phi);
+                    let force_3_ = -(cos_phi * F_n);
+                    let force_4_ = sin_phi * F_n;
+                    let force_5_ = F_n * R;
+                    let force_6_ = F_n * (sin_phi * b_x + cos_phi * b_y);
+                    force_3_out_[j_] = force_3_;
+                    force_4_out_[j_] = force_4_;
+                    force_5_out_[j_] = force_5_;
+                    force_6_out_[j_] = force_6_;
+                    force_7_out_[j_] = force_5_;
+                    total_F_n_of_spring += F_n;
+                }
+                let ring_force_0_ = total_F_n_of_spring * taken_e_n_dot__part2;
+                let ring_force_1_ = total_F_n_of_spring * cos_theta;
+                let ring_force_2_ = -(total_F_n_of_spring * sin_theta);
+                *ring_ = [ring_force_0_, ring_force_1_, ring_force_2_];
+            }
+            /// Derivatives B + a1·P of the generalised forces.
+            ///
+            /// Once a ring: 8 add, 28 mul, 2 function; each spring: 31 add, 69 mul, 2 function, 3 add into sums; after the springs: 16 add, 18 mul.
+            pub fn tangent(
+                count_: usize,
+                state_: &ContactState,
+                forces_: &[f64],
+                slopes_: &[f64],
+                a1_: f64,
+                out_: &mut ContactTangent,
+            ) {
+                let _ = state_;
+                let [b_x_row_, b_y_row_, _, phi_row_, _] = crate::strided(
+                    count_,
+                    state_.stride,
+                    state_.bore,
+                );
+                let [b_x_dot_row_, b_y_dot_row_, _, phi_dot_row_, _] = crate::strided(
+                    count_,
+                    state_.stride,
+                    state_.bore_dot,
+                );
+                let [F_n_row_] = crate::strided(count_, state_.stride, forces_);
+                let [dF_n_de_n_row_, dF_n_de_n_dot_row_] = crate::strided(
+                    count_,
+                    state_.stride,
+                    slopes_,
+                );
+                let [theta, eps_x, eps_y] = state_.ring.position;
+                let [theta_dot, eps_x_dot, eps_y_dot] = state_.ring.velocity;
+                let R = state_.radius;
+                let cos_theta = Lane::cos(theta);
+                let sin_theta = Lane::sin(theta);
+                let taken_e_n_dot__part2 = R - eps_x * sin_theta - eps_y * cos_theta;
+                let R_a1_ = R * a1_;
+                let ring_by_0_0__part = eps_y * sin_theta - eps_x * cos_theta;
+                let ring_by_0_0__part4 = theta_dot * ring_by_0_0__part
+                    - sin_theta * eps_x_dot - cos_theta * eps_y_dot;
+                let ring_by_0_0__part6 = ring_by_0_0__part4 + a1_ * taken_e_n_dot__part2;
+                let ring_by_0_1__part = cos_theta * a1_ - sin_theta * theta_dot;
+                let ring_by_0_2__part = cos_theta * theta_dot + sin_theta * a1_;
+                let taken_e_n_dot__part2_2 = taken_e_n_dot__part2 * taken_e_n_dot__part2;
+                let ring_by_0_0__part7 = taken_e_n_dot__part2 * ring_by_0_0__part6;
+                let ring_by_0_1__part2 = cos_theta * taken_e_n_dot__part2;
+                let ring_by_0_1__part3 = taken_e_n_dot__part2 * ring_by_0_1__part;
+                let ring_by_0_2__part2 = sin_theta * taken_e_n_dot__part2;
+                let ring_by_0_2__part3 = taken_e_n_dot__part2 * ring_by_0_2__part;
+                let ring_by_1_0__part = cos_theta * ring_by_0_0__part6;
+                let cos_theta_2 = cos_theta * cos_theta;
+                let ring_by_1_1__part = cos_theta * ring_by_0_1__part;
+                let cos_theta_sin_theta = cos_theta * sin_theta;
+                let ring_by_1_2__part = cos_theta * ring_by_0_2__part;
+                let ring_by_2_0__part = sin_theta * ring_by_0_0__part6;
+                let ring_by_2_1__part = sin_theta * ring_by_0_1__part;
+                let sin_theta_2 = sin_theta * sin_theta;
+                let ring_by_2_2__part = sin_theta * ring_by_0_2__part;
+                let [by_0_3_out_, by_0_4_out_, by_0_5_out_, by_0_6_out_, by_0_7_out_,
+                by_1_3_out_, by_1_4_out_, by_1_5_out_, by_1_6_out_, by_1_7_out_,
+                by_2_3_out_, by_2_4_out_, by_2_5_out_, by_2_6_out_, by_2_7_out_] = crate::rows_mut(
+                    count_,
+                    &mut out_.ring_bore,
+                );
+                let [by_3_0_out_, by_3_1_out_, by_3_2_out_, by_4_0_out_, by_4_1_out_,
+                by_4_2_out_, by_5_0_out_, by_5_1_out_, by_5_2_out_, by_6_0_out_,
+                by_6_1_out_, by_6_2_out_, by_7_0_out_, by_7_1_out_, by_7_2_out_] = crate::rows_mut(
+                    count_,
+                    &mut out_.bore_ring,
+                );
+                let [by_3_3_out_, by_3_4_out_, by_3_5_out_, by_3_6_out_, by_3_7_out_,
+                by_4_3_out_, by_4_4_out_, by_4_5_out_, by_4_6_out_, by_4_7_out_,
+                by_5_3_out_, by_5_4_out_, by_5_5_out_, by_5_6_out_, by_5_7_out_,
+                by_6_3_out_, by_6_4_out_, by_6_5_out_, by_6_6_out_, by_6_7_out_,
+                by_7_3_out_, by_7_4_out_, by_7_5_out_, by_7_6_out_, by_7_7_out_] = crate::rows_mut(
+                    count_,
+                    &mut out_.bore_bore,
+                );
+                let mut total_F_n_of_spring = 0.0;
+                let mut total_dF_n_de_n_of_spring = 0.0;
+                let mut total_dF_n_de_n_dot_of_spring = 0.0;
+                for j_ in 0..count_ {
+                    let b_x = b_x_row_[j_];
+                    let b_y = b_y_row_[j_];
+                    let phi = phi_row_[j_];
+                    let b_x_dot = b_x_dot_row_[j_];
+                    let b_y_dot = b_y_dot_row_[j_];
+                    let phi_dot = phi_dot_row_[j_];
+                    let F_n = F_n_row_[j_];
+                    let dF_n_de_n = dF_n_de_n_row_[j_];
+                    let dF_n_de_n_dot = dF_n_de_n_dot_row_[j_];
+                    let sin_phi = Lane::sin(phi);
+                    let cos_phi = Lane::cos(phi);
+                    let taken_e_n_dot__part8 = sin_phi * b_x + cos_phi * b_y;
+                    let cos_phi_F_n = cos_phi * F_n;
+                    let force_4_ = sin_phi * F_n;
+                    let by_0_3__part2 = dF_n_de_n_dot
+                        * (sin_phi * phi_dot - cos_phi * a1_);
+                    let by_0_3__part3 = by_0_3__part2 - cos_phi * dF_n_de_n;
+                    let by_0_3_ = by_0_3__part3 * taken_e_n_dot__part2;
+                    let by_0_4__part2 = dF_n_de_n_dot
+                        * (cos_phi * phi_dot + sin_phi * a1_);
+                    let by_0_4__part3 = sin_phi * dF_n_de_n + by_0_4__part2;
+                    let by_0_4_ = by_0_4__part3 * taken_e_n_dot__part2;
+                    let by_0_5__part = dF_n_de_n * R + dF_n_de_n_dot * R_a1_;
+                    let by_0_5_ = by_0_5__part * taken_e_n_dot__part2;
+                    let by_0_6__part3 = cos_phi * b_x - sin_phi * b_y;
+                    let by_0_6__part5 = sin_phi * b_x_dot + cos_phi * b_y_dot
+                        + phi_dot * by_0_6__part3;
+                    let by_0_6__part9 = dF_n_de_n * taken_e_n_dot__part8
+                        + dF_n_de_n_dot * (by_0_6__part5 + taken_e_n_dot__part8 * a1_);
+                    let by_0_6_ = by_0_6__part9 * taken_e_n_dot__part2;
+                    let by_1_3_ = by_0_3__part3 * cos_theta;
+                    let by_1_4_ = by_0_4__part3 * cos_theta;
+                    let by_1_5_ = by_0_5__part * cos_theta;
+                    let by_1_6_ = by_0_6__part9 * cos_theta;
+                    let by_2_3_ = -(by_0_3__part3 * sin_theta);
+                    let by_2_4_ = -(by_0_4__part3 * sin_theta);
+                    let by_2_5_ = -(by_0_5__part * sin_theta);
+                    let by_2_6_ = -(by_0_6__part9 * sin_theta);
+                    let by_3_0__part3 = dF_n_de_n * taken_e_n_dot__part2
+                        + dF_n_de_n_dot * ring_by_0_0__part6;
+                    let by_3_0_ = -(cos_phi * by_3_0__part3);
+                    let by_3_1__part2 = dF_n_de_n * cos_theta
+                        + dF_n_de_n_dot * ring_by_0_1__part;
+                    let by_3_1_ = -(cos_phi * by_3_1__part2);
+                    let by_3_2__part2 = dF_n_de_n * sin_theta
+                        + dF_n_de_n_dot * ring_by_0_2__part;
+                    let by_3_2_ = cos_phi * by_3_2__part2;
+                    let by_3_3_ = -(cos_phi * by_0_3__part3);
+                    let by_3_4_ = -(cos_phi * by_0_4__part3);
+                    let by_3_5_ = -(cos_phi * by_0_5__part);
+                    let by_3_6_ = force_4_ - cos_phi * by_0_6__part9;
+                    let by_4_0_ = sin_phi * by_3_0__part3;
+                    let by_4_1_ = sin_phi * by_3_1__part2;
+                    let by_4_2_ = -(sin_phi * by_3_2__part2);
+                    let by_4_3_ = sin_phi * by_0_3__part3;
+                    let by_4_4_ = sin_phi * by_0_4__part3;
+                    let by_4_5_ = sin_phi * by_0_5__part;
+                    let by_4_6_ = cos_phi_F_n + sin_phi * by_0_6__part9;
+                    let by_5_0_ = by_3_0__part3 * R;
+                    let by_5_1_ = by_3_1__part2 * R;
+                    let by_5_2_ = -(by_3_2__part2 * R);
+                    let by_5_3_ = by_0_3__part3 * R;
+                    let by_5_4_ = by_0_4__part3 * R;
+                    let by_5_5_ = by_0_5__part * R;
+                    let by_5_6_ = by_0_6__part9 * R;
+                    let by_6_0_ = taken_e_n_dot__part8 * by_3_0__part3;
+                    let by_6_1_ = taken_e_n_dot__part8 * by_3_1__part2;
+                    let by_6_2_ = -(taken_e_n_dot__part8 * by_3_2__part2);
+                    let by_6_3_ = force_4_ + taken_e_n_dot__part8 * by_0_3__part3;
+                    let by_6_4_ = cos_phi_F_n + taken_e_n_dot__part8 * by_0_4__part3;
+                    let by_6_5_ = taken_e_n_dot__part8 * by_0_5__part;
+                    let by_6_6_ = taken_e_n_dot__part8 * by_0_6__part9
+                        + F_n * by_0_6__part3;
+                    by_0_3_out_[j_] = by_0_3_;
+                    by_0_4_out_[j_] = by_0_4_;
+                    by_0_5_out_[j_] = by_0_5_;
+                    by_0_6_out_[j_] = by_0_6_;
+                    by_0_7_out_[j_] = by_0_5_;
+                    by_1_3_out_[j_] = by_1_3_;
+                    by_1_4_out_[j_] = by_1_4_;
+                    by_1_5_out_[j_] = by_1_5_;
+                    by_1_6_out_[j_] = by_1_6_;
+                    by_1_7_out_[j_] = by_1_5_;
+                    by_2_3_out_[j_] = by_2_3_;
+                    by_2_4_out_[j_] = by_2_4_;
+                    by_2_5_out_[j_] = by_2_5_;
+                    by_2_6_out_[j_] = by_2_6_;
+                    by_2_7_out_[j_] = by_2_5_;
+                    by_3_0_out_[j_] = by_3_0_;
+                    by_3_1_out_[j_] = by_3_1_;
+                    by_3_2_out_[j_] = by_3_2_;
+                    by_4_0_out_[j_] = by_4_0_;
+                    by_4_1_out_[j_] = by_4_1_;
+                    by_4_2_out_[j_] = by_4_2_;
+                    by_5_0_out_[j_] = by_5_0_;
+                    by_5_1_out_[j_] = by_5_1_;
+                    by_5_2_out_[j_] = by_5_2_;
+                    by_6_0_out_[j_] = by_6_0_;
+                    by_6_1_out_[j_] = by_6_1_;
+                    by_6_2_out_[j_] = by_6_2_;
+                    by_7_0_out_[j_] = by_5_0_;
+                    by_7_1_out_[j_] = by_5_1_;
+                    by_7_2_out_[j_] = by_5_2_;
+                    by_3_3_out_[j_] = by_3_3_;
+                    by_3_4_out_[j_] = by_3_4_;
+                    by_3_5_out_[j_] = by_3_5_;
+                    by_3_6_out_[j_] = by_3_6_;
+                    by_3_7_out_[j_] = by_3_5_;
+                    by_4_3_out_[j_] = by_4_3_;
+                    by_4_4_out_[j_] = by_4_4_;
+                    by_4_5_out_[j_] = by_4_5_;
+                    by_4_6_out_[j_] = by_4_6_;
+                    by_4_7_out_[j_] = by_4_5_;
+                    by_5_3_out_[j_] = by_5_3_;
+                    by_5_4_out_[j_] = by_5_4_;
+                    by_5_5_out_[j_] = by_5_5_;
+                    by_5_6_out_[j_] = by_5_6_;
+                    by_5_7_out_[j_] = by_5_5_;
+                    by_6_3_out_[j_] = by_6_3_;
+                    by_6_4_out_[j_] = by_6_4_;
+                    by_6_5_out_[j_] = by_6_5_;
+                    by_6_6_out_[j_] = by_6_6_;
+                    by_6_7_out_[j_] = by_6_5_;
+                    by_7_3_out_[j_] = by_5_3_;
+                    by_7_4_out_[j_] = by_5_4_;
+                    by_7_5_out_[j_] = by_5_5_;
+                    by_7_6_out_[j_] = by_5_6_;
+                    by_7_7_out_[j_] = by_5_5_;
+                    total_F_n_of_spring += F_n;
+                    total_dF_n_de_n_of_spring += dF_n_de_n;
+                    total_dF_n_de_n_dot_of_spring += dF_n_de_n_dot;
+                }
+                let ring_force_1_ = total_F_n_of_spring * cos_theta;
+                let ring_by_0_0_ = total_F_n_of_spring * ring_by_0_0__part
+                    + total_dF_n_de_n_of_spring * taken_e_n_dot__part2_2
+                    + total_dF_n_de_n_dot_of_spring * ring_by_0_0__part7;
+                let ring_by_0_1__part5 = total_dF_n_de_n_of_spring * ring_by_0_1__part2
+                    - total_F_n_of_spring * sin_theta;
+                let ring_by_0_1_ = ring_by_0_1__part5
+                    + total_dF_n_de_n_dot_of_spring * ring_by_0_1__part3;
+                let ring_by_0_2__part5 = ring_force_1_
+                    + total_dF_n_de_n_of_spring * ring_by_0_2__part2;
+                let ring_by_0_2_ = -(ring_by_0_2__part5
+                    + total_dF_n_de_n_dot_of_spring * ring_by_0_2__part3);
+                let ring_by_1_0_ = ring_by_0_1__part5
+                    + total_dF_n_de_n_dot_of_spring * ring_by_1_0__part;
+                let ring_by_1_1_ = total_dF_n_de_n_of_spring * cos_theta_2
+                    + total_dF_n_de_n_dot_of_spring * ring_by_1_1__part;
+                let ring_by_1_2__part2 = total_dF_n_de_n_of_spring * cos_theta_sin_theta;
+                let ring_by_1_2_ = -(ring_by_1_2__part2
+                    + total_dF_n_de_n_dot_of_spring * ring_by_1_2__part);
+                let ring_by_2_0_ = -(ring_by_0_2__part5
+                    + total_dF_n_de_n_dot_of_spring * ring_by_2_0__part);
+                let ring_by_2_1_ = -(ring_by_1_2__part2
+                    + total_dF_n_de_n_dot_of_spring * ring_by_2_1__part);
+                let ring_by_2_2_ = total_dF_n_de_n_of_spring * sin_theta_2
+                    + total_dF_n_de_n_dot_of_spring * ring_by_2_2__part;
+                out_.ring_ring = [
+                    [ring_by_0_0_, ring_by_0_1_, ring_by_0_2_],
+                    [ring_by_1_0_, ring_by_1_1_, ring_by_1_2_],
+                    [ring_by_2_0_, ring_by_2_1_, ring_by_2_2_],
+                ];
+            }
+            /// The entry of the registry.
+            pub const ENTRY: Contact = Contact {
+                name: "gear",
+                place: ContactPlace::Joint,
+                inputs: &[
+                    ContactVariable {
+                        name: "e_n",
+                        unit: "m",
+                        bore: &[0, 1, 2, 3, 4],
+                        radius: true,
+                        rate: false,
+                    },
+                    ContactVariable {
+                        name: "e_n_dot",
+                        unit: "m/s",
+                        bore: &[0, 1, 2, 3, 4],
+                        radius: true,
+                        rate: true,
+                    },
+                ],
+                forces: &[
+                    ContactVariable {
+                        name: "F_n",
+                        unit: "N",
+                        bore: &[0, 1, 2, 3, 4],
+                        radius: true,
+                        rate: false,
+                    },
+                ],
+                rows: 2,
+                measures: &[0],
+                bore: &[
+                    BoreMotion::MeanX,
+                    BoreMotion::MeanY,
+                    BoreMotion::SectionTurn,
+                    BoreMotion::SecondFrame,
+                    BoreMotion::SecondTurn,
+                ],
+                table: 0,
+                prepare,
+                evaluate: inputs,
+                force,
+                tangent,
+            };
+        }
     }
     /// The entry of the registry.
     pub const ENTRY: Clearance = Clearance {
@@ -3201,8 +3607,8 @@ pub mod journal {
             title: "Radial clearance of the springs of a journal bearing",
             source: "Hu, Mourelatos, Vlahopoulos, J. Sound Vib. 267 (2003) 1-28, eqs. (13), (14), (24), with the shaft's displacement turned from its rotating frame into the fixed one",
             spec: "motion/clearance.toml",
-            text: "kind = \"clearance\"\nname = \"journal\"\ntitle = \"Radial clearance of the springs of a journal bearing\"\nsource = \"Hu, Mourelatos, Vlahopoulos, J. Sound Vib. 267 (2003) 1-28, eqs. (13), (14), (24), with the shaft's displacement turned from its rotating frame into the fixed one\"\n\n# Constants of each spring.\n[spring.psi]\nunit = \"rad\"\ntitle = \"angle of the spring on the bore, from the vertical x axis\"\n\n# One bearing.\n[constants.c]\nunit = \"m\"\ntitle = \"radial clearance of the undeformed bearing\"\n\n[constants.R]\nunit = \"m\"\ntitle = \"radius of the journal\"\n\n# Coordinates that all springs of a ring share.\n[ring.theta]\nunit = \"rad\"\ntitle = \"rotation of the shaft\"\n\n[ring.eps_x]\nunit = \"m\"\ntitle = \"displacement of the shaft's centre line along the turning x axis\"\n\n[ring.eps_y]\nunit = \"m\"\ntitle = \"displacement of the shaft's centre line along the turning y axis\"\n\n# Coordinates of each spring.\n[radial.delta]\nunit = \"m\"\ntitle = \"radial displacement of the bore at the spring, outwards\"\n\n[tangential.tau]\nunit = \"m\"\ntitle = \"displacement of the bore at the spring along the tangent (-sin psi, cos psi)\"\n\n# Mean motion of the bore's ring, and of its whole section.\n[bore.b_x]\nunit = \"m\"\ntitle = \"mean displacement of the bore along the vertical x axis\"\n\n[bore.b_y]\nunit = \"m\"\ntitle = \"mean displacement of the bore along the y axis\"\n\n[bore.beta]\nunit = \"rad\"\ntitle = \"mean rotation of the bore\"\n\n[bore.b_z]\nunit = \"m\"\ntitle = \"mean displacement of the bore along z\"\n\n[bore.g_x]\nunit = \"rad\"\ntitle = \"mean rotation of the bore about the vertical x axis\"\n\n[bore.g_y]\nunit = \"rad\"\ntitle = \"mean rotation of the bore about the y axis\"\n\n# The section of the journal in the frame of its body.\n[section.gamma]\nunit = \"rad\"\ntitle = \"mean rotation of the journal's section against the frame of its body\"\n\n[section.s_z]\nunit = \"m\"\ntitle = \"mean displacement of the journal's section along z\"\n\n[section.a_x]\nunit = \"rad\"\ntitle = \"mean rotation of the journal's section about the turning x axis\"\n\n[section.a_y]\nunit = \"rad\"\ntitle = \"mean rotation of the journal's section about the turning y axis\"\n\n[definitions]\n# The shaft's displacement in the fixed frame, A(theta) eps.\nu_x = 'cos(theta)*eps_x - sin(theta)*eps_y'\nu_y = 'sin(theta)*eps_x + cos(theta)*eps_y'\n\n[clearance]\nh = 'c - cos(psi)*u_x - sin(psi)*u_y + delta'\n\n# Displacement along the bearing from those of its left, middle and right ring; s = z/L_b.\n[axial]\ns = ['2*s^2 - 3*s + 1', '-4*s^2 + 4*s', '2*s^2 - s']\n\n# Where the bodies of journal and bore turn about axes that are apart by (D_x, D_y), fixed in space: what that adds to the\n# displacement eps, seen by the journal's body, which turns by phi. theta is then its angle against the bore's body.\n[apart]\nphi = { D_x = 'cos(phi)*D_x + sin(phi)*D_y', D_y = 'cos(phi)*D_y - sin(phi)*D_x' }\n\n# Other quantities on which laws may depend, and with which their other forces do work.\n\n# Slip of the journal's surface over the bore along the tangent, positive with positive rotation.\n[measures.s]\nvalue = 'R*(theta + gamma) - sin(psi)*u_x + cos(psi)*u_y - tau'\nrate = \"v_t\"\nforce = \"T\"\n\n[measures.alpha]\nvalue = 'theta + gamma - beta'\nrate = \"omega\"\nforce = \"M_z\"\n\n# Displacement of the journal in the bore, along axes that turn with the bore: its forces are in balance where they act, on\n# the centres of both, and what is left of their moment, e x F, is a couple on the bore.\n[measures.e_x]\nvalue = 'cos(beta)*(u_x - b_x) + sin(beta)*(u_y - b_y)'\nforce = \"F_x\"\n\n[measures.e_y]\nvalue = 'cos(beta)*(u_y - b_y) - sin(beta)*(u_x - b_x)'\nforce = \"F_y\"\n\n# Displacement along z, and tilts as small rotations, along axes that turn with the bore: M_x and M_y act as couples on both\n# sections.\n[measures.e_z]\nvalue = 's_z - b_z'\nforce = \"F_z\"\n\n[measures.alpha_x]\nvalue = 'cos(beta)*(cos(theta)*a_x - sin(theta)*a_y - g_x) + sin(beta)*(sin(theta)*a_x + cos(theta)*a_y - g_y)'\nforce = \"M_x\"\n\n[measures.alpha_y]\nvalue = 'cos(beta)*(sin(theta)*a_x + cos(theta)*a_y - g_y) - sin(beta)*(cos(theta)*a_x - sin(theta)*a_y - g_x)'\nforce = \"M_y\"\n\n# Inputs and outputs of a law of springs, of a law of a whole ring, and of a law of a whole joint.\n[laws.spring]\ninputs = [\"h\", \"h_dot\", \"psi\", \"omega\", \"v_t\", \"theta\"]\nforces = [\"Q\", \"T\"]\n\n[laws.ring]\ninputs = [\"e_x\", \"e_y\", \"e_x_dot\", \"e_y_dot\", \"omega\", \"theta\"]\nforces = [\"F_x\", \"F_y\", \"M_z\"]\n\n[laws.joint]\ninputs = [\n  \"e_x\", \"e_y\", \"e_z\", \"alpha_x\", \"alpha_y\",\n  \"e_x_dot\", \"e_y_dot\", \"e_z_dot\", \"alpha_x_dot\", \"alpha_y_dot\",\n  \"omega\", \"theta\",\n]\nforces = [\"F_x\", \"F_y\", \"F_z\", \"M_x\", \"M_y\", \"M_z\"]\n",
-            hash: "b2cda89f0c978bd932308db50ec409ba",
+            text: "kind = \"clearance\"\nname = \"journal\"\ntitle = \"Radial clearance of the springs of a journal bearing\"\nsource = \"Hu, Mourelatos, Vlahopoulos, J. Sound Vib. 267 (2003) 1-28, eqs. (13), (14), (24), with the shaft's displacement turned from its rotating frame into the fixed one\"\n\n# Constants of each spring.\n[spring.psi]\nunit = \"rad\"\ntitle = \"angle of the spring on the bore, from the vertical x axis\"\n\n# One bearing.\n[constants.c]\nunit = \"m\"\ntitle = \"radial clearance of the undeformed bearing\"\n\n[constants.R]\nunit = \"m\"\ntitle = \"radius of the journal\"\n\n# Coordinates that all springs of a ring share.\n[ring.theta]\nunit = \"rad\"\ntitle = \"rotation of the shaft\"\n\n[ring.eps_x]\nunit = \"m\"\ntitle = \"displacement of the shaft's centre line along the turning x axis\"\n\n[ring.eps_y]\nunit = \"m\"\ntitle = \"displacement of the shaft's centre line along the turning y axis\"\n\n# Coordinates of each spring.\n[radial.delta]\nunit = \"m\"\ntitle = \"radial displacement of the bore at the spring, outwards\"\n\n[tangential.tau]\nunit = \"m\"\ntitle = \"displacement of the bore at the spring along the tangent (-sin psi, cos psi)\"\n\n# Mean motion of the bore's ring, and of its whole section.\n[bore.b_x]\nunit = \"m\"\ntitle = \"mean displacement of the bore along the vertical x axis\"\n\n[bore.b_y]\nunit = \"m\"\ntitle = \"mean displacement of the bore along the y axis\"\n\n[bore.beta]\nunit = \"rad\"\ntitle = \"mean rotation of the bore\"\n\n[bore.b_z]\nunit = \"m\"\ntitle = \"mean displacement of the bore along z\"\n\n[bore.g_x]\nunit = \"rad\"\ntitle = \"mean rotation of the bore about the vertical x axis\"\n\n[bore.g_y]\nunit = \"rad\"\ntitle = \"mean rotation of the bore about the y axis\"\n\n# The section of the journal in the frame of its body.\n[section.gamma]\nunit = \"rad\"\ntitle = \"mean rotation of the journal's section against the frame of its body\"\n\n[section.s_z]\nunit = \"m\"\ntitle = \"mean displacement of the journal's section along z\"\n\n[section.a_x]\nunit = \"rad\"\ntitle = \"mean rotation of the journal's section about the turning x axis\"\n\n[section.a_y]\nunit = \"rad\"\ntitle = \"mean rotation of the journal's section about the turning y axis\"\n\n# The second of two gears, whose axes are apart. Its bore's motion b_x, b_y is that of its centre in the frame of its body. Both\n# frames are counted from the line of action, so that x lies along it.\n[gear.phi]\nunit = \"rad\"\ntitle = \"rotation of the frame of the second gear\"\n\n[gear.lambda]\nunit = \"rad\"\ntitle = \"rotation of the second gear times its base radius over that of the first\"\n\n[definitions]\n# The shaft's displacement in the fixed frame, A(theta) eps.\nu_x = 'cos(theta)*eps_x - sin(theta)*eps_y'\nu_y = 'sin(theta)*eps_x + cos(theta)*eps_y'\n\n[clearance]\nh = 'c - cos(psi)*u_x - sin(psi)*u_y + delta'\n\n# Displacement along the bearing from those of its left, middle and right ring; s = z/L_b.\n[axial]\ns = ['2*s^2 - 3*s + 1', '-4*s^2 + 4*s', '2*s^2 - s']\n\n# Where the bodies of journal and bore turn about axes that are apart by (D_x, D_y), fixed in space: what that adds to the\n# displacement eps, seen by the journal's body, which turns by phi. theta is then its angle against the bore's body.\n[apart]\nphi = { D_x = 'cos(phi)*D_x + sin(phi)*D_y', D_y = 'cos(phi)*D_y - sin(phi)*D_x' }\n\n# Other quantities on which laws may depend, and with which their other forces do work.\n\n# Slip of the journal's surface over the bore along the tangent, positive with positive rotation.\n[measures.s]\nvalue = 'R*(theta + gamma) - sin(psi)*u_x + cos(psi)*u_y - tau'\nrate = \"v_t\"\nforce = \"T\"\n\n[measures.alpha]\nvalue = 'theta + gamma - beta'\nrate = \"omega\"\nforce = \"M_z\"\n\n# Displacement of the journal in the bore, along axes that turn with the bore: its forces are in balance where they act, on\n# the centres of both, and what is left of their moment, e x F, is a couple on the bore.\n[measures.e_x]\nvalue = 'cos(beta)*(u_x - b_x) + sin(beta)*(u_y - b_y)'\nforce = \"F_x\"\n\n[measures.e_y]\nvalue = 'cos(beta)*(u_y - b_y) - sin(beta)*(u_x - b_x)'\nforce = \"F_y\"\n\n# Displacement along z, and tilts as small rotations, along axes that turn with the bore: M_x and M_y act as couples on both\n# sections.\n[measures.e_z]\nvalue = 's_z - b_z'\nforce = \"F_z\"\n\n[measures.alpha_x]\nvalue = 'cos(beta)*(cos(theta)*a_x - sin(theta)*a_y - g_x) + sin(beta)*(sin(theta)*a_x + cos(theta)*a_y - g_y)'\nforce = \"M_x\"\n\n[measures.alpha_y]\nvalue = 'cos(beta)*(sin(theta)*a_x + cos(theta)*a_y - g_y) - sin(beta)*(cos(theta)*a_x - sin(theta)*a_y - g_x)'\nforce = \"M_y\"\n\n# Overlap of the teeth of two gears along the line of action; R is the base radius of the first.\n[measures.e_n]\nvalue = 'u_x - cos(phi)*b_x + sin(phi)*b_y + R*(theta + gamma + lambda)'\nforce = \"F_n\"\n\n# Inputs and outputs of a law of springs, of a law of a whole ring, of a law of a whole joint, and of a law of two gears.\n[laws.spring]\ninputs = [\"h\", \"h_dot\", \"psi\", \"omega\", \"v_t\", \"theta\"]\nforces = [\"Q\", \"T\"]\n\n[laws.ring]\ninputs = [\"e_x\", \"e_y\", \"e_x_dot\", \"e_y_dot\", \"omega\", \"theta\"]\nforces = [\"F_x\", \"F_y\", \"M_z\"]\n\n[laws.joint]\ninputs = [\n  \"e_x\", \"e_y\", \"e_z\", \"alpha_x\", \"alpha_y\",\n  \"e_x_dot\", \"e_y_dot\", \"e_z_dot\", \"alpha_x_dot\", \"alpha_y_dot\",\n  \"omega\", \"theta\",\n]\nforces = [\"F_x\", \"F_y\", \"F_z\", \"M_x\", \"M_y\", \"M_z\"]\n\n[laws.gear]\ninputs = [\"e_n\", \"e_n_dot\"]\nforces = [\"F_n\"]\n",
+            hash: "11fa2ef1c088bf9290bc0b85c4b1486b",
         },
         axial,
         apart,
@@ -3211,6 +3617,7 @@ pub mod journal {
             contacts::spring::ENTRY,
             contacts::ring::ENTRY,
             contacts::joint::ENTRY,
+            contacts::gear::ENTRY,
         ],
     };
 }

@@ -6,6 +6,7 @@
 mod campbell;
 mod coefficients;
 mod found;
+mod lateral;
 mod map;
 mod matrices;
 mod modes;
@@ -13,17 +14,20 @@ mod response;
 mod speeds;
 mod stability;
 mod states;
+mod torsion;
 mod words;
 
 use std::path::{Path, PathBuf};
 
 use whirl_codegen::diagnostic::{Diagnostics, Located, suggest};
+use whirl_solver::cache::Cache;
 use whirl_solver::linear::LinearMachine;
 
 use crate::arguments::{
-    AnalyseArguments, AnalysisOutput, MapArguments, MatricesArguments, ModesArguments,
+    AnalyseArguments, AnalysisOutput, LateralArguments, MapArguments, MatricesArguments,
+    ModesArguments,
 };
-use crate::case::{self, Analysis, AnalysisKind, Case, MODES, MatrixFormat, ORDERS};
+use crate::case::{self, Analysis, AnalysisKind, Case};
 use crate::errors::Failure;
 use crate::output::Output;
 use crate::progress::{self, ProgressMode};
@@ -39,7 +43,7 @@ pub(crate) fn analyse(arguments: &AnalyseArguments) -> Result<(), Failure> {
     let case = read(&arguments.case)?;
     let chosen = chosen(&case, arguments.name.as_deref())?;
     let folder = arguments.results.out.clone().unwrap_or_else(|| usual(&case));
-    run(&case, &chosen, Some(&folder), &arguments.results)
+    run((&case, &arguments.case), &chosen, Some(&folder), &arguments.results)
 }
 
 /// Does one that the command line describes.
@@ -55,7 +59,7 @@ pub(crate) fn of_kind(kind: AnalysisKind, arguments: &ModesArguments) -> Result<
         (None, AnalysisKind::Modes | AnalysisKind::Coefficients) => None,
         (None, _) => Some(usual(&case)),
     };
-    run(&case, &[analysis], folder.as_deref(), &arguments.results)
+    run((&case, &arguments.case), &[analysis], folder.as_deref(), &arguments.results)
 }
 
 /// Draws the map that the command line describes.
@@ -76,7 +80,26 @@ pub(crate) fn map_of(arguments: &MapArguments) -> Result<(), Failure> {
     let analysis =
         Analysis { stiffness, ..described(&case, AnalysisKind::Map, (of, None), (count, &[]))? };
     let folder = arguments.results.out.clone().unwrap_or_else(|| usual(&case));
-    run(&case, &[analysis], Some(&folder), &arguments.results)
+    run((&case, &arguments.case), &[analysis], Some(&folder), &arguments.results)
+}
+
+/// Does the lateral analyses of a case.
+///
+/// # Errors
+/// As [`analyse`]; the case has none.
+pub(crate) fn lateral_of(arguments: &LateralArguments) -> Result<(), Failure> {
+    let case = read(&arguments.case)?;
+    let own = case.analyses.iter().filter(|own| own.kind == AnalysisKind::Lateral);
+    let own: Vec<Analysis> = own.cloned().collect();
+    if own.is_empty() {
+        return Err(Failure::Argument {
+            message: format!("`{}` has no lateral analysis", case.name),
+            help: "add a table such as `[analysis.lateral]` with `kind = \"lateral\"`, `minimum_speed` and `maximum_speed`"
+                .to_owned(),
+        });
+    }
+    let folder = arguments.results.out.clone().unwrap_or_else(|| usual(&case));
+    run((&case, &arguments.case), &own, Some(&folder), &arguments.results)
 }
 
 /// Writes the matrices of small motions.
@@ -87,20 +110,15 @@ pub(crate) fn matrices(arguments: &MatricesArguments) -> Result<(), Failure> {
     let case = read(&arguments.case)?;
     let (of, speeds) = asked(&case, arguments.of.as_deref(), arguments.speeds.as_deref())?;
     let analysis = Analysis {
-        name: AnalysisKind::Matrices.word().to_owned(),
-        kind: AnalysisKind::Matrices,
         of,
         speeds,
-        ratios: Vec::new(),
-        count: MODES,
-        orders: ORDERS.to_vec(),
-        stiffness: Vec::new(),
         format: arguments.format,
+        ..Analysis::of_kind(AnalysisKind::Matrices)
     };
     let folder = arguments.out.clone().unwrap_or_else(|| usual(&case));
     let (quiet, cache) = (arguments.quiet, arguments.cache.clone());
     let results = AnalysisOutput { out: None, no_figures: true, quiet, cache };
-    run(&case, &[analysis], Some(&folder), &results)
+    run((&case, &arguments.case), &[analysis], Some(&folder), &results)
 }
 
 fn read(name: &str) -> Result<Case, Failure> {
@@ -153,15 +171,11 @@ fn described(
         });
     }
     Ok(Analysis {
-        name: kind.word().to_owned(),
-        kind,
         of,
         speeds,
-        ratios: Vec::new(),
         count,
-        orders: if orders.is_empty() { ORDERS.to_vec() } else { orders.to_vec() },
-        stiffness: Vec::new(),
-        format: MatrixFormat::default(),
+        orders: if orders.is_empty() { kind.orders() } else { orders.to_vec() },
+        ..Analysis::of_kind(kind)
     })
 }
 
@@ -185,7 +199,7 @@ fn asked(
 
 /// Does analyses one after the other, and writes what they come to into a folder, if there is one.
 fn run(
-    case: &Case,
+    (case, file): (&Case, &str),
     analyses: &[Analysis],
     folder: Option<&Path>,
     arguments: &AnalysisOutput,
@@ -200,29 +214,29 @@ fn run(
     let cache = arguments.cache.open();
     let build =
         || streams::warned(|warnings| machine::build_planned(case, cache.as_ref(), warnings));
-    let built = progress::during(show, case.reducing(), build)?;
-    let linear = LinearMachine::new(built.machine)?;
+    // Lateral analyses build machines of their own, with what they look at.
+    let linear = match analyses.iter().any(|own| own.kind != AnalysisKind::Lateral) {
+        true => {
+            let built = progress::during(show, case.reducing(), build)?;
+            Some(LinearMachine::new(built.machine)?)
+        }
+        false => None,
+    };
     let mut interrupted = false;
     for analysis in analyses {
         let name = &analysis.name;
-        let wanted = speeds::wanted(case, &linear, analysis)?;
-        let (wanted, figures) = ((analysis, &wanted), !arguments.no_figures);
-        let work = || match analysis.kind {
-            AnalysisKind::Modes => modes::found(case, &linear, wanted, &interruption),
-            AnalysisKind::Campbell => {
-                campbell::found(case, &linear, wanted, &interruption, figures)
+        let found = match &linear {
+            Some(linear) if analysis.kind != AnalysisKind::Lateral => {
+                let (of, show) = ((case, linear), (show, !arguments.no_figures));
+                of_machine(of, analysis, cache.as_ref(), &interruption, show)?
             }
-            AnalysisKind::Response => {
-                response::found(case, &linear, wanted, &interruption, figures)
+            _ => {
+                let figures = !arguments.no_figures;
+                let (of, cache) = ((case, file), cache.as_ref());
+                let work = || lateral::found(of, analysis, cache, &interruption, figures);
+                progress::during(show, "analysing", work)?
             }
-            AnalysisKind::Coefficients => coefficients::found(case, &linear, wanted, &interruption),
-            AnalysisKind::Stability => {
-                stability::found(case, &linear, wanted, &interruption, figures)
-            }
-            AnalysisKind::Map => map::found(case, &linear, wanted, &interruption, figures),
-            AnalysisKind::Matrices => matrices::found(case, &linear, wanted, &interruption),
         };
-        let found = progress::during(show, "analysing", work)?;
         if !arguments.quiet {
             say(&found.text)?;
         }
@@ -249,4 +263,31 @@ fn run(
         });
     }
     Ok(())
+}
+
+/// An analysis of the machine of a case.
+fn of_machine(
+    (case, linear): (&Case, &LinearMachine),
+    analysis: &Analysis,
+    cache: Option<&Cache>,
+    interruption: &Interruption,
+    (show, figures): (ProgressMode, bool),
+) -> Result<found::Found, Failure> {
+    let wanted = speeds::wanted(case, linear, analysis)?;
+    let wanted = (analysis, &wanted);
+    let work = || match analysis.kind {
+        AnalysisKind::Modes => modes::found(case, linear, wanted, interruption),
+        AnalysisKind::Campbell => campbell::found(case, linear, wanted, interruption, figures),
+        AnalysisKind::Response => response::found(case, linear, wanted, interruption, figures),
+        AnalysisKind::Coefficients => coefficients::found(case, linear, wanted, interruption),
+        AnalysisKind::Stability => stability::found(case, linear, wanted, interruption, figures),
+        AnalysisKind::Map => map::found(case, linear, wanted, interruption, figures),
+        AnalysisKind::Matrices => matrices::found(case, linear, wanted, interruption),
+        AnalysisKind::Torsion => {
+            let (train, released) = torsion::released((case, linear), wanted.1.of, cache)?;
+            torsion::found(case, &train, wanted, &released, interruption, figures)
+        }
+        AnalysisKind::Lateral => unreachable!("it has machines of its own"),
+    };
+    progress::during(show, "analysing", work)
 }

@@ -26,6 +26,9 @@ const DRAWN: usize = 4;
 /// Peaks nearer than this share of their speed are one.
 const SAME: f64 = 1e-5;
 
+/// Share of the largest motion of all points below which one is rounding, and has no peaks.
+const STILL: f64 = 1e-9;
+
 /// A body and an order of its rotation, with what the points do at each speed.
 struct Source {
     body: usize,
@@ -117,7 +120,14 @@ pub(super) fn found(
                 };
                 peaks(&seeds, [*first, *last], &mut response)
             };
-            source.peaks = (0..points.len()).map(own).collect::<Result<_, Error>>()?;
+            let size = |place: usize| {
+                let all = source.motions.iter().map(|own| own[place].orbit().major);
+                all.fold(0.0, f64::max)
+            };
+            let most = (0..points.len()).map(size).fold(0.0, f64::max);
+            let moved: Vec<bool> = (0..points.len()).map(|own| size(own) > STILL * most).collect();
+            let peaks_of = |place: usize| if moved[place] { own(place) } else { Ok(Vec::new()) };
+            source.peaks = (0..points.len()).map(peaks_of).collect::<Result<_, Error>>()?;
         }
     }
     let name = &analysis.name;
@@ -138,7 +148,7 @@ fn still(points: usize) -> Vec<Vibration> {
 }
 
 /// Some of many speeds, both ends among them.
-fn coarse(speeds: &[f64]) -> Vec<f64> {
+pub(super) fn coarse(speeds: &[f64]) -> Vec<f64> {
     const MOST: usize = 31;
     let last = speeds.len() - 1;
     let count = speeds.len().min(MOST);
@@ -146,7 +156,7 @@ fn coarse(speeds: &[f64]) -> Vec<f64> {
 }
 
 /// The peaks beside critical speeds.
-fn peaks(
+pub(super) fn peaks(
     seeds: &[Critical],
     range: [f64; 2],
     response: &mut dyn FnMut(f64) -> Result<f64, Error>,

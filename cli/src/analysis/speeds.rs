@@ -8,7 +8,7 @@ use crate::errors::Failure;
 /// Speeds of a Campbell diagram where none are asked for.
 const COUNT: usize = 31;
 /// Of a response, which has peaks.
-const FINE: usize = 121;
+pub(super) const FINE: usize = 121;
 /// How far they reach, of the top speed of the case.
 const BEYOND: f64 = 1.25;
 

@@ -46,8 +46,13 @@ pub(super) fn whirl(mode: &Mode, speed: f64) -> &'static str {
 
 /// The bodies that move most in a mode, with their share of its inertia.
 pub(super) fn movers(linear: &LinearMachine, mode: &Mode) -> String {
+    most(linear, &mode.shares)
+}
+
+/// The bodies with the largest shares.
+pub(super) fn most(linear: &LinearMachine, shares: &[f64]) -> String {
     let bodies = &linear.machine().bodies;
-    let mut shares: Vec<(usize, f64)> = mode.shares.iter().copied().enumerate().collect();
+    let mut shares: Vec<(usize, f64)> = shares.iter().copied().enumerate().collect();
     shares.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
     let large = shares.iter().filter(|(_, share)| *share >= 0.1).take(2);
     let named = large

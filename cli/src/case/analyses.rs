@@ -6,14 +6,19 @@ use whirl_codegen::document::Table;
 use whirl_codegen::document::tree::Place;
 use whirl_codegen::units::{Dimension, Quantity};
 
-use super::{JoinedMachine, names};
+use super::{JoinedMachine, Lateral, lateral, names};
 use crate::values::range::{Range, is_range};
 
 /// Speeds of a range that does not say how many.
 const SPEEDS: usize = 31;
 /// Modes, and orders of critical speeds, where none are asked for.
 pub(crate) const MODES: usize = 10;
-pub(crate) const ORDERS: [f64; 1] = [1.0];
+const ORDERS: [f64; 1] = [1.0];
+/// Orders of every shaft that excite torsion, and multiples of the frequency of teeth.
+const TORSION: [f64; 2] = [1.0, 2.0];
+const MESH_ORDERS: [f64; 1] = [1.0];
+/// API 684, and the standards of machines that refer to it: torsional natural frequencies are 10 % off all excitations.
+const MARGIN: f64 = 0.1;
 
 /// An analysis under its name.
 #[derive(Debug, Clone)]
@@ -30,12 +35,20 @@ pub(crate) struct Analysis {
     pub(crate) ratios: Vec<Option<f64>>,
     /// How many modes, the slowest ones.
     pub(crate) count: usize,
-    /// Orders of critical speeds.
+    /// Orders of critical speeds; of torsion, orders of every shaft that excite it.
     pub(crate) orders: Vec<f64>,
+    /// Multiples of the frequency of teeth that excite torsion.
+    pub(crate) mesh_orders: Vec<f64>,
+    /// Speeds of operation (rad/s), ascending, from which torsion keeps off; those of the case where there are none.
+    pub(crate) operation: Vec<f64>,
+    /// Share by which it does.
+    pub(crate) margin: f64,
     /// Stiffnesses of the joints of a map (N/m), ascending; the usual ones where there are none.
     pub(crate) stiffness: Vec<f64>,
     /// Of matrices.
     pub(crate) format: MatrixFormat,
+    /// What standards ask for, of a lateral analysis.
+    pub(crate) lateral: Option<Box<Lateral>>,
 }
 
 /// What an analysis finds.
@@ -55,6 +68,31 @@ pub(crate) enum AnalysisKind {
     Map,
     /// Matrices of small motions at one speed or a few.
     Matrices,
+    /// Torsional modes of a train, with what excites them.
+    Torsion,
+    /// What standards ask of response and stability.
+    Lateral,
+}
+
+impl Analysis {
+    /// One that asks for nothing special.
+    pub(crate) fn of_kind(kind: AnalysisKind) -> Analysis {
+        Analysis {
+            name: kind.word().to_owned(),
+            kind,
+            of: None,
+            speeds: Vec::new(),
+            ratios: Vec::new(),
+            count: MODES,
+            orders: kind.orders(),
+            mesh_orders: MESH_ORDERS.to_vec(),
+            operation: Vec::new(),
+            margin: MARGIN,
+            stiffness: Vec::new(),
+            format: MatrixFormat::default(),
+            lateral: None,
+        }
+    }
 }
 
 /// A format in which matrices are written.
@@ -81,9 +119,18 @@ impl MatrixFormat {
 }
 
 impl AnalysisKind {
-    pub(super) const WORDS: &'static [&'static str] =
-        &["modes", "campbell", "response", "coefficients", "stability", "map", "matrices"];
-    const ALL: [AnalysisKind; 7] = [
+    pub(super) const WORDS: &'static [&'static str] = &[
+        "modes",
+        "campbell",
+        "response",
+        "coefficients",
+        "stability",
+        "map",
+        "matrices",
+        "torsion",
+        "lateral",
+    ];
+    const ALL: [AnalysisKind; 9] = [
         AnalysisKind::Modes,
         AnalysisKind::Campbell,
         AnalysisKind::Response,
@@ -91,7 +138,14 @@ impl AnalysisKind {
         AnalysisKind::Stability,
         AnalysisKind::Map,
         AnalysisKind::Matrices,
+        AnalysisKind::Torsion,
+        AnalysisKind::Lateral,
     ];
+
+    /// Orders where none are asked for.
+    pub(crate) fn orders(self) -> Vec<f64> {
+        if self == AnalysisKind::Torsion { TORSION.to_vec() } else { ORDERS.to_vec() }
+    }
 
     /// As a case names it.
     pub(crate) fn word(self) -> &'static str {
@@ -119,22 +173,39 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
     let ratios = table.named_values("ratios");
     let count = table.optional_count("count").unwrap_or(MODES);
     let orders = table.positive_numbers("orders");
+    let mesh_orders = table.positive_numbers("mesh_orders");
+    let operation = table.optional_string("operation");
+    let given = table.gives("margin");
+    let margin = if given { table.number_or_middle("margin") } else { MARGIN };
     let format = table.optional_word("format").and_then(MatrixFormat::of);
+    let lateral = match kind {
+        Some(AnalysisKind::Lateral) => Some(Box::new(lateral::read(table, joined)?)),
+        _ => {
+            lateral::refuse(table);
+            None
+        }
+    };
+    let kind = kind?;
     let mut analysis = Analysis {
         name: name.to_owned(),
-        kind: kind?,
-        of: None,
-        speeds: Vec::new(),
-        ratios: Vec::new(),
         count,
-        orders: if orders.is_empty() { ORDERS.to_vec() } else { orders },
-        stiffness: Vec::new(),
+        orders: if orders.is_empty() { kind.orders() } else { orders },
+        mesh_orders: if mesh_orders.is_empty() { MESH_ORDERS.to_vec() } else { mesh_orders },
+        margin,
         format: format.unwrap_or_default(),
+        lateral,
+        ..Analysis::of_kind(kind)
     };
     let mut errors = Diagnostics::new();
     if let Some(speeds) = &speeds {
         match self::speeds(speeds) {
             Ok(found) => analysis.speeds = found,
+            Err(error) => errors.push(*error),
+        }
+    }
+    if let Some(operation) = &operation {
+        match self::speeds(operation) {
+            Ok(found) => analysis.operation = found,
             Err(error) => errors.push(*error),
         }
     }

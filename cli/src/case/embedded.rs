@@ -21,6 +21,7 @@ embedded![
     "crank.piston-side.csv",
     "crank.piston.csv",
     "crank.toml",
+    "geared.toml",
     "hu2003-1.toml",
     "hu2003-2.toml",
     "hu2003-3.toml",

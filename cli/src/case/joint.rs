@@ -3,6 +3,7 @@
 use whirl_codegen::diagnostic::Located;
 use whirl_solver::bearing::MotionKind;
 
+use super::gears::Gears;
 use super::law::NamedLaw;
 use super::parameters::SetParameter;
 use super::rotor::Bearing;
@@ -34,6 +35,8 @@ pub(crate) struct Joint {
     pub(crate) run_out: [[f64; 2]; 3],
     /// Of the bore at the same, m.
     pub(crate) offset: [[f64; 2]; 3],
+    /// The teeth of two gears.
+    pub(crate) gears: Option<Gears>,
 }
 
 impl Joint {
@@ -61,6 +64,7 @@ impl Joint {
             angle: None,
             run_out: [[0.0; 2]; 3],
             offset: [[0.0; 2]; 3],
+            gears: None,
         }
     }
 }
@@ -96,6 +100,8 @@ pub(crate) enum JointKind {
     Bushing,
     /// Stiffness and damping between two rotations.
     Coupling,
+    /// Teeth of two gears, on bodies whose axes are apart.
+    Gear,
 }
 
 impl JointKind {
@@ -106,6 +112,7 @@ impl JointKind {
             JointKind::Stop => ("stop", ["journal", "bore"]),
             JointKind::Bushing => ("bushing", ["first", "second"]),
             JointKind::Coupling => ("coupling", ["first", "second"]),
+            JointKind::Gear => ("gear", ["first", "second"]),
         }
     }
 }

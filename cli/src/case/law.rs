@@ -87,7 +87,7 @@ impl LawSource {
 
     /// Whether the law turns or brakes the journal: by a moment, or by a force at its surface.
     pub(crate) fn gives_torque(&self) -> bool {
-        self.names().iter().any(|name| name == "M_z" || name == "T")
+        self.names().iter().any(|name| name == "M_z" || name == "T" || name == "F_n")
     }
 
     /// Whether the law gives a force on a motion beside those in the plane.

@@ -6,10 +6,12 @@ mod cycle;
 mod dimensions;
 mod embedded;
 mod fields;
+mod gears;
 mod gravity;
 mod joined;
 mod joined_machine;
 mod joint;
+mod lateral;
 mod law;
 mod library;
 mod loads;
@@ -43,17 +45,19 @@ use whirl_codegen::diagnostic::Source;
 use crate::errors::Failure;
 
 pub(crate) use analyses::{
-    Analysis, AnalysisKind, MODES, MatrixFormat, ORDERS, speeds, stiffness, turning,
+    Analysis, AnalysisKind, MODES, MatrixFormat, speeds, stiffness, turning,
 };
 pub(crate) use columns::Columns;
 pub(crate) use cycle::TWO_REVOLUTIONS;
 pub(crate) use embedded::embedded_cases;
 pub(crate) use fields::Fields;
 pub(crate) use gravity::Gravity;
+pub(crate) use joined::axes_apart;
 pub(crate) use joined_machine::{
     Drive as JoinedDrive, InputForm, JoinedMachine, Load as JoinedLoad,
 };
 pub(crate) use joint::{Joint, JointKind, Side as JointSide};
+pub(crate) use lateral::{Lateral, Stage, StageSource, Variant};
 pub(crate) use law::{LawSource, NamedLaw};
 pub(crate) use library::{FileStore, refused};
 pub(crate) use loads::{Load, Spread};

@@ -16,6 +16,8 @@ use super::names;
 pub(crate) enum OutputPoint {
     /// The node of a set, or the mean of its nodes, of a body with a mesh.
     Set(Located),
+    /// The mean of the section at a z (m) of a body with a mesh, and where the case says it.
+    Section(f64, Located),
     /// At a z of a rigid body (m); its centre if the case does not say it.
     At(Option<f64>),
 }
@@ -126,27 +128,25 @@ fn read_one(table: &Table, machine: Option<&JoinedMachine>) -> Option<Wanted> {
         _ => Motion::Acceleration,
     };
     let meshed = matches!(machine.bodies[body].form, Form::Meshed(_));
-    let (key, help) = match meshed {
-        true => ("z", "name a node set: `set = \"NAME\"`"),
-        false => ("set", "write `z = \"…\"`, or nothing for its centre"),
-    };
-    if table.has(key) {
-        let what = if meshed {
-            "has a mesh, whose points are node sets"
-        } else {
-            "is rigid and has no node sets"
-        };
-        let message = format!("`{}` {what}", own.text());
-        table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
+    if !meshed && table.has("set") {
+        let message = format!("`{}` is rigid and has no node sets", own.text());
+        let help = "write `z = \"…\"`, or nothing for its centre";
+        table.push(table.written("set").error_here(Code::BAD_VALUE, message).help(help));
     }
-    let point = match (meshed, set) {
-        (true, Some(set)) => OutputPoint::Set(set),
-        (true, None) => {
-            let help = "add `set = \"NAME\"`: its node moves so, or the mean of its nodes";
+    if meshed && set.is_some() && z.is_some() {
+        table.conflict("set", "z");
+        return None;
+    }
+    let point = match (meshed, set, z) {
+        (true, Some(set), _) => OutputPoint::Set(set),
+        (true, None, Some(z)) => OutputPoint::Section(z, table.written("z")),
+        (true, None, None) => {
+            let help = "add `set = \"NAME\"`: its node moves so, or the mean of its nodes; or `z = \"…\"`, for the mean of \
+                        the section there";
             table.absent("set", help);
             return None;
         }
-        (false, _) => OutputPoint::At(z),
+        (false, ..) => OutputPoint::At(z),
     };
     Some(Wanted::Motion { body, point, motion, frame, components })
 }

@@ -9,12 +9,13 @@ use whirl_codegen::document::schema::{Key, Shape, key, merged, needed};
 use super::Case;
 use super::analyses::{AnalysisKind, MatrixFormat};
 use super::joined::schema as joined;
+use super::lateral::STAGES;
 use super::march::{AUTOMATIC, ESTIMATE, GENERALIZED_ALPHA, MOST_STEPS, NEWMARK, ONE_CYCLE};
 use super::shapes::{
-    ANGLE, CLEARANCE, DAMPING, DAMPING_TIME, DENSITY, DURATION, FORCE, FREQUENCY, GRAVITY,
-    GROUND_SPRING, LENGTH, MASS, MERGE, MODULUS, MOST_CELLS, MOST_MODES, MOST_SPRINGS, MOTION,
-    NAMES, PARAMETERS, PARAMETERS_EXAMPLE, POSITION, SELECTION, SPEED, START, STIFFNESS,
-    TARGET_SPEED, TIME, TOLERANCE, TORQUE, TURNING_SPEED, VELOCITY,
+    ANGLE, CLEARANCE, CROSS_STIFFNESS, DAMPING, DAMPING_TIME, DENSITY, DURATION, FORCE, FREQUENCY,
+    GAS_DENSITY, GRAVITY, GROUND_SPRING, LENGTH, MASS, MERGE, MODULUS, MOST_CELLS, MOST_MODES,
+    MOST_SPRINGS, MOTION, NAMES, PARAMETERS, PARAMETERS_EXAMPLE, POSITION, POWER, SELECTION, SPEED,
+    START, STIFFNESS, TARGET_SPEED, TIME, TOLERANCE, TORQUE, TURNING_SPEED, VELOCITY,
 };
 
 impl Case {
@@ -318,7 +319,11 @@ const OUTPUT: &[Key] = &[
         .like("\"front\""),
     key("set", Text, "node set of a mesh: the motion of its node, or the mean of its nodes")
         .like("\"DISC\""),
-    key("z", POSITION, "on a rigid body; at its centre if left out"),
+    key(
+        "z",
+        POSITION,
+        "on a rigid body, at its centre if left out; of a mesh the mean of the section there",
+    ),
     key("frame", Words(&["space", "body"]), "whose components; space if left out"),
     key("components", NAMES, "of \"x\", \"y\" and \"z\"; x and y if left out")
         .like("[\"x\", \"y\"]"),
@@ -328,7 +333,7 @@ const ANALYSIS: &[Key] = &[
     merged(
         "kind",
         Words(AnalysisKind::WORDS),
-        "modes at a speed or followed over speeds, response, coefficients of joints, stability, undamped critical speeds, matrices for other programs",
+        "modes at a speed or followed over speeds, response, coefficients of joints, stability, undamped critical speeds, matrices for other programs, torsion of a train, what standards ask for",
     ),
     key("of", Text, "the body whose speed it is; the fastest if left out").like("\"rotor\""),
     key(
@@ -340,11 +345,86 @@ const ANALYSIS: &[Key] = &[
     key("ratios", Named(&Number), "speeds of other bodies over that; as in the case if left out")
         .like("{ outer = -1.5 }"),
     key("count", Count(1, 200), "how many modes, the slowest ones; 10 if left out"),
-    key("orders", List(&Number), "of critical speeds; 1 if left out").like("[1, 2]"),
+    key(
+        "orders",
+        List(&Number),
+        "of critical speeds, 1 if left out; of torsion, of every shaft, 1 and 2 if left out",
+    )
+    .like("[1, 2]"),
+    key("mesh_orders", List(&Number), "of torsion: of the teeth of gears; 1 if left out")
+        .like("[1, 2]"),
+    key("operation", Text, "of torsion: speeds of operation; that of the case if left out")
+        .like("\"2700 rpm .. 3300 rpm\""),
+    key("margin", Between(0.0, 1.0), "of torsion: share by which modes keep off; 0.1 if left out")
+        .like("0.1"),
     key("stiffness", Text, "of the joints of a map, one or a range with a number")
         .like("\"1e5 N/m .. 1e10 N/m, 41, log\""),
     key("format", Words(MatrixFormat::WORDS), "of the files of matrices; npz if left out"),
+    key(
+        "edition",
+        Count(7, 9),
+        "of API 617, whose formulas a lateral analysis uses; 9 if left out",
+    ),
+    key("minimum_speed", SPEED, "N_ma, the minimum allowable speed"),
+    key("maximum_speed", SPEED, "N_mc, the maximum continuous speed"),
+    key("trip_speed", SPEED, "105 % of the maximum speed if left out"),
+    key(
+        "probes",
+        NAMES,
+        "points where vibration is measured; the journals of the body if left out",
+    )
+    .like("[\"joint.left\", \"joint.right\"]"),
+    key("probe_angle", ANGLE, "from x to the first of two probes; 45 deg if left out"),
+    key(
+        "clearances",
+        Named(&LENGTH),
+        "least diametral clearance at points, beside that of bearings",
+    )
+    .like("{ \"output.eye\" = \"500 um\" }"),
+    key("scale_limit", Between(0.0, 1e6), "the largest scale factor S_cc; 6 if left out").like("6"),
+    key(
+        "unbalance_modes",
+        List(&Number),
+        "forward modes by which unbalance is placed, from 1; 1 and 2 if left out",
+    )
+    .like("[1, 2]"),
+    key("unbalance", Named(&Table(&[APPLIED])), "unbalance in planes that the case chooses"),
+    key("journal_loads", Named(&FORCE), "static loads of joints; found if left out")
+        .like("{ left = \"450 N\" }"),
+    key("stages", Named(&Table(&[STAGE])), "impellers, blades and seals that push across"),
+    key(
+        "cross_coupling_z",
+        POSITION,
+        "where Q of stages between the bearings acts; midway between the journals if left out",
+    ),
+    key("gas_density", GAS_DENSITY, "average of suction and discharge, for regions A and B"),
+    key("seals", NAMES, "joints left out of stability of level I").like("[\"seal\"]"),
+    key(
+        "variants",
+        Named(&Table(&[VARIANT])),
+        "other values of keys, such as clearances or viscosity",
+    ),
 ];
+
+const APPLIED: &[Key] = &[
+    needed("z", List(&POSITION), "of each plane").like("[\"500 mm\"]"),
+    needed("load", List(&MASS), "W by which the unbalance of each is found").like("[\"40 kg\"]"),
+    key("phase", List(&ANGLE), "of each; 0 if left out").like("[\"180 deg\"]"),
+];
+
+const STAGE: &[Key] = &[
+    key("kind", Words(STAGES), "impeller if left out"),
+    key("z", POSITION, "needed of a stage beyond the bearings"),
+    key("power", POWER, "rated, of the stage"),
+    key("diameter", LENGTH, "of the impeller; pitch diameter of blades"),
+    key("width", LENGTH, "the smaller of impeller and diffuser at its outlet; height of blades"),
+    key("density_ratio", Between(0.0, 1000.0), "discharge over suction, of an impeller")
+        .like("1.6"),
+    key("stiffness", CROSS_STIFFNESS, "across, in place of a power"),
+];
+
+const VARIANT: &[Key] = &[needed("set", NAMES, "keys of the case with their values, as of --vary")
+    .like("[\"joint.left.radial_clearance = 90 um\"]")];
 
 const FIELDS: &[Key] = &[
     key("bodies", NAMES, "those that have a mesh if left out").like("[\"shaft\"]"),

@@ -40,6 +40,8 @@ measures! {
     TILTING_STIFFNESS: TORQUE, "1e4 N*m/rad", Any;
     TILTING_DAMPING: TORSIONAL_DAMPING, "10 N*m*s/rad", Any;
     DAMPING: DAMPING, "20 N*s/m", NotNegative;
+    MESH_STIFFNESS: STIFFNESS, "2e8 N/m", Positive;
+    MESH_DAMPING: DAMPING, "500 N*s/m", NotNegative;
     FORCE: FORCE, "1000 N", Any;
     TOLERANCE: FORCE, "1e-3 N", Positive;
     TORQUE: TORQUE, "109 N*m", Any;
@@ -49,6 +51,8 @@ measures! {
     ACCELERATION: ANGULAR_ACCELERATION, "600 rpm/s", Any;
     FREQUENCY: FREQUENCY, "37.5 Hz", Positive;
     ANGLE: ANGLE, "90 deg", Any;
+    POWER: POWER, "1200 kW", Positive;
+    GAS_DENSITY: DENSITY, "45 kg/m^3", Positive;
 }
 
 /// Springs of a bearing in all its rings.

@@ -7,7 +7,7 @@ use whirl_solver::bearing::MotionKind;
 use whirl_solver::mesh::measure::Circle;
 use whirl_text::rounded;
 
-use crate::case::{JoinedMachine, Joint, JointKind, SetParameter};
+use crate::case::{self, JoinedMachine, Joint, JointKind, SetParameter};
 use crate::machine::JoinedPlan;
 
 /// Each joint with its law, clearance and place, or its coefficients.
@@ -17,7 +17,7 @@ pub(super) fn say(text: &mut String, joined: &JoinedMachine, plan: &JoinedPlan) 
     }
     for (place, (joint, law)) in joined.joints.iter().zip(&plan.laws).enumerate() {
         let (c, circles) = plan.clearance(place);
-        line!(text, "{}", of_joint(joint, &law.name(), c, &plan.stations(place)));
+        line!(text, "{}", of_joint((joint, joined), &law.name(), c, &plan.stations(place)));
         if let Some([journal, bore]) = circles {
             line!(
                 text,
@@ -39,7 +39,12 @@ pub(super) fn say(text: &mut String, joined: &JoinedMachine, plan: &JoinedPlan) 
     }
 }
 
-fn of_joint(joint: &Joint, law: &str, c: f64, stations: &[f64]) -> String {
+fn of_joint(
+    (joint, joined): (&Joint, &JoinedMachine),
+    law: &str,
+    c: f64,
+    stations: &[f64],
+) -> String {
     let (kind, [first, second]) = joint.kind.words();
     let [a, b] = joint.sides.each_ref().map(|side| side.place.text());
     let values = match joint.kind {
@@ -54,6 +59,7 @@ fn of_joint(joint: &Joint, law: &str, c: f64, stations: &[f64]) -> String {
             format!(", law {law}{clearance}{}", planes(joint, stations))
         }
         JointKind::Bushing | JointKind::Coupling => values(joint),
+        JointKind::Gear => teeth(joint, joined),
     };
     format!("{kind} {}: {first} {a}, {second} {b}{values}", joint.name.text())
 }
@@ -74,6 +80,33 @@ fn planes(joint: &Joint, stations: &[f64]) -> String {
     }
     let z: Vec<String> = stations.iter().map(|z| rounded(1e3 * z, 6).to_string()).collect();
     format!("{rings}{} z = {} mm", if rings.is_empty() { "," } else { " at" }, z.join(", "))
+}
+
+/// Ratio, radii and stiffness of gears.
+fn teeth(joint: &Joint, joined: &JoinedMachine) -> String {
+    let (Some(gears), [Some(first), Some(second)]) =
+        (&joint.gears, joint.sides.each_ref().map(|side| side.body))
+    else {
+        return String::new();
+    };
+    let [x, y] = case::axes_apart([first, second].map(|body| &joined.bodies[body]));
+    let [own, other] = gears.pitch_radii(x.hypot(y)).map(|radius| rounded(1e3 * radius, 6));
+    let of = |name: &str| {
+        let found = joint.bearing.parameters.iter().find(|own| own.name() == name);
+        rounded(found.map_or(0.0, SetParameter::value), 10)
+    };
+    let backlash = match gears.backlash {
+        true => format!(", backlash {} µm", rounded(1e6 * of("b"), 6)),
+        false => String::new(),
+    };
+    format!(
+        ", {}speed ratio {}, pitch radii {own} and {other} mm, pressure angle {}°, stiffness {:e} N/m, damping {} N s/m{backlash}",
+        if gears.internal { "internal, " } else { "" },
+        rounded(gears.ratio(), 8),
+        rounded(gears.pressure_angle.to_degrees(), 6),
+        of("k"),
+        of("c")
+    )
 }
 
 /// All stiffness and damping of a bushing or a coupling.

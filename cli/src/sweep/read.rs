@@ -15,7 +15,7 @@ use super::schema::MOST_POINTS;
 use super::vary::{self, Values, Varied};
 use crate::case::{CaseText, FileStore};
 use crate::errors::Failure;
-use crate::values::level::{Level, quoted};
+use crate::values::level::{Level, as_toml, quoted};
 
 /// What messages call the arguments of the command line.
 const COMMAND_LINE: &str = "--vary";
@@ -116,14 +116,6 @@ pub(super) fn of_no_sweep(name: &str) -> Result<Sweep, Failure> {
             quoted(name)
         ),
     })
-}
-
-/// Values of the command line as TOML: what has quotes or brackets, or is a number, stands as it is.
-fn as_toml(values: &str) -> String {
-    let plain = values.starts_with(['[', '"', '\'', '{'])
-        || values.parse::<f64>().is_ok()
-        || matches!(values, "true" | "false");
-    if plain { values.to_owned() } else { quoted(values) }
 }
 
 /// What a sweep says beside the keys that vary.

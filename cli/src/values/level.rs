@@ -91,3 +91,11 @@ pub(crate) fn quoted(text: &str) -> String {
     }
     all + "\""
 }
+
+/// Values as a command line or a list has them, as TOML: what has quotes or brackets, or is a number, stands as it is.
+pub(crate) fn as_toml(values: &str) -> String {
+    let plain = values.starts_with(['[', '"', '\'', '{'])
+        || values.parse::<f64>().is_ok()
+        || matches!(values, "true" | "false");
+    if plain { values.to_owned() } else { quoted(values) }
+}

@@ -62,6 +62,8 @@ impl Dimension {
     pub const DENSITY: Dimension = Dimension::of(-3, 1, 0);
     /// rad/s².
     pub const ANGULAR_ACCELERATION: Dimension = Dimension::of(0, 0, -2).with(ANGLE, 1);
+    /// W.
+    pub const POWER: Dimension = Dimension::of(2, 1, -3);
     /// N·m·s, of a damper between two rotations.
     pub const TORSIONAL_DAMPING: Dimension = Dimension::of(2, 1, -1);
     /// kg·m².

@@ -17,12 +17,24 @@ pub(crate) struct Bores {
     pub(super) blocks: Option<Blocks>,
     /// b0 in the same rows, where any is not zero.
     pub(super) offset: Option<Vec<f64>>,
+    /// What rotations that are given bring to rows: row, place in q, coefficient.
+    pub(super) given: Vec<(usize, usize, f64)>,
 }
 
 impl Bores {
-    pub(super) fn new(place: Range<usize>, mut rows: Matrix, offset: Option<Vec<f64>>) -> Self {
+    pub(super) fn new(
+        place: Range<usize>,
+        mut rows: Matrix,
+        offset: Option<Vec<f64>>,
+        given: Vec<(usize, usize, f64)>,
+    ) -> Self {
         let blocks = Blocks::of(&mut rows);
-        Bores { place, transposed: rows.transpose(), rows, blocks, offset }
+        Bores { place, transposed: rows.transpose(), rows, blocks, offset, given }
+    }
+
+    /// Adds to motions of the rows those by rotations that are given.
+    pub(super) fn add_given(&self, x: &[f64], out: &mut [f64]) {
+        self.given.iter().for_each(|&(row, place, own)| out[row] += own * x[place]);
     }
 
     /// Memory for products with T_b and its transpose.

@@ -120,15 +120,17 @@ fn mismatch(law: &dyn SpringLaw, kinds: &'static [Contact]) -> WrongLaw {
     };
     for name in &outputs {
         if !kinds.iter().any(|kind| has(kind.forces, name)) {
-            let what =
-                format!("gives {name}, which is not a force of a spring, of a ring or of a joint");
+            let what = format!(
+                "gives {name}, which is not a force of a spring, of a ring, of a joint or of a gear"
+            );
             return WrongLaw { what, help: known(name, all(|kind| kind.forces)) };
         }
     }
     for name in &inputs {
         if !kinds.iter().any(|kind| has(kind.inputs, name)) {
-            let what =
-                format!("takes the input {name}, which neither springs, rings nor joints have");
+            let what = format!(
+                "takes the input {name}, which neither springs, rings, joints nor gears have"
+            );
             return WrongLaw { what, help: known(name, all(|kind| kind.inputs)) };
         }
     }

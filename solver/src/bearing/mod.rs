@@ -3,6 +3,7 @@
 mod apart;
 mod bore;
 mod bores;
+mod gear;
 pub mod law;
 mod mark;
 mod measured;
@@ -21,9 +22,11 @@ mod spin;
 mod spline;
 mod springs;
 pub(crate) mod state;
+mod tied;
 mod valid;
 pub(crate) mod work;
 
+pub use gear::{Flank, Gear};
 pub use law::{SpringLaw, Validity};
 pub use other::{MotionKind, OtherMotion};
 pub use spline::{periodic_spline, spline_passes};
@@ -38,6 +41,7 @@ pub(crate) use on_section::OnJournal;
 pub(crate) use plane::Plane;
 pub(crate) use rounding::SpringRounding;
 pub(crate) use state::TurnedRows;
+pub(crate) use tied::Tied;
 
 /// A journal in its bore, as a case describes it.
 #[derive(Debug, Clone, PartialEq)]
@@ -93,6 +97,8 @@ pub struct Sides {
     pub torque_section: Option<usize>,
     /// Where springs stand on the faces of a bore, in place of its rings of nodes.
     pub surface: Option<BoreSurface>,
+    /// Teeth, where both sides are gears: its law acts once a flank.
+    pub gear: Option<Gear>,
 }
 
 /// A bore as faces of a mesh: every spring moves with the point of the face on which it stands.
@@ -121,6 +127,7 @@ impl Default for Sides {
             whole_sections: [None; 2],
             torque_section: None,
             surface: None,
+            gear: None,
         }
     }
 }

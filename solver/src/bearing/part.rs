@@ -1,6 +1,6 @@
 //! The laws of bearings, one by one.
 
-use whirl_specs::{Contact, ContactPlace};
+use whirl_specs::{BoreMotion, Contact, ContactPlace};
 
 use super::Bearing;
 use super::other::OtherMotion;
@@ -37,7 +37,12 @@ impl<'a> Part<'a> {
     pub(super) fn misplaced(&self, kind: &Contact, bodies: &[Body]) -> Option<(String, String)> {
         let journal = &bodies[self.bearing.sides.bodies[0]];
         let spins = journal.rotation().and_then(|own| own.spin()).is_some();
+        let of_gears = kind.bore.contains(&BoreMotion::SecondTurn);
         let (what, help) = match (kind.place, self.other) {
+            _ if of_gears != self.bearing.sides.gear.is_some() => (
+                "acts on the teeth of gears, or is to act there and does not",
+                "give two gears a law with F_n, and what has no teeth another one",
+            ),
             (ContactPlace::Spring, Some(_)) => (
                 "acts at springs, but tilts and displacements along z have none",
                 "give it the forces of a ring, F_x and F_y",

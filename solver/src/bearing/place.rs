@@ -9,6 +9,7 @@ use super::Bearing;
 use super::apart::Apart;
 use super::bore::{Bore, at_springs, between, journal_radius};
 use super::bores::Bores;
+use super::gear::{self, Flank, FlankPlane, Gear, GearRow};
 use super::law::{BoundLaw, SpringLaw};
 use super::other::{MotionKind, OtherMotion};
 use super::part::Part;
@@ -92,20 +93,26 @@ struct Placing<'a> {
 struct Joined {
     bore: usize,
     twisted: Option<usize>,
+    /// θ of the body of the bore by its place in q, where it is unknown and rows of gears have it.
+    turned: Option<usize>,
 }
 
 impl Joined {
-    fn of(part: &Part) -> Self {
+    fn of(part: &Part, bodies: &[Body], places: &[BodyPlace]) -> Self {
         let [journal, bore] = part.bearing.sides.bodies;
         let sides = &part.bearing.sides;
         let twists = part.other.is_none()
             && (sides.torque_section.is_some() || sides.whole_sections[0].is_some());
-        Joined { bore, twisted: twists.then_some(journal) }
+        let twists = twists || sides.gear.is_some() && sides.sections[0].is_some();
+        let turned =
+            places[bore].rotation.filter(|_| sides.gear.is_some() && is_free(&bodies[bore]));
+        Joined { bore, twisted: twists.then_some(journal), turned }
     }
 
     /// All coordinates between the first and the last of both in q.
     fn place(self, places: &[BodyPlace]) -> Range<usize> {
-        let own = places[self.bore].flexible.clone();
+        let mut own = places[self.bore].flexible.clone();
+        own.start = self.turned.unwrap_or(own.start);
         let Some(other) = self.twisted.map(|body| places[body].flexible.clone()) else {
             return own;
         };
@@ -117,11 +124,17 @@ impl Joined {
     }
 }
 
+/// Whether θ of a body is unknown.
+fn is_free(body: &Body) -> bool {
+    body.rotation().is_some_and(|own| own.given(0.0, false).is_none())
+}
+
 /// Rows of T_b so far, and b0 in them.
 struct PlacingBores {
     joined: Joined,
     rows: Vec<Vec<f64>>,
     offset: Vec<f64>,
+    given: Vec<(usize, usize, f64)>,
 }
 
 impl PlacingBores {
@@ -129,7 +142,7 @@ impl PlacingBores {
         let place = self.joined.place(places);
         let rows = Matrix::from_fn(self.rows.len(), place.len(), |i, j| self.rows[i][j]);
         let offset = self.offset.iter().any(|b0| *b0 != 0.0).then_some(self.offset);
-        Bores::new(place, rows, offset)
+        Bores::new(place, rows, offset, self.given)
     }
 }
 
@@ -151,14 +164,18 @@ impl Placing<'_> {
     /// Places a law in the bearings that name it, body of the bores by body.
     fn place(&mut self, law: &BoundLaw, users: &[Part]) {
         let mut all: Vec<Joined> = Vec::new();
-        for joined in users.iter().map(Joined::of) {
+        let of = |part: &Part| Joined::of(part, self.bodies, self.places);
+        for joined in users.iter().map(of) {
             if !all.contains(&joined) {
                 all.push(joined);
             }
         }
+        let mut all_users = Vec::with_capacity(all.len());
         for joined in all {
-            let users = users.iter().filter(|part| Joined::of(part) == joined);
-            let users: Vec<Part> = users.copied().collect();
+            let users = users.iter().filter(|part| of(part) == joined);
+            all_users.push((joined, users.copied().collect::<Vec<Part>>()));
+        }
+        for (joined, users) in all_users {
             self.place_in(law.clone(), joined, &users);
         }
     }
@@ -179,6 +196,8 @@ impl Placing<'_> {
         let needed = law.motions();
         let mut motions = vec![MotionRows::default(); kind.bore.len()];
         let mut angles = Vec::new();
+        // Of rotations that are given: motion, spring, place in q, coefficient.
+        let mut given = Vec::new();
         for part in users {
             let &Part { number, bearing, other, .. } = part;
             if let Some((what, help)) = part.misplaced(kind, self.bodies) {
@@ -197,6 +216,32 @@ impl Placing<'_> {
                 angles.push(0.0);
                 let plane = self.plane_of_other((number, bearing), other, spring);
                 self.planes.push(plane);
+                continue;
+            }
+            if let Some(gear) = &bearing.sides.gear {
+                let bodies = bearing.sides.bodies.map(|body| &self.bodies[body]);
+                for flank in &gear.flanks {
+                    for (place_of_motion, motion) in kind.bore.iter().enumerate() {
+                        let found =
+                            GearRow::new(bearing.sides.sections, (gear, flank), bodies, *motion);
+                        let mut row = wide(found.row, bearing.sides.bodies[found.side]);
+                        if found.by_rotation != 0.0 {
+                            let theta = self.places[body].rotation;
+                            match joined.turned {
+                                Some(theta) => row[theta - place.start] += found.by_rotation,
+                                None => given.extend(theta.map(|theta| {
+                                    (place_of_motion, angles.len(), theta, found.by_rotation)
+                                })),
+                            }
+                        }
+                        motions[place_of_motion].rows.push(row);
+                        motions[place_of_motion].offset.push(found.offset);
+                    }
+                    let spring = angles.len();
+                    angles.push(0.0);
+                    let plane = self.plane_of_flank((number, bearing), (gear, flank), spring);
+                    self.planes.push(plane);
+                }
                 continue;
             }
             let radius = self.radius(&law, (number, bearing));
@@ -257,7 +302,10 @@ impl Placing<'_> {
             own.offset.extend(motion.offset);
             Some(first)
         });
-        let motions = motions.collect();
+        let motions: Vec<Option<usize>> = motions.collect();
+        own.given.extend(given.into_iter().filter_map(|(motion, spring, theta, coefficient)| {
+            Some((motions[motion]? + spring, theta, coefficient))
+        }));
         let (planes, springs) = (first..self.planes.len(), angles.len());
         self.laws.push(PlacedLaw { bound: law, planes, springs, table, bores, motions });
     }
@@ -266,7 +314,12 @@ impl Placing<'_> {
     fn bores_of(&mut self, joined: Joined) -> usize {
         let known = self.bores.iter().position(|own| own.joined == joined);
         known.unwrap_or_else(|| {
-            self.bores.push(PlacingBores { joined, rows: Vec::new(), offset: Vec::new() });
+            self.bores.push(PlacingBores {
+                joined,
+                rows: Vec::new(),
+                offset: Vec::new(),
+                given: Vec::new(),
+            });
             self.bores.len() - 1
         })
     }
@@ -310,6 +363,7 @@ impl Placing<'_> {
             springs,
             rows: [angle, x, y],
             apart,
+            flank: None,
             run_out: between(&sides.run_out, weights),
             spin: body.rotation().and_then(|rotation| rotation.spin()),
             clearance: bearing.clearance,
@@ -338,11 +392,39 @@ impl Placing<'_> {
             springs: spring..spring + 1,
             rows: [angle.collect(), x, y],
             apart: None,
+            flank: None,
             run_out: [0.0; 2],
             spin: body.rotation().and_then(|own| own.spin()).filter(|_| turns),
             clearance: bearing.clearance,
             radius: 0.0,
             arm: 1.0,
+        }
+    }
+
+    /// The plane of a flank of gears, of the law that is placed next.
+    fn plane_of_flank(
+        &self,
+        (number, bearing): (usize, &Bearing),
+        (_, flank): (&Gear, &Flank),
+        spring: usize,
+    ) -> Plane {
+        let places = bearing.sides.bodies.map(|body| &self.places[body]);
+        let rotations = gear::rotations(places);
+        let nodes = self.bodies[bearing.sides.bodies[0]].nodes();
+        let [x, y] = eccentricity(bearing, [0.0, 1.0, 0.0], nodes, &places[0].flexible);
+        Plane {
+            law: self.laws.len(),
+            bearing: number,
+            other: None,
+            springs: spring..spring + 1,
+            rows: [vec![(rotations[0], 1.0)], x, y],
+            apart: None,
+            flank: Some(FlankPlane { flank: *flank, rotations }),
+            run_out: [0.0; 2],
+            spin: None,
+            clearance: bearing.clearance,
+            radius: flank.radii[0],
+            arm: flank.radii[0].abs(),
         }
     }
 
@@ -427,8 +509,16 @@ fn reach(
         let twist = plane.rows[0].iter().filter(|(place, _)| !rotations.contains(place));
         twist.for_each(|&(place, part)| squares[place] += (plane.arm * part).powi(2));
     }
+    for own in planes.iter().filter_map(|plane| plane.flank) {
+        for (place, radius) in own.rotations.into_iter().zip(own.flank.radii) {
+            squares[place] += radius * radius;
+        }
+    }
     for own in bores {
         for (j, place) in own.place.clone().enumerate() {
+            if rotations.contains(&place) {
+                continue;
+            }
             squares[place] += own.rows.col(j).iter().map(|part| part * part).sum::<f64>();
         }
     }

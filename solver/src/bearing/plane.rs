@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::apart::Apart;
+use super::gear::FlankPlane;
 use super::other::MotionKind;
 
 /// One plane in which a law acts: at every spring, or once.
@@ -20,6 +21,8 @@ pub(crate) struct Plane {
     pub(crate) rows: [Vec<(usize, f64)>; 3],
     /// The axes of both bodies, where they are apart.
     pub(crate) apart: Option<Apart>,
+    /// The flank of gears on which it acts.
+    pub(super) flank: Option<FlankPlane>,
     /// ε0 in the plane (m).
     pub(super) run_out: [f64; 2],
     /// Speed with which the journal spins in its frame (rad/s), where it does.

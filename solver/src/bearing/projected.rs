@@ -1,7 +1,6 @@
 //! Single forces projected on the machine's coordinates.
 
 use super::{SpringState, Springs};
-use crate::bodies::Owner;
 use crate::linalg::largest_and_sum;
 
 impl SpringState {
@@ -20,7 +19,7 @@ impl SpringState {
 
     /// Of coordinate `place` of q the largest single force projected on it, and the sum of |force| over all that act
     /// on it: forces times how far a unit of the coordinate moves where they act. Forces as they were sized last.
-    pub(crate) fn projected(&self, springs: &Springs, owner: Owner, place: usize) -> (f64, f64) {
+    pub(crate) fn projected(&self, springs: &Springs, place: usize) -> (f64, f64) {
         let (mut largest, mut sum) = (0.0, 0.0);
         let mut add = |(size, all): (f64, f64)| {
             largest = f64::max(largest, size);
@@ -28,7 +27,7 @@ impl SpringState {
         };
         for (law, own) in springs.laws.iter().zip(&self.laws) {
             let bores = &springs.bores[law.bores];
-            if owner.coordinate.is_none() || !bores.place.contains(&place) {
+            if !bores.place.contains(&place) {
                 continue;
             }
             let column = bores.rows.col(place - bores.place.start);
@@ -52,7 +51,7 @@ impl SpringState {
                 moved.distance_from(plane.apart.and_then(|own| own.theta) == Some(place));
             for ((size, all), force) in sizes.iter().zip(&law.bound.forces) {
                 let kind = &law.bound.kind.forces[*force];
-                let around = if kind.radius { plane.radius + distance } else { distance };
+                let around = if kind.radius { plane.radius.abs() + distance } else { distance };
                 let arm = if kind.unit == "N" { turns * around + moves } else { turns };
                 add((arm * size, arm * all));
             }

@@ -62,8 +62,10 @@ impl SpringRounding {
                 let row = law.motions[motion]? + start + j;
                 let coefficients = bores.transposed.col(row);
                 let sizes = [q, v].map(|x| {
+                    let given = bores.given.iter().filter(|own| own.0 == row);
+                    let given: f64 = given.map(|&(_, place, own)| (own * x[place]).abs()).sum();
                     let x = &x[bores.place.clone()];
-                    largest_and_sum(x.len(), |k| coefficients[k] * x[k]).1
+                    largest_and_sum(x.len(), |k| coefficients[k] * x[k]).1 + given
                 });
                 let offset = bores.offset.as_ref().map_or(0.0, |all| all[row].abs());
                 Some((row, [sizes[0] + offset, sizes[1]]))

@@ -30,7 +30,9 @@ impl SectionMotion {
             | BoreMotion::Tangential
             | BoreMotion::MeanX
             | BoreMotion::MeanY
-            | BoreMotion::MeanTurn => return None,
+            | BoreMotion::MeanTurn
+            | BoreMotion::SecondFrame
+            | BoreMotion::SecondTurn => return None,
         };
         Some(SectionMotion { side, component })
     }

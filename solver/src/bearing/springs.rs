@@ -87,7 +87,7 @@ impl Springs {
     pub(crate) fn may_twist(&self, plane: usize) -> bool {
         let law = &self.laws[self.planes[plane].law].bound;
         let angle = law.inputs.iter().any(|&place| law.kind.inputs[place].name == "theta");
-        angle && self.gives_torque(plane)
+        self.planes[plane].flank.is_some() || angle && self.gives_torque(plane)
     }
 
     /// The measures by which the laws of the bearings may be believed, in the order of [`SpringState::worst`](super::SpringState::worst).

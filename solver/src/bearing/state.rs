@@ -101,6 +101,7 @@ impl PlaneState {
             Some(spin) => spin.ring([x, y], [x_dot, y_dot], c),
             None => Ring { position: self.position, velocity: self.velocity, c },
         };
+        ring.position[0] += plane.flank.map_or(0.0, |own| own.first_angle());
         ring.position[1] += plane.run_out[0];
         ring.position[2] += plane.run_out[1];
         ring
@@ -218,9 +219,11 @@ impl SpringState {
                 None => own.motion.fill(0.0),
             }
             bores.add_motion(&q[bores.place.clone()], &mut own.motion, &mut own.memory);
+            bores.add_given(q, &mut own.motion);
             if self.rates {
                 own.rate.fill(0.0);
                 bores.add_motion(&v[bores.place.clone()], &mut own.rate, &mut own.memory);
+                bores.add_given(v, &mut own.rate);
             }
         }
         self.respond(springs);
@@ -348,6 +351,7 @@ impl SpringState {
         }
         for (bores, own) in springs.bores.iter().zip(&mut self.bores) {
             bores.add_force(&own.force, &mut out[bores.place.clone()], &mut own.memory);
+            bores.given.iter().for_each(|&(row, place, part)| out[place] += part * own.force[row]);
         }
     }
 

@@ -5,11 +5,13 @@ use std::ops::Range;
 
 use super::quality::MovingPart;
 use super::turns::FreeTurn;
+use crate::bearing::Tied;
 use crate::equations::Equations;
 use crate::equations::State;
 use crate::linalg::{Matrix, dot};
 use crate::machine::{Body, Machine};
 use crate::shaft::Shaft;
+use crate::trains::Trains;
 
 /// A part of a machine, and how its motion is measured (m).
 pub(super) struct Part {
@@ -92,8 +94,8 @@ pub(super) struct Parts {
 
 /// Rotations that joints couple elastically.
 struct Group {
-    /// Places in q, with J0.
-    members: Vec<(usize, f64)>,
+    /// Places in q, with J0 and the speed at which each turns where the group turns with 1 rad/s.
+    members: Vec<(usize, f64, f64)>,
     from: From,
 }
 
@@ -101,8 +103,8 @@ struct Group {
 enum From {
     /// Nothing: a spring ties the group to what stands.
     Ground,
-    /// A rotation that is given, at a place of q.
-    Given(usize),
+    /// A rotation that is given, at a place of q, times a ratio.
+    Given(usize, f64),
     /// Their own mean, weighted by inertia.
     Mean,
 }
@@ -142,7 +144,8 @@ impl Parts {
         let loose =
             groups.iter().filter(|group| !matches!(group.from, From::Ground) && group.judges());
         let alone = loose.flat_map(|group| &group.members);
-        let alone = alone.filter_map(|member| FreeTurn::new(machine, std::slice::from_ref(member)));
+        let alone = alone
+            .filter_map(|&(place, inertia, _)| FreeTurn::new(machine, &[(place, inertia, 1.0)]));
         let turns = together.chain(alone).collect();
         Parts { first, all, turns, groups }
     }
@@ -152,7 +155,10 @@ impl Parts {
         out.copy_from_slice(&state.q[self.first..]);
         for group in &self.groups {
             let from = group.zero(|place| state.q[place]);
-            group.members.iter().for_each(|(place, _)| out[place - self.first] -= from);
+            group
+                .members
+                .iter()
+                .for_each(|(place, _, ratio)| out[place - self.first] -= ratio * from);
         }
     }
 
@@ -163,14 +169,17 @@ impl Parts {
         for group in &self.groups {
             let of = |place: usize| if place < first { 0.0 } else { motion[place - first] };
             let from = group.zero(of);
-            group.members.iter().for_each(|(place, _)| motion[place - first] -= from);
+            group
+                .members
+                .iter()
+                .for_each(|(place, _, ratio)| motion[place - first] -= ratio * from);
         }
     }
 }
 
 impl Group {
     fn has(&self, theta: usize) -> bool {
-        self.members.iter().any(|(place, _)| *place == theta)
+        self.members.iter().any(|(place, ..)| *place == theta)
     }
 
     /// Whether its angles say anything: a body that turns freely by itself has none.
@@ -182,10 +191,13 @@ impl Group {
     fn zero(&self, angle: impl Fn(usize) -> f64) -> f64 {
         match self.from {
             From::Ground => 0.0,
-            From::Given(place) => angle(place),
+            From::Given(place, ratio) => ratio * angle(place),
             From::Mean => {
-                let inertia: f64 = self.members.iter().map(|(_, inertia)| inertia).sum();
-                let weighed = self.members.iter().map(|(place, inertia)| inertia * angle(*place));
+                let members = || self.members.iter();
+                let inertia: f64 =
+                    members().map(|(_, inertia, ratio)| inertia * ratio * ratio).sum();
+                let weighed =
+                    members().map(|(place, inertia, ratio)| inertia * ratio * angle(*place));
                 weighed.sum::<f64>() / inertia
             }
         }
@@ -196,42 +208,43 @@ impl Group {
 fn groups(equations: &Equations) -> Vec<Group> {
     let machine = equations.machine;
     let (first, rotations) = (machine.first_unknown(), machine.rotations());
-    // The sides of the planes whose law twists them, as places in q: two, or one against what stands.
-    let planes = machine.springs.planes.iter().enumerate();
-    let twisting = planes
-        .filter(|(place, _)| machine.springs.may_twist(*place) && equations.torsion(*place) != 0.0);
-    let sides = twisting.map(|(_, plane)| {
-        let places = plane.rows[0].iter().map(|(place, _)| *place);
-        places.filter(|&place| place < rotations).collect()
-    });
-    let sides: Vec<Vec<usize>> = sides.collect();
-    // Each rotation with the group that it is in, by the smallest place there.
-    let mut group: Vec<usize> = (0..rotations).collect();
+    // The sides of the planes whose law twists them, as places in q with the speeds that go together: two, or one against what
+    // stands. Teeth tie what they turn even where they do not touch at the start.
+    let springs = &machine.springs;
+    let twists = |plane: &usize| {
+        springs.may_twist(*plane)
+            && (springs.gear_ratio(*plane).is_some() || equations.torsion(*plane) != 0.0)
+    };
+    let sides = (0..springs.planes.len()).filter(twists).map(|own| springs.tied(own, rotations));
+    let sides: Vec<Tied> = sides.collect();
+    let mut trains = Trains::new(rotations);
     let (mut ground, mut given) = (Vec::new(), Vec::new());
     for own in &sides {
         match own[..] {
-            [only] => ground.push(only),
+            [(only, _)] => ground.push(only),
             // Rotations that are given couple no others.
-            [a, b] if a.min(b) < first => given.push((a.max(b), a.min(b))),
-            [a, b] => {
-                let (least, other) = (group[a].min(group[b]), group[a].max(group[b]));
-                group.iter_mut().filter(|own| **own == other).for_each(|own| *own = least);
+            [(a, of_a), (b, of_b)] if a.min(b) < first => {
+                let ratio = if a > b { of_a / of_b } else { of_b / of_a };
+                given.push((a.max(b), a.min(b), ratio));
             }
+            [(a, of_a), (b, of_b)] => trains.tie([a, b], of_b / of_a),
             _ => {}
         }
     }
-    let names = (first..rotations).filter(|&place| group[place] == place);
+    let names = (first..rotations).filter(|&place| trains.train(place) == place);
     names
         .map(|name| {
-            let places = (first..rotations).filter(|&place| group[place] == name);
-            let mut tied = given.iter().filter(|(own, _)| group[*own] == name);
+            let places = (first..rotations).filter(|&place| trains.train(place) == name);
+            let mut tied = given.iter().filter(|(own, ..)| trains.train(*own) == name);
             let from = match (places.clone().any(|place| ground.contains(&place)), tied.next()) {
                 (true, _) => From::Ground,
-                (false, Some(&(_, place))) => From::Given(place),
+                (false, Some(&(own, place, ratio))) => {
+                    From::Given(place, ratio / trains.ratio(own))
+                }
                 (false, None) => From::Mean,
             };
-            let members = places.map(|place| (place, inertia(machine, place))).collect();
-            Group { members, from }
+            let member = |place: usize| (place, inertia(machine, place), trains.ratio(place));
+            Group { members: places.map(member).collect(), from }
         })
         .collect()
 }

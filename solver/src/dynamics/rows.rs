@@ -204,7 +204,7 @@ impl Equations<'_> {
     /// were sized. The mass matrix of its body, if that turns, must be in the body's block; it and K are symmetric.
     fn projected(&self, state: &State, predicted: &State, i: usize) -> (f64, f64) {
         let owner = self.machine.owner(i);
-        let (mut largest, mut sum) = self.springs.projected(&self.machine.springs, owner, i);
+        let (mut largest, mut sum) = self.springs.projected(&self.machine.springs, i);
         for force in self.projected_loads(state, i) {
             largest = f64::max(largest, force);
             sum += force;

@@ -36,21 +36,22 @@ pub(super) struct FreeTurn {
 }
 
 impl FreeTurn {
-    /// Of rotations at places of q, which are coupled if there are several; none of bodies without inertia.
-    pub(super) fn new(machine: &Machine, members: &[(usize, f64)]) -> Option<Self> {
-        let inertia: f64 = members.iter().map(|(_, own)| own).sum();
+    /// Of rotations at places of q, each with its inertia and its speed, which are coupled if there are several; none of bodies
+    /// without inertia.
+    pub(super) fn new(machine: &Machine, members: &[(usize, f64, f64)]) -> Option<Self> {
+        let inertia: f64 = members.iter().map(|(_, own, ratio)| own * ratio * ratio).sum();
         let hardest = members.iter().max_by(|a, b| a.1.total_cmp(&b.1))?.0;
         if !(inertia > 0.0) {
             return None;
         }
         let (mut row, mut mass) = (Vec::new(), 0.0);
-        for &(theta, own) in members {
+        for &(theta, own, ratio) in members {
             let body = machine.owner(theta).body;
-            row.push((theta, own / inertia));
+            row.push((theta, ratio * own / inertia));
             let Some(shaft) = machine.bodies[body].shaft() else { continue };
             let coupled = machine.places()[body].flexible.clone().zip(&shaft.g0);
             let coupled = coupled.filter(|(_, g)| **g != 0.0);
-            row.extend(coupled.map(|(place, g)| (place, g / inertia)));
+            row.extend(coupled.map(|(place, g)| (place, ratio * g / inertia)));
             mass += parts::mass(&machine.bodies[body], shaft);
         }
         let radius = if mass > 0.0 { (inertia / mass).sqrt() } else { 1.0 };

@@ -9,7 +9,8 @@ use crate::machine::Machine;
 /// A state in which the machine stands at constant speeds, with the equations of small motions about it.
 pub struct Standstill {
     pub(super) found: Standing,
-    /// Places in q of the angles that small motions change: those of bodies whose speed was found.
+    /// Places in q of the angles that small motions change: those of bodies whose speed was found, and of others that turn freely
+    /// and are tied to some that turn.
     pub(super) angles: Vec<usize>,
     /// Whether it is of bodies made round.
     pub(super) is_mean: bool,
@@ -30,6 +31,8 @@ impl Standstill {
 pub struct Linearised {
     /// How many angles there are.
     pub angles: usize,
+    /// The bodies that turn by these angles, by their places.
+    pub turning: Vec<usize>,
     /// M′, symmetric.
     pub mass: Matrix,
     /// C′, with gyroscopic terms.
@@ -84,11 +87,15 @@ impl LinearMachine {
         let found = found.map_err(|error| self.not_standing(at, error))?;
         let places = self.machine.places().iter();
         let speeds = places.map(|own| own.rotation.map_or(0.0, |theta| found.state.v[theta]));
+        let tied = self.machine.tied_rotations();
         let free = self.turning().filter_map(|body| {
             let theta = self.machine.places()[body].rotation?;
-            let is_found =
-                theta >= self.machine.first_unknown() && at.get(body).copied().flatten().is_none();
-            is_found.then_some(theta)
+            let is_unknown = theta >= self.machine.first_unknown();
+            // At a speed that is told a body swings as well, if it turns freely and joints tie it to others.
+            let swings = at.get(body).copied().flatten().is_none()
+                || self.all_swing
+                || tied.contains(&theta);
+            (is_unknown && swings).then_some(theta)
         });
         let mut angles: Vec<usize> = free.collect();
         angles.sort_unstable();
@@ -109,6 +116,11 @@ impl LinearMachine {
         Error::NotStanding { at, rows, journals, share }
     }
 
+    /// The bodies of the angles of small motions.
+    pub(super) fn turning_by(&self, at: &Standstill) -> Vec<usize> {
+        at.angles.iter().map(|&theta| self.machine.owner(theta).body).collect()
+    }
+
     /// Places in q of the coordinates of small motions.
     pub(super) fn kept(&self, at: &Standstill) -> Vec<usize> {
         let flexible = self.machine.rotations()..self.machine.size();
@@ -127,8 +139,17 @@ impl LinearMachine {
             let tangents = tangents.as_ref().unwrap_or(&at.found.tangents);
             let seen = self.seen(at, &|_| 0.0, (0.0, 0.0));
             let [mass, damping, stiffness] = self.in_frame((&at.angles, tangents), &seen);
-            let angles = at.angles.len();
-            return Ok(Linearised { angles, mass, damping, stiffness, frame: 0.0, varying: None });
+            let (angles, turning) = (at.angles.len(), self.turning_by(at));
+            let varying = None;
+            return Ok(Linearised {
+                angles,
+                turning,
+                mass,
+                damping,
+                stiffness,
+                frame: 0.0,
+                varying,
+            });
         };
         self.varying(at, uneven, body)
     }

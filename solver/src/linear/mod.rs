@@ -11,10 +11,12 @@
 //! constant in its own frame, if all else is round and nothing stands in space (`varying`), or vary with its angle (Hill's
 //! method, [`crate::linalg`]).
 
+mod applied;
 mod campbell;
 mod coefficients;
 mod doubts;
 mod frame;
+mod hill;
 mod linearised;
 mod map;
 mod modes;
@@ -31,9 +33,11 @@ mod state_space;
 mod stood;
 #[cfg(test)]
 mod tests;
+mod torsion;
 mod track;
 mod varying;
 
+pub use applied::AppliedUnbalance;
 pub use campbell::{Branch, Campbell, Critical, Reduced, Threshold};
 pub use coefficients::JointCoefficients;
 pub use doubts::Doubt;
@@ -45,6 +49,7 @@ pub use range::Range;
 pub use response::{Point, Vibration};
 pub use round::LinearMachine;
 pub use state_space::StateSpace;
+pub use torsion::{Node, Torque, Torsion};
 
 #[cfg(doc)]
 use crate::machine::Machine;

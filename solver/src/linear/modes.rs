@@ -154,7 +154,7 @@ impl LinearMachine {
         motions: Vec<Motion>,
         count: usize,
     ) -> Result<Modes, Error> {
-        let Linearised { angles, mass, .. } = equations;
+        let Linearised { turning, mass, .. } = equations;
         let (mut moving, still): (Vec<_>, Vec<_>) = motions
             .into_iter()
             .partition(|own| own.value.im > 0.0 && -own.value.re < MOST_DAMPED * own.value.norm());
@@ -174,7 +174,7 @@ impl LinearMachine {
                 |own: &Motion| (own.value - first.value).norm() <= EQUAL * first.value.norm();
             let alike = rest.iter().take_while(|own| same(own)).count();
             let (cluster, other) = rest.split_at(alike);
-            oscillating.extend(self.separated((*angles, mass), cluster)?);
+            oscillating.extend(self.separated((turning, mass), cluster)?);
             rest = other;
         }
         oscillating.truncate(count);
@@ -184,9 +184,10 @@ impl LinearMachine {
     /// Modes of one eigenvalue: those that circle, where there are several.
     fn separated(
         &self,
-        (angles, mass): (usize, &Matrix),
+        (turning, mass): (&[usize], &Matrix),
         cluster: &[Motion],
     ) -> Result<Vec<Mode>, Error> {
+        let angles = turning.len();
         let mut shapes: Vec<Vec<Complex64>> = Vec::with_capacity(cluster.len());
         for pair in cluster {
             // Orthonormal in M within the cluster.
@@ -222,7 +223,9 @@ impl LinearMachine {
             let sense = inner(&moved, &self.turned(angles, &shape)).re / whole;
             let share = |body: usize| {
                 let block = self.block(angles, body);
-                inner(&shape[block.clone()], &moved[block]).re / whole
+                let angle = turning.iter().position(|own| *own == body);
+                let angle = angle.map_or(0.0, |place| (shape[place].conj() * moved[place]).re);
+                (angle + inner(&shape[block.clone()], &moved[block]).re) / whole
             };
             let shares = (0..self.machine.bodies.len()).map(share).collect();
             let value = if single { pair.value } else { value };

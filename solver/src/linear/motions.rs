@@ -7,30 +7,13 @@ use super::round::LinearMachine;
 use super::shapes::{apply, inner};
 use crate::error::Error;
 use crate::linalg::{
-    Lu, Matrix, Periodic, PeriodicPair, congruence, dot, multiply, quadratic_eigen,
-    symmetric_eigen, transpose_multiply,
+    Matrix, congruence, multiply, quadratic_eigen, symmetric_eigen, transpose_multiply,
 };
 
 /// Share of the largest part from which another one is named.
 const NAMED: f64 = 0.05;
 /// Parts that differ by less are the same.
 const TIE: f64 = 1e-6;
-/// Harmonics on both sides, in steps of the equations, with which a machine that varies is looked at in the end.
-const HARMONICS: i32 = 8;
-/// Size of the outermost harmonics of a motion below which no more are needed, as λ changes by its square.
-const TAIL: f64 = 1e-3;
-/// Unknowns beyond which they are not added.
-const LARGE: usize = 700;
-/// Share of a motion from which on what a harmonic makes of it is looked at as well.
-const ANSWER: f64 = 3e-3;
-/// Share of |λ| by which slow motions may still change with one more.
-const STANDS: f64 = 1e-9;
-/// And of the fastest motion, as eigenvalues are not more exact.
-const ROUNDING: f64 = 1e-13;
-/// Coordinates from which on a machine that varies is looked at in slow modes of its means.
-const MANY: usize = 24;
-/// How much faster these are than the motions that are asked for.
-const FASTER: f64 = 1.5;
 /// What adds less than this share to a basis is in it.
 const INSIDE: f64 = 1e-12;
 
@@ -59,7 +42,7 @@ impl LinearMachine {
         count: usize,
     ) -> Result<Vec<Motion>, Error> {
         if let Some(periodic) = &equations.varying {
-            return self.varying_motions(equations, periodic, basis, count);
+            return self.varying_motions(equations, periodic, count);
         }
         let Linearised { mass, damping, stiffness, .. } = equations;
         let (pairs, largest) = match basis {
@@ -102,124 +85,14 @@ impl LinearMachine {
             [(value.im + speed, sum(1.0)), (value.im - speed, sum(-1.0)), (value.im, still)];
         largest(value.re, &equations.mass, parts.to_vec()).0
     }
-
-    /// Those of equations that vary with an angle.
-    fn varying_motions(
-        &self,
-        equations: &Linearised,
-        periodic: &Periodic,
-        basis: Option<&Matrix>,
-        count: usize,
-    ) -> Result<Vec<Motion>, Error> {
-        let condensed = match basis {
-            Some(basis) => Some(basis.clone()),
-            None if equations.mass.rows > MANY => Some(self.slow(equations, periodic, count)?),
-            None => None,
-        };
-        let own = condensed.as_ref().map(|basis| periodic.in_basis(basis));
-        let own = own.as_ref().unwrap_or(periodic);
-        let found = |harmonics: i32| -> Result<(Vec<Motion>, f64), Error> {
-            let pairs = own.eigen(harmonics)?;
-            let mass = &own.means[0];
-            let mut motions: Vec<(Motion, f64)> = Vec::with_capacity(pairs.len());
-            for PeriodicPair { value, parts } in pairs {
-                let tail = tail(mass, &parts);
-                let parts = parts
-                    .into_iter()
-                    .map(|(k, own)| (value.im + f64::from(k) * periodic.speed, own));
-                let (motion, is_conjugate) = largest(value.re, mass, parts.collect());
-                if !is_conjugate {
-                    motions.push((motion, tail));
-                }
-            }
-            motions.sort_by(|a, b| a.0.value.im.total_cmp(&b.0.value.im));
-            let tail = motions.iter().take(count).map(|own| own.1).fold(0.0, f64::max);
-            Ok((motions.into_iter().map(|own| own.0).collect(), tail))
-        };
-        // Harmonics that the matrices have, at least.
-        let last = periodic.harmonics.last().map_or(0, |own| own.order);
-        let first = (last / periodic.step()).clamp(1, 2);
-        let (mut motions, mut tail) = found(first)?;
-        let blocks = |harmonics: i32| 2 * own.means[0].rows * (2 * harmonics as usize + 1);
-        for harmonics in first + 1..=HARMONICS {
-            let is_small = own.means[0].rows <= MANY;
-            if !is_small && (tail <= TAIL || blocks(harmonics) > LARGE) {
-                break;
-            }
-            let (next, its_tail) = found(harmonics)?;
-            let fastest = next.iter().map(|own| own.value.norm()).fold(0.0, f64::max);
-            let same = |own: &Motion| {
-                let all = next.iter().map(|other| (other.value - own.value).norm());
-                let bound = STANDS * own.value.norm() + ROUNDING * fastest;
-                all.fold(f64::INFINITY, f64::min) <= bound
-            };
-            let stands = motions.len() == next.len() && motions.iter().take(count).all(same);
-            (motions, tail) = (next, its_tail);
-            if stands {
-                break;
-            }
-        }
-        if let Some(basis) = &condensed {
-            motions.iter_mut().for_each(|own| own.shape = apply(basis, &own.shape));
-        }
-        Ok(motions)
-    }
-
-    /// Slow motions of the means, with what the harmonics make of them.
-    fn slow(
-        &self,
-        equations: &Linearised,
-        periodic: &Periodic,
-        count: usize,
-    ) -> Result<Matrix, Error> {
-        let Linearised { mass, damping, stiffness, .. } = equations;
-        let (mut pairs, _) = quadratic_eigen(mass, damping, stiffness)?;
-        pairs.sort_by(|a, b| a.value.norm().total_cmp(&b.value.norm()));
-        let moving = pairs.iter().filter(|own| own.value.im > 0.0);
-        let last = moving.take(count).last().map_or(0.0, |own| own.value.im);
-        let reach = FASTER * (last + periodic.speed.abs());
-        let slow = pairs.iter().filter(|own| own.value.norm() <= reach);
-        let columns: Vec<Vec<f64>> = slow
-            .flat_map(|pair| {
-                let re = pair.vector.iter().map(|own| own.re).collect();
-                let im = pair.vector.iter().map(|own| own.im).collect();
-                [re, im]
-            })
-            .collect();
-        let slow = orthonormal(&columns, mass)?;
-        let mut lu = Lu::new(mass.rows);
-        lu.factor(&stiffness.data)?;
-        let mut answers: Vec<Vec<f64>> = Vec::new();
-        for part in periodic.harmonics.iter().flat_map(|own| &own.parts[2]) {
-            for place in 0..slow.cols {
-                let mut own = part.apply(slow.col(place));
-                lu.solve_in_place(&mut own);
-                // What is new of it.
-                let moved = mass.apply(&own);
-                for other in (0..slow.cols).map(|k| slow.col(k)) {
-                    let part = dot(other, &moved);
-                    own.iter_mut().zip(other).for_each(|(own, other)| *own -= part * other);
-                }
-                answers.push(own);
-            }
-        }
-        let more = spanning(&answers, mass, |_, value| value > ANSWER * ANSWER)?;
-        let data = [slow.data, more.data].concat();
-        Ok(Matrix { rows: mass.rows, cols: slow.cols + more.cols, data })
-    }
-}
-
-/// How large the outermost harmonics of a motion are beside its largest part.
-fn tail(mass: &Matrix, parts: &[(i32, Vec<Complex64>)]) -> f64 {
-    let sizes: Vec<f64> =
-        parts.iter().map(|(_, own)| inner(own, &apply(mass, own)).re.max(0.0).sqrt()).collect();
-    let most = sizes.iter().copied().fold(0.0, f64::max);
-    let ends = [sizes.first(), sizes.last()].into_iter().flatten();
-    ends.fold(0.0, |sum: f64, own| sum.max(*own)) / most
 }
 
 /// The largest of the parts of a motion as what it is, and whether its conjugate was taken, as its frequency is below zero.
-fn largest(growth: f64, mass: &Matrix, parts: Vec<(f64, Vec<Complex64>)>) -> (Motion, bool) {
+pub(super) fn largest(
+    growth: f64,
+    mass: &Matrix,
+    parts: Vec<(f64, Vec<Complex64>)>,
+) -> (Motion, bool) {
     let sized = parts.into_iter().map(|(frequency, own)| {
         (inner(&own, &apply(mass, &own)).re.max(0.0).sqrt(), frequency, own)
     });
@@ -255,7 +128,7 @@ pub(super) fn orthonormal(columns: &[Vec<f64>], mass: &Matrix) -> Result<Matrix,
 }
 
 /// Columns orthonormal in M that span the others as far as they are large: `keeps` is asked with the largest and each square.
-fn spanning(
+pub(super) fn spanning(
     columns: &[Vec<f64>],
     mass: &Matrix,
     keeps: impl Fn(f64, f64) -> bool,

@@ -61,7 +61,8 @@ pub fn peak(
         }
     }
     let [mut a, mut b, mut c] = points;
-    if !(b.1 <= a.1 && b.1 <= c.1 && a.0 < b.0 && b.0 < c.0) {
+    // What does not move at all has no peak.
+    if !(b.1.is_finite() && b.1 <= a.1 && b.1 <= c.1 && a.0 < b.0 && b.0 < c.0) {
         return Ok(None);
     }
     for _ in 0..TRIES {
@@ -173,6 +174,8 @@ mod tests {
             }
             assert!(evaluations < 80, "{evaluations}");
         }
+        let mut stands = |_: f64| Ok(0.0);
+        assert_eq!(peak(&mut stands, (5.0, 1.0), [1.0, 10.0]).unwrap(), None);
         let mut rises = |speed: f64| Ok(speed);
         assert_eq!(peak(&mut rises, (5.0, 1.0), [1.0, 10.0]).unwrap(), None);
     }

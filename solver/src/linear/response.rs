@@ -44,6 +44,18 @@ impl Vibration {
     pub fn orbit(&self) -> Orbit {
         Orbit::new(self.amplitudes)
     }
+
+    /// Amplitude along a direction at an angle (rad) from x (m): of a probe that stands there.
+    pub fn along(&self, angle: f64) -> f64 {
+        let (sin, cos) = angle.sin_cos();
+        (cos * self.amplitudes[0] + sin * self.amplitudes[1]).norm()
+    }
+
+    /// Whether it is on the other side of the axis than another one, by the mean over the motion.
+    pub fn is_opposite(&self, other: &Vibration) -> bool {
+        let parts = self.amplitudes.iter().zip(&other.amplitudes);
+        parts.map(|(own, other)| (own.conj() * other).re).sum::<f64>() < 0.0
+    }
 }
 
 impl LinearMachine {
@@ -177,7 +189,7 @@ impl LinearMachine {
         let mut sample = |angle: f64| -> Vec<f64> {
             let state = self.turned_on(at, &|other| if turns(other) { angle } else { 0.0 });
             equations.evaluate(0.0, &state);
-            let mut own: Vec<f64> = kept.iter().map(|&k| equations.residual()[k]).collect();
+            let mut own = self.residual(&equations, &kept);
             for other in self.turning().filter(|other| turns(*other)) {
                 let Some(seen) = self.own(other, angle, 0.0) else { continue };
                 let block = self.block(angles, other);
@@ -188,12 +200,22 @@ impl LinearMachine {
         };
         let turned: Vec<Vec<f64>> =
             (0..SAMPLES).map(|k| sample(HALVES * TAU * k as f64 / SAMPLES as f64)).collect();
-        let still = {
-            let mut equations = Equations::new(&self.machine);
-            equations.release(&at.found.released);
-            equations.evaluate(0.0, &at.found.state);
-            kept.iter().map(|&k| equations.residual()[k]).collect::<Vec<f64>>()
-        };
+        let mut standing = Equations::new(&self.machine);
+        standing.release(&at.found.released);
+        standing.evaluate(0.0, &at.found.state);
+        // What turns with other bodies stands in the samples, and is theirs.
+        let mut others = Equations::new(&self.loaded);
+        others.release(&at.found.released);
+        others.evaluate(0.0, &at.found.state);
+        let mut still = self.residual(&others, &kept);
+        let alone = self.residual(&standing, &kept);
+        for own in self.turning().filter(|own| turns(*own)) {
+            let theta = self.machine.places()[own].rotation;
+            let angle = at.angles.iter().position(|own| Some(*own) == theta);
+            for place in self.block(angles, own).chain(angle) {
+                still[place] = alone[place];
+            }
+        }
         let part = |order: usize| -> Vec<Complex64> {
             let weight = if order == 0 { 1.0 } else { 2.0 } / SAMPLES as f64;
             let mut sum = vec![Complex64::ZERO; kept.len()];
@@ -208,7 +230,7 @@ impl LinearMachine {
             sum
         };
         // Beside the forces of the springs at rest, which rounding is a share of.
-        let scale = equations
+        let scale = standing
             .spring
             .iter()
             .chain(&equations.load)
@@ -219,6 +241,18 @@ impl LinearMachine {
         let most = all.iter().map(|own| size(&own.1)).fold(0.0, f64::max);
         let bound = (NOTHING * most).max(ROUNDING * scale);
         all.into_iter().filter(|own| size(&own.1) > bound).collect()
+    }
+
+    /// The residual at places of q, without what ties rotations to each other: a body that is turned alone would wind it up, and in
+    /// truth all of its train turns.
+    fn residual(&self, equations: &Equations, kept: &[usize]) -> Vec<f64> {
+        let (machine, own) = (equations.machine, equations);
+        let mut spring = vec![0.0; machine.size()];
+        own.springs.add_forces_but_ties(&machine.springs, machine.rotations(), &mut spring);
+        let residual = |&k: &usize| {
+            (own.inertia[k] - own.elastic[k]) + (own.load[k] + spring[k] - own.damper[k])
+        };
+        kept.iter().map(residual).collect()
     }
 
     /// Bodies that have unbalance, by their places.

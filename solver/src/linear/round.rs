@@ -27,6 +27,8 @@ pub struct LinearMachine {
     pub(super) senses: Vec<Option<[Matrix; 2]>>,
     /// By body how round it was, of one that turns.
     pub(super) roundness: Vec<Option<Roundness>>,
+    /// Whether all bodies that turn freely swing about their speed, known or not.
+    pub(super) all_swing: bool,
 }
 
 impl LinearMachine {
@@ -80,7 +82,23 @@ impl LinearMachine {
             }
             own
         });
-        Ok(LinearMachine { machine, still, uneven, loaded, generators, senses, roundness: all })
+        let all_swing = false;
+        let roundness = all;
+        Ok(LinearMachine {
+            machine,
+            still,
+            uneven,
+            loaded,
+            generators,
+            senses,
+            roundness,
+            all_swing,
+        })
+    }
+
+    /// The same with angles of all bodies that turn freely among its small motions, also at speeds that are told.
+    pub fn with_swinging_bodies(self) -> LinearMachine {
+        LinearMachine { all_swing: true, ..self }
     }
 
     /// The machine with its round bodies.

@@ -109,7 +109,7 @@ impl LinearMachine {
         body: usize,
     ) -> Result<Linearised, Error> {
         let speed = at.speeds[body];
-        let angles = at.angles.len();
+        let (angles, turning) = (at.angles.len(), self.turning_by(at));
         let first = self.sample((at, machine, body), [0.0, 0.0], true);
         let is_constant = ANGLES.iter().all(|angle| {
             let own = self.sample((at, machine, body), [*angle, OTHERS * angle], true);
@@ -118,12 +118,12 @@ impl LinearMachine {
         if is_constant {
             let [mass, damping, stiffness] = first;
             let (frame, varying) = (speed, None);
-            return Ok(Linearised { angles, mass, damping, stiffness, frame, varying });
+            return Ok(Linearised { angles, turning, mass, damping, stiffness, frame, varying });
         }
         let periodic = self.over_a_turn(at, machine, body);
         let [mass, damping, stiffness] = periodic.means.clone();
         let varying = Some(periodic);
-        Ok(Linearised { angles, mass, damping, stiffness, frame: 0.0, varying })
+        Ok(Linearised { angles, turning, mass, damping, stiffness, frame: 0.0, varying })
     }
 }
 

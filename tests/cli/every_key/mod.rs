@@ -18,7 +18,7 @@ use whirl_tests::History;
 use crate::workbench::Workbench;
 
 /// Everything that the cases name, by its name.
-const FILES: [(&str, &str); 20] = [
+const FILES: [(&str, &str); 21] = [
     ("generated.toml", include_str!("generated.toml")),
     ("base.toml", include_str!("base.toml")),
     ("read.toml", include_str!("read.toml")),
@@ -26,6 +26,7 @@ const FILES: [(&str, &str); 20] = [
     ("named.toml", include_str!("named.toml")),
     ("forced.toml", include_str!("forced.toml")),
     ("tied.toml", include_str!("tied.toml")),
+    ("geared.toml", include_str!("geared.toml")),
     ("gas.csv", include_str!("gas.csv")),
     ("coefficients.csv", include_str!("coefficients.csv")),
     ("motor.csv", include_str!("motor.csv")),
@@ -42,7 +43,7 @@ const FILES: [(&str, &str); 20] = [
 ];
 
 /// Those of them that are cases.
-const CASES: [&str; 11] = [
+const CASES: [&str; 12] = [
     "generated.toml",
     "base.toml",
     "read.toml",
@@ -51,6 +52,7 @@ const CASES: [&str; 11] = [
     "goes-on.toml",
     "forced.toml",
     "tied.toml",
+    "geared.toml",
     "stored.toml",
     "punched.toml",
     "chosen.toml",
@@ -110,6 +112,31 @@ fn every_key_of_named_bodies_runs() {
     assert!((time[0] - 501.0 * 2e-5).abs() < 1e-12, "{}", time[0]);
     let speed = std::f64::consts::TAU / 60.0 * (120.0 + 600.0 * 0.011);
     assert!((more.last("omega_motor_rad_s") / speed - 1.0).abs() < 1e-9);
+}
+
+/// What gears do is held to equations in `gears`; here all of their keys stand together. The pinion pushes the ring outwards: the
+/// line from its centre to that of the ring is 36.87° from x.
+#[test]
+fn every_key_of_gears_runs() {
+    let found = Results::of("geared", &[]);
+    assert_eq!(found.summary["verdict"]["sound"], true);
+    let speed = found.history.last("omega_ring_rad_s") / found.history.last("omega_rad_s");
+    assert!((speed - 1.0 / 3.0).abs() < 1e-9, "{speed}");
+    // Across the line of centres 30 N·m over 30 mm, along it tan 25° of that, towards the centre of the ring.
+    let (across, along) = (1000.0, 1000.0 * 25_f64.to_radians().tan());
+    let [cos, sin] = [0.8, 0.6];
+    for (name, expected) in [
+        ("RX_mesh_N", cos * along - sin * across),
+        ("RY_mesh_N", sin * along + cos * across),
+        ("MZ_mesh_Nm", -30.0),
+    ] {
+        let value = found.history.last(name);
+        assert!((value / expected - 1.0).abs() < 1e-6, "{name}: {value} for {expected}");
+    }
+    let outcome = found.bench.whirl(&["analyse", "geared.toml", "--out", "torsion"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    assert!(outcome.stdout.contains("2.5 × pinion"), "{}", outcome.stdout);
+    assert!(outcome.stdout.contains("in operation 1400 to 1600 rpm"), "{}", outcome.stdout);
 }
 
 /// What loads and drives do is held to exact solutions elsewhere; here all of their keys stand together.

@@ -6,7 +6,7 @@ use whirl_solver::bearing::MotionKind;
 use whirl_solver::model::AttachmentKind;
 use whirl_specs::Motion;
 
-use super::fit;
+use super::{fit, gear};
 use crate::case::gravity::Gravity;
 use crate::case::joined_machine::{Drive, JoinedMachine};
 use crate::case::joint::{Joint, JointKind, Side};
@@ -58,6 +58,9 @@ impl Checks<'_, '_> {
         }
         if let Some((at, message, help)) = fit::axes(self.machine, joint) {
             self.note(&at, message, help);
+        }
+        if let Some((at, message, help)) = gear::wrong(self.machine, joint) {
+            self.note(&at, message, &help);
         }
         let turns = |side: &Side| side.body.is_some_and(|body| self.machine.bodies[body].turns());
         let [first, second] = joint.sides.each_ref().map(turns);
@@ -299,7 +302,8 @@ fn acts_along(joint: &Joint, axis: usize) -> bool {
     match joint.kind {
         JointKind::Bearing => true,
         JointKind::Stop => joint.angle.is_none() || axis == 0,
-        JointKind::Coupling => false,
+        // Teeth push along their line of action alone, and hold no shaft.
+        JointKind::Coupling | JointKind::Gear => false,
         JointKind::Bushing => {
             let letter = ["x", "y"][axis];
             joint.table.is_some()
@@ -310,7 +314,9 @@ fn acts_along(joint: &Joint, axis: usize) -> bool {
 
 /// Whether joints are in one plane as far as the case says where they are.
 fn in_one_plane(joints: &[&Joint]) -> bool {
-    let across = || joints.iter().filter(|joint| joint.kind != JointKind::Coupling);
+    let across = || {
+        joints.iter().filter(|joint| !matches!(joint.kind, JointKind::Coupling | JointKind::Gear))
+    };
     if across().any(|joint| long(joint)) {
         return false;
     }

@@ -36,7 +36,7 @@ impl Room {
             JointKind::Stop if clearance > 0.0 => (clearance, "gap"),
             JointKind::Bearing if clearance > 0.0 => (clearance, "radial clearance"),
             JointKind::Bearing | JointKind::Stop => (radius?, "journal's radius"),
-            JointKind::Bushing | JointKind::Coupling => return None,
+            JointKind::Bushing | JointKind::Coupling | JointKind::Gear => return None,
         };
         Some(Room { size, name, along_x })
     }

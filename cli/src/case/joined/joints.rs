@@ -10,6 +10,7 @@ use whirl_codegen::units::Quantity;
 
 use super::bushing;
 use super::fit::Room;
+use super::gear;
 use super::parts::Parts;
 use super::schema::{self, FROM_MESH};
 use crate::case::joint::{Joint, JointKind, Side};
@@ -32,6 +33,7 @@ pub(super) fn read(
         Some("stop") => JointKind::Stop,
         Some("bushing") => JointKind::Bushing,
         Some("coupling") => JointKind::Coupling,
+        Some("gear") => JointKind::Gear,
         Some(_) => JointKind::Bearing,
         None => {
             // Which keys are those of its kind, is open.
@@ -46,6 +48,7 @@ pub(super) fn read(
         JointKind::Stop => stop(store, table),
         JointKind::Bushing => bushing::read(store, table),
         JointKind::Coupling => coupling(table),
+        JointKind::Gear => gear::read(table),
     };
     let of_bearing = matches!(kind, JointKind::Bearing | JointKind::Stop);
     let rings = |key: &str| if of_bearing { three(table, key) } else { Some(Vec::new()) };
@@ -64,7 +67,8 @@ pub(super) fn read(
         return None;
     }
     let parts = parts?;
-    let Parts { springs, law, parameters, mut facts, clearance, stations, angle, .. } = parts;
+    let Parts { springs, law, parameters, mut facts, clearance, stations, angle, gears, .. } =
+        parts;
     let sets = |side: &Side| match side.sets.as_slice() {
         [one] => vec![one.clone(); 3],
         sets => sets.to_vec(),
@@ -121,6 +125,7 @@ pub(super) fn read(
         angle,
         run_out,
         offset,
+        gears,
     })
 }
 
@@ -201,6 +206,12 @@ fn bearing(store: FileStore, table: &Table) -> Option<Parts> {
     let stations = table.quantities("stations");
     let law = law?;
     let each = law.source.acts() == Acts::Spring;
+    if law.source.acts() == Acts::Gear {
+        let message = format!("`{}` is a law of the teeth of gears", law.name.text());
+        let help = "write `kind = \"gear\"`, or take a law of a spring, of a ring or of a joint";
+        table.push(law.name.error_here(Code::BAD_VALUE, message).help(help));
+        return None;
+    }
     if each {
         table.demand("springs");
     }

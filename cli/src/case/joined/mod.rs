@@ -7,11 +7,13 @@ mod bushing;
 mod checks;
 mod fit;
 mod forces;
+mod gear;
 mod joints;
 mod matrices;
 mod parts;
 pub(super) mod schema;
 
+pub(crate) use self::gear::axes_apart;
 pub(super) use self::joints::stop;
 
 use whirl_codegen::diagnostic::{Code, Located};
@@ -99,9 +101,11 @@ impl JoinedMachine {
         if file.errors() > before {
             return None;
         }
+        let (mut bodies, joints) = (bodies?, joints.into_iter().collect::<Option<Vec<_>>>()?);
+        gear::start(&mut bodies, &joints);
         let machine = JoinedMachine {
-            bodies: bodies?,
-            joints: joints.into_iter().collect::<Option<_>>()?,
+            bodies,
+            joints,
             drives: drives.into_iter().collect::<Option<_>>()?,
             loads: loads.into_iter().collect::<Option<_>>()?,
             motion: motion?,

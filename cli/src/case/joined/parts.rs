@@ -2,6 +2,7 @@
 
 use whirl_codegen::diagnostic::Located;
 
+use crate::case::gears::Gears;
 use crate::case::joint::OtherLaw;
 use crate::case::law::NamedLaw;
 use crate::case::parameters::{BearingFacts, SetParameter};
@@ -19,6 +20,7 @@ pub(in crate::case) struct Parts {
     pub(in crate::case) angle: Option<f64>,
     pub(in crate::case) others: Vec<OtherLaw>,
     pub(in crate::case) table: Option<Located>,
+    pub(in crate::case) gears: Option<Gears>,
 }
 
 impl Parts {
@@ -35,6 +37,7 @@ impl Parts {
             angle: None,
             others: Vec::new(),
             table: None,
+            gears: None,
         }
     }
 

@@ -1,17 +1,17 @@
 //! What the tables `[body.NAME]`, `[joint.NAME]`, `[drives.NAME]` and `[loads.NAME]` may say.
 
 use whirl_codegen::document::schema::Shape::{
-    Between, Count, Either, Flag, List, Named, Table, Text, Tuple, Words,
+    Between, Count, Either, Flag, List, Named, Number, Table, Text, Tuple, Words,
 };
 use whirl_codegen::document::schema::{Key, Shape, key, merged};
 
 use crate::case::shapes::{
     BORE,
     ACCELERATION, ANGLE, CLEARANCE, CROSS_DAMPING, CROSS_STIFFNESS, DAMPING, DAMPING_TIME,
-    GROUND_SPRING, INERTIA, LENGTH, MASS, MERGE, MOST_CELLS, MOST_MODES, MOST_SPRINGS, MOTION,
-    NAMES, PARAMETERS, PARAMETERS_EXAMPLE, POSITION, SELECTION, STIFFNESS, TARGET_SPEED,
-    TILTING_DAMPING, TILTING_STIFFNESS, TORQUE, TORSIONAL_DAMPING, TORSIONAL_STIFFNESS,
-    TURNING_SPEED,
+    GROUND_SPRING, INERTIA, LENGTH, MASS, MERGE, MESH_DAMPING, MESH_STIFFNESS, MOST_CELLS,
+    MOST_MODES, MOST_SPRINGS, MOTION, NAMES, PARAMETERS, PARAMETERS_EXAMPLE, POSITION, SELECTION,
+    STIFFNESS, TARGET_SPEED, TILTING_DAMPING, TILTING_STIFFNESS, TORQUE, TORSIONAL_DAMPING,
+    TORSIONAL_STIFFNESS, TURNING_SPEED,
 };
 
 /// In place of a clearance: the radius of the bore less that of the journal, as the meshes have them.
@@ -215,11 +215,11 @@ const CELLS: &[Key] = &[
 ];
 
 pub(crate) const JOINT: &[Key] = &[
-    merged("kind", Words(&["bearing", "stop", "bushing", "coupling"]), "what joins the bodies"),
+    merged("kind", Words(&["bearing", "stop", "bushing", "coupling", "gear"]), "what joins the bodies"),
     key("journal", Table(&[SIDE]), "of a bearing or a stop: what runs in the bore"),
     key("bore", Table(&[SIDE]), "of a bearing or a stop: what it runs in; the ground if left out"),
-    key("first", Table(&[END]), "of a bushing or a coupling"),
-    key("second", Table(&[END]), "of a bushing or a coupling; the ground if left out"),
+    key("first", Table(&[END]), "of a bushing, a coupling or a gear"),
+    key("second", Table(&[END]), "of a bushing, a coupling or a gear; the ground if left out"),
     key("law", Text, "the name of a law, or the path of a law file").like("\"ocvirk\""),
     key("parameters", PARAMETERS, "of the law, by name").like(PARAMETERS_EXAMPLE),
     key("springs", Count(3, MOST_SPRINGS), "in a ring, of a law that acts spring by spring")
@@ -287,6 +287,28 @@ pub(crate) const JOINT: &[Key] = &[
     .like("{ xx = \"10 N*m*s/rad\", yy = \"10 N*m*s/rad\" }"),
     key("axial_stiffness", CROSS_STIFFNESS, "of a bushing, along z").like("\"1e8 N/m\""),
     key("axial_damping", CROSS_DAMPING, "of a bushing, along z").like("\"2e4 N*s/m\""),
+    key("teeth", List(&Number), "of the first and the second gear").like("[20, 40]"),
+    key(
+        "pitch_radii",
+        Tuple(&CLEARANCE, 2),
+        "of the first and the second gear; from their teeth and the distance of the axes if left out",
+    )
+    .like("[\"40 mm\", \"80 mm\"]"),
+    key("internal", Flag, "whether the larger gear has its teeth inside; false if left out"),
+    key(
+        "pressure_angle",
+        ANGLE,
+        "of gears, 20 deg if left out; below zero where the first pushes the second from y to x",
+    )
+    .like("\"20 deg\""),
+    key("mesh_stiffness", MESH_STIFFNESS, "of gears, along the line of action").like("\"2e8 N/m\""),
+    key("mesh_damping", MESH_DAMPING, "of gears, along the line of action").like("\"500 N*s/m\""),
+    key(
+        "backlash",
+        CLEARANCE,
+        "of gears, along the line of action from flank to flank; without it teeth never part",
+    )
+    .like("\"100 um\""),
 ];
 
 const END: &[Key] = &[

@@ -56,26 +56,12 @@ fn section(
     plan: &mut BodyPlan,
     errors: &mut Diagnostics,
 ) -> Option<usize> {
-    let nodes = plan.mesh.nodes();
-    let ends = ends(&plan.mesh);
-    let length = ends[1] - ends[0];
-    let away = |node: &[f64; 3]| (node[2] - own.z).abs();
-    let nearest = nodes.iter().min_by(|a, b| away(a).total_cmp(&away(b))).copied();
-    let near = nearest.filter(|node| away(node) <= NEAR * length).map(|node| node[2]);
-    let Some(mean) = section_near(plan, own.z, near) else {
-        let message = format!(
-            "no section of {} is at z = {}; it has nodes from {} to {}",
-            plan.mesh.origin(),
-            mm(own.z),
-            mm(ends[0]),
-            mm(ends[1])
-        );
-        let help = match nearest {
-            Some(node) => format!("the nearest nodes are at `z = \"{}\"`", mm(node[2])),
-            None => "the mesh has no nodes".to_owned(),
-        };
-        errors.push(own.name.error_here(Code::BAD_VALUE, message).help(help));
-        return None;
+    let mean = match section_at(plan, own.z) {
+        Ok(mean) => mean,
+        Err(lack) => {
+            errors.push(own.name.error_here(Code::BAD_VALUE, lack.message).help(lack.help));
+            return None;
+        }
     };
     let on_axis = matches!(own.what, AttachmentKind::Disc { .. });
     if !is_section(plan, mean, on_axis) {
@@ -110,6 +96,35 @@ fn section(
         plan.retain_mean(&own.name, mean, *component);
     }
     Some(mean)
+}
+
+/// That there is no section, and what to do.
+pub(super) struct NoSection {
+    pub(super) message: String,
+    pub(super) help: String,
+}
+
+/// The mean motion of the section nearest to `z` (m).
+pub(super) fn section_at(plan: &mut BodyPlan, z: f64) -> Result<usize, NoSection> {
+    let nodes = plan.mesh.nodes();
+    let ends = ends(&plan.mesh);
+    let length = ends[1] - ends[0];
+    let away = |node: &[f64; 3]| (node[2] - z).abs();
+    let nearest = nodes.iter().min_by(|a, b| away(a).total_cmp(&away(b))).copied();
+    let near = nearest.filter(|node| away(node) <= NEAR * length).map(|node| node[2]);
+    section_near(plan, z, near).ok_or_else(|| NoSection {
+        message: format!(
+            "no section of {} is at z = {}; it has nodes from {} to {}",
+            plan.mesh.origin(),
+            mm(z),
+            mm(ends[0]),
+            mm(ends[1])
+        ),
+        help: match nearest {
+            Some(node) => format!("the nearest nodes are at `z = \"{}\"`", mm(node[2])),
+            None => "the mesh has no nodes".to_owned(),
+        },
+    })
 }
 
 /// The mean motion of the nodes at the z that is near, where they are a plane of nodes; else of the section of the cells at

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_codegen::kinds::law::Acts;
-use whirl_solver::bearing::Sides;
+use whirl_solver::bearing::{Gear, Sides};
 use whirl_solver::mesh::MeanComponent;
 
 use super::bodies::retain_in_plane;
@@ -39,9 +39,10 @@ pub(super) fn place(
     let bore_turns = joint.sides[1].body.is_some_and(|body| turns(joined, body));
     let (own, other) = (axis(first), axis(second));
     let coupling = joint.kind == JointKind::Coupling;
+    let gear = joint.kind == JointKind::Gear;
     let mut sides = Sides { bodies: [first, second], ..Sides::default() };
     match bore_turns {
-        true if coupling => {}
+        true if coupling || gear => {}
         true => sides.apart = [own[0] - other[0], own[1] - other[1]],
         false if stands_on_axis(joint, joined) => {
             sides.bore_axis = other;
@@ -52,7 +53,7 @@ pub(super) fn place(
     for (place, own) in joint.offset.iter().enumerate() {
         sides.offset[place] = [0, 1].map(|axis| sides.offset[place][axis] + own[axis]);
     }
-    if coupling {
+    if coupling || gear {
         for (place, side) in joint.sides.iter().enumerate() {
             if let Some(PlannedBody::Meshed(plan)) = side.body.map(|body| &mut bodies[body]) {
                 sides.sections[place] = turning_section(side, plan, errors);
@@ -60,13 +61,19 @@ pub(super) fn place(
         }
     }
     if let (false, true, PlannedBody::Meshed(plan)) =
-        (coupling, bearing.law.source.gives_torque(), &mut bodies[first])
+        (coupling || gear, bearing.law.source.gives_torque(), &mut bodies[first])
     {
         sides.torque_section = torque_section(&joint.sides[0], plan);
     }
     sides.whole_sections = others::whole_sections(joint, bodies, errors);
     let of_journal = if turns(joined, first) { [0.0; 2] } else { own };
     let journal = journal(joint, &mut bodies[first], (of_journal, z), errors)?;
+    // A side on the ground is an error that was noted.
+    let pair = joint.sides.each_ref().map(|side| Some(&joined.bodies[side.body?]));
+    if let (Some(gears), [Some(own), Some(other)]) = (&joint.gears, pair) {
+        let second = centre_of(&joint.sides[1], &mut bodies[second], z[1], errors)?;
+        sides.gear = Some(Gear { second, flanks: gears.flanks(case::axes_apart([own, other])) });
+    }
     if joint.kind == JointKind::Bushing {
         // Where it stands, and not on the axis of a body: its second side may turn a little.
         let [x, y] = position(&bodies[first], journal[1]);
@@ -90,7 +97,9 @@ pub(super) fn place(
             sides.surface = Some(surfaces::bore(plan, (set, &nodes), springs, errors)?);
             [const { Vec::new() }; 3]
         }
-        Some(body) if !coupling => bore(joint, joined, body, (z, sides.bore_axis), errors)?,
+        Some(body) if !coupling && !gear => {
+            bore(joint, joined, body, (z, sides.bore_axis), errors)?
+        }
         _ => [const { Vec::new() }; 3],
     };
     let rigid = !matches!(bodies.get(second), Some(PlannedBody::Meshed(_)));
@@ -197,6 +206,26 @@ fn journal(
     Some(journal)
 }
 
+/// The centre of a gear: a node of its body.
+fn centre_of(
+    side: &JointSide,
+    body: &mut PlannedBody,
+    z: f64,
+    errors: &mut Diagnostics,
+) -> Option<usize> {
+    match body {
+        PlannedBody::Rigid(own) => {
+            let [x, y, _] = own.body.centre;
+            Some(own.node([x, y, z]))
+        }
+        PlannedBody::Meshed(plan) => {
+            let set = side.sets.first()?;
+            let nodes = plan.nodes(set, errors);
+            (!nodes.is_empty()).then(|| plan.output_in_plane(set, &nodes))
+        }
+    }
+}
+
 /// The nodes of the second side, around `axis` in the planes at `z`.
 fn bore(
     joint: &Joint,
@@ -276,7 +305,7 @@ fn at(place: &Located, text: String) -> Located {
 /// in one plane has its only ring there, which the middle is; so has one whose law acts once.
 pub(super) fn stations(bearing: &case::Bearing, [left, right]: [f64; 2]) -> Vec<f64> {
     match bearing.stations.as_slice() {
-        _ if bearing.law.source.acts() == Acts::Joint => vec![0.5],
+        _ if matches!(bearing.law.source.acts(), Acts::Joint | Acts::Gear) => vec![0.5],
         [] => vec![0.0, 0.5, 1.0],
         [_] if left == right => vec![0.5],
         stations => stations.iter().map(|z| (z - left) / (right - left)).collect(),

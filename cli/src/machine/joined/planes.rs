@@ -39,7 +39,9 @@ pub(super) fn planes(
         let own = given[0].or(given[1]).or(stations.first().copied());
         [own.or_else(|| centre(&joint.sides[0])).unwrap_or(0.0); 3]
     });
-    if let (JointKind::Bushing, Some(own), Some(other)) = (joint.kind, of_journal, of_bore) {
+    if let (JointKind::Bushing | JointKind::Gear, Some(own), Some(other)) =
+        (joint.kind, of_journal, of_bore)
+    {
         apart_on_meshes(joint, [own[1], other[1]], bodies, errors)?;
     }
     let radius = joint.bearing.journal_radius.unwrap_or(0.0);

@@ -1,9 +1,10 @@
 //! A body before its reduction: a mesh, or numbers with the nodes that are needed on it.
 
-use whirl_codegen::diagnostic::Diagnostics;
+use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::model::{Form, LoadAction, Place};
 use whirl_solver::rigid::RigidBody;
 
+use super::attached::section_at;
 use crate::case::{self, JoinedLoad, OutputPoint};
 use crate::machine::plan::BodyPlan;
 
@@ -86,6 +87,16 @@ impl PlannedBody {
                     [] => 0,
                     [node] if !plan.is_cut(set) => plan.output_node(*node),
                     nodes => plan.output_mean(set, nodes),
+                }
+            }
+            (PlannedBody::Meshed(plan), OutputPoint::Section(z, place)) => {
+                match section_at(plan, *z) {
+                    Ok(mean) => plan.output_on(mean, plan.spec.means[mean].centre()),
+                    Err(lack) => {
+                        errors
+                            .push(place.error_here(Code::BAD_VALUE, lack.message).help(lack.help));
+                        0
+                    }
                 }
             }
             (PlannedBody::Meshed(_), OutputPoint::At(_)) => 0,

@@ -74,7 +74,8 @@ impl PlannedJoint {
     /// A warning where the torque of a joint finds no section of its journal to act on.
     pub(super) fn torque_on_frame(&self, joint: &Joint, bodies: &[PlannedBody]) -> Option<String> {
         let plan = bodies[self.sides.bodies[0]].meshed().filter(|plan| !plan.rigid)?;
-        let torque = joint.kind != JointKind::Coupling && self.bearing.law.source.gives_torque();
+        let torque = !matches!(joint.kind, JointKind::Coupling | JointKind::Gear)
+            && self.bearing.law.source.gives_torque();
         (torque && self.sides.torque_section.is_none()).then(|| {
             format!(
                 "{}: the nodes of the journal of `{}` define no rotation of a section of {}: the torque of its law \

@@ -36,6 +36,8 @@
 //! unit = "m"
 //! [section.gamma]     # the journal's section in its body: its turn; then a displacement along z, and two tilts
 //! unit = "rad"
+//! [gear.phi]          # the second of two gears: the turn of its frame, and its own turn times the ratio of base radii
+//! unit = "rad"
 //! [measures.s]
 //! value = 'R*theta - …'
 //! rate = "v_t"        # what laws call its rate; `s_dot` if it says nothing
@@ -60,7 +62,7 @@ use std::sync::Arc;
 
 pub use derive::Derived;
 pub(super) use schema::KIND;
-pub(crate) use spec::{Apart, BORE, BoreMotion, Place, RINGS, SECTION};
+pub(crate) use spec::{Apart, BORE, BoreMotion, GEAR, Place, RINGS, SECTION};
 pub use spec::{ClearanceSpec, Contact, ContactForce, ContactInput, Coordinate, RING, Taken};
 
 use crate::diagnostic::{Diagnostics, Source};

@@ -33,6 +33,7 @@ impl<'d> Reader<'d> {
         let bore = [Dimension::LENGTH, Dimension::LENGTH, Dimension::ANGLE];
         let bore = self.whole_or_part(&root, "bore", &bore, &of_section);
         let section = self.whole_or_part(&root, "section", &[Dimension::ANGLE], &of_section);
+        let gear = self.optional_coordinates(&root, "gear", &[Dimension::ANGLE; 2]);
         let measures = self.measures(&root);
         let kinds = self.kinds(&root);
         root.finish();
@@ -44,7 +45,7 @@ impl<'d> Reader<'d> {
         let (clearance, formula, value) = clearance?;
         let (axial_variable, axial) = axial?;
         let apart = apart?;
-        let (tangential, bore, section) = (tangential?, bore?, section?);
+        let (tangential, bore, section, gear) = (tangential?, bore?, section?, gear?);
         let mut constants = constants?.into_iter();
         let mut spec = ClearanceSpec {
             name,
@@ -56,6 +57,7 @@ impl<'d> Reader<'d> {
             radius: constants.next(),
             tangential: tangential.into_iter().next(),
             section,
+            gear,
             bore,
             contacts: Vec::new(),
             measures: Vec::new(),

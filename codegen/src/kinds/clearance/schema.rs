@@ -33,6 +33,11 @@ const CLEARANCE: &[Key] = &[
         COORDINATES,
         "the turn of the journal's section against the frame of its body; also its displacement along z and two tilts",
     ),
+    key(
+        "gear",
+        COORDINATES,
+        "of the second of two gears: the turn of its frame, and its own times the ratio of base radii",
+    ),
     key("definitions", Named(&Formula), "names for parts of the formula"),
     needed("clearance", Named(&Formula), "the clearance"),
     needed("axial", Named(&Tuple(&Formula, 3)), "weights of the three rings over the length"),
@@ -49,7 +54,7 @@ const CLEARANCE: &[Key] = &[
     key(
         "laws",
         Named(&Table(&[LAWS])),
-        "what laws of springs, of rings and of joints may take and give",
+        "what laws of springs, of rings, of joints and of gears may take and give",
     ),
 ];
 

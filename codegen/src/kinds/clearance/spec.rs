@@ -26,6 +26,8 @@ pub(crate) const SECTION: [BoreMotion; 4] = [
     BoreMotion::SectionTiltX,
     BoreMotion::SectionTiltY,
 ];
+/// Coordinates of the second of two gears beside its mean motion: the turn of its frame, and its own by which teeth move.
+pub(crate) const GEAR: [BoreMotion; 2] = [BoreMotion::SecondFrame, BoreMotion::SecondTurn];
 /// Rings of a bearing, between which the axial functions interpolate.
 pub(crate) const RINGS: usize = 3;
 
@@ -56,6 +58,8 @@ pub struct ClearanceSpec {
     pub(crate) bore: Vec<Coordinate>,
     /// Motion of the journal's section in the frame of its body, as many of [`SECTION`] as the spec has.
     pub(crate) section: Vec<Coordinate>,
+    /// Turns of the second of two gears, [`GEAR`], if the spec has them.
+    pub(crate) gear: Vec<Coordinate>,
     /// Kinds of laws, that of Q(h, ḣ) first.
     pub contacts: Vec<Contact>,
     /// Names and values of the measures, the clearance first.
@@ -105,12 +109,16 @@ pub(crate) enum BoreMotion {
     SectionTiltX,
     /// The journal's section, about y of its body.
     SectionTiltY,
+    /// The frame of the second of two gears, turning in space.
+    SecondFrame,
+    /// The second of two gears, turning in space, times the ratio of their base radii.
+    SecondTurn,
 }
 
 impl BoreMotion {
     /// Whether rings have it not, but whole sections.
     pub(crate) fn is_of_whole_section(self) -> bool {
-        BORE[3..].contains(&self) || SECTION[1..].contains(&self)
+        BORE[3..].contains(&self) || SECTION[1..].contains(&self) || GEAR.contains(&self)
     }
 }
 

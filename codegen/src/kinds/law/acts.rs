@@ -11,11 +11,13 @@ pub enum Acts {
     Ring,
     /// On a whole joint: once, from the displacement and the tilts of the sections on both sides.
     Joint,
+    /// On two gears: at their teeth, along the line of action.
+    Gear,
 }
 
 impl Acts {
     /// All kinds.
-    pub const ALL: [Acts; 3] = [Acts::Spring, Acts::Ring, Acts::Joint];
+    pub const ALL: [Acts; 4] = [Acts::Spring, Acts::Ring, Acts::Joint, Acts::Gear];
 
     /// Whether a law of this kind may have all that one of the other has.
     pub(super) fn has_all_of(self, other: Acts) -> bool {
@@ -28,6 +30,7 @@ impl Acts {
             Acts::Spring => SPRING_INPUTS,
             Acts::Ring => RING_INPUTS,
             Acts::Joint => JOINT_INPUTS,
+            Acts::Gear => GEAR_INPUTS,
         }
     }
 
@@ -37,6 +40,7 @@ impl Acts {
             Acts::Spring => SPRING_OUTPUTS,
             Acts::Ring => RING_OUTPUTS,
             Acts::Joint => JOINT_OUTPUTS,
+            Acts::Gear => GEAR_OUTPUTS,
         }
     }
 
@@ -45,6 +49,7 @@ impl Acts {
         match self {
             Acts::Spring => &["Q"],
             Acts::Ring | Acts::Joint => &["F_x", "F_y"],
+            Acts::Gear => &["F_n"],
         }
     }
 
@@ -54,6 +59,7 @@ impl Acts {
             Acts::Spring => "spring",
             Acts::Ring => "ring",
             Acts::Joint => "joint",
+            Acts::Gear => "gear",
         }
     }
 
@@ -63,6 +69,7 @@ impl Acts {
             Acts::Spring => "a law of a spring",
             Acts::Ring => "a law of a ring",
             Acts::Joint => "a law of a joint",
+            Acts::Gear => "a law of a gear",
         }
     }
 }
@@ -145,6 +152,17 @@ const JOINT_OUTPUTS: &[Quantity] = &[
     quantity("M_y", Dimension::TORQUE, "moment on the shaft about the horizontal axis y"),
     M_Z,
 ];
+
+const GEAR_INPUTS: &[Quantity] = &[
+    quantity("e_n", Dimension::LENGTH, "overlap of the teeth along the line of action"),
+    quantity("e_n_dot", Dimension::SPEED, "rate of e_n"),
+];
+
+const GEAR_OUTPUTS: &[Quantity] = &[quantity(
+    "F_n",
+    Dimension::FORCE,
+    "force along the line of action, negative if it pushes the teeth apart",
+)];
 
 /// Everything that a law of any kind can take or give, each name once, and the kind that tells itself by it: the only one
 /// that knows it, or the one whose names the others that know it have all of.

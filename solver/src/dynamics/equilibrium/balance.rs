@@ -7,7 +7,7 @@
 
 mod tangent;
 
-use super::rotations::{Rotations, Turn};
+use super::rotations::{Rotations, Turn, Twisting};
 use super::turning::TurningStart;
 use crate::equations::SpringTangent;
 use crate::equations::State;
@@ -59,6 +59,8 @@ pub(super) struct Balance<'m> {
     /// f, a row each, and what it may be.
     pub(super) force: Vec<f64>,
     bound: Vec<f64>,
+    /// What a force anywhere on its body comes to in each row.
+    shares: Vec<f64>,
     tangent: SpringTangent,
 }
 
@@ -144,9 +146,11 @@ impl<'m> Balance<'m> {
             share: 1.0,
             force: vec![0.0; rows],
             bound: vec![0.0; rows],
+            shares: vec![0.0; rows],
             tangent,
             state,
         };
+        balance.shares = balance.shares();
         let z = balance.unknowns();
         balance.set(&z)?;
         Ok(balance)
@@ -292,6 +296,7 @@ impl<'m> Balance<'m> {
             self.force[row] = terms.iter().sum();
             let size = |f: fn(f64, f64) -> f64| terms.iter().map(|x| x.abs()).fold(0.0, f);
             let projected = springs * machine.springs.reach[place];
+            let projected = projected.max(LEAST_FORCE * self.shares[row]);
             // Of a law without slopes nothing is known.
             let measured =
                 Some(equations.spring_rounding.forces[place]).filter(|own| own.is_finite());
@@ -403,6 +408,21 @@ impl<'m> Balance<'m> {
         self.places.iter().map(|&place| all[place]).collect()
     }
 
+    /// What a force anywhere on a body comes to in its rows, by their inertia: √(M_ii / max M_jj).
+    fn shares(&self) -> Vec<f64> {
+        let inertias = self.inertias();
+        let mut shares = vec![0.0; inertias.len()];
+        for place in self.machine.places() {
+            let first = place.flexible.start - self.machine.rotations();
+            let rows = first..first + place.flexible.len();
+            let most = inertias[rows.clone()].iter().copied().fold(0.0, f64::max);
+            for row in rows.filter(|_| most > 0.0) {
+                shares[row] = (inertias[row] / most).sqrt();
+            }
+        }
+        shares
+    }
+
     /// The clearance of each bearing (m).
     pub(super) fn clearances(&self) -> Vec<f64> {
         let planes = &self.machine.springs.planes;
@@ -447,15 +467,19 @@ fn twisting(
     equations: &mut Equations,
     tangent: &mut SpringTangent,
     state: &State,
-) -> Vec<[usize; 2]> {
+) -> Vec<Twisting> {
     let size = machine.size();
     equations.evaluate(0.0, state);
     tangent.subtract(&machine.springs, &equations.springs, 0.0, size, &mut vec![0.0; size * size]);
     let planes = machine.springs.planes.iter().enumerate();
-    let planes = planes.filter(|(plane, own)| {
-        own.other.is_none() && machine.springs.may_twist(*plane) && tangent.by_angle(*plane) != 0.0
+    let planes = planes.filter_map(|(plane, own)| {
+        let meshes = machine.springs.gear_ratio(plane);
+        let twists = own.other.is_none() && machine.springs.may_twist(plane);
+        let twists = twists && (meshes.is_some() || tangent.by_angle(plane) != 0.0);
+        let bodies = machine.monitors[own.bearing].bodies;
+        twists.then_some(Twisting { bodies, ratio: meshes.unwrap_or(1.0) })
     });
-    planes.map(|(_, own)| machine.monitors[own.bearing].bodies).collect()
+    planes.collect()
 }
 
 /// G0 of a body in the coordinates that its quarter turn leaves at rest: g + (L²)ᵀ g, as L² is −1 where it turns.

@@ -44,6 +44,8 @@ pub(crate) struct Standing {
     pub(crate) displacements: Vec<[f64; 2]>,
     /// Force on the journal in each (N, along x and y of space).
     pub(crate) forces: Vec<[f64; 2]>,
+    /// Torque on the section of the journal about its own centre in each (N·m).
+    pub(crate) torques: Vec<f64>,
     /// As [`Equilibrium::left`].
     pub(crate) left: f64,
     /// By load whether it does not act on small motions, as it turns with a body, and whether it has ended.
@@ -86,6 +88,7 @@ pub(crate) fn standing_at(
     balance.equations.release(&released);
     balance.equations.evaluate(0.0, &state);
     let forces = forces(&balance.equations, &state);
+    let torques = torques(&balance.equations);
     let tangents = balance.equations.tangents(&state);
     Ok(Standing {
         state,
@@ -93,6 +96,7 @@ pub(crate) fn standing_at(
         eccentricities,
         displacements,
         forces,
+        torques,
         left,
         released,
         ended,
@@ -111,6 +115,13 @@ fn forces(equations: &Equations, state: &State) -> Vec<[f64; 2]> {
         Position::new(theta.map_or(0.0, |theta| state.q[theta])).to_space(force)
     });
     joints.collect()
+}
+
+/// Torques of all joints on their journals at the state that was evaluated last (N·m).
+fn torques(equations: &Equations) -> Vec<f64> {
+    let (machine, springs) = (equations.machine, &equations.springs);
+    let of = |plane: &usize| springs.plane_torque(&machine.springs, *plane);
+    machine.monitors.iter().map(|joint| joint.planes.iter().map(of).sum()).collect()
 }
 
 /// The rows that an error names.

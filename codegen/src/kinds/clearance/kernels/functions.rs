@@ -192,6 +192,8 @@ impl Kernels<'_> {
             BoreMotion::SectionZ => quote!(BoreMotion::SectionZ),
             BoreMotion::SectionTiltX => quote!(BoreMotion::SectionTiltX),
             BoreMotion::SectionTiltY => quote!(BoreMotion::SectionTiltY),
+            BoreMotion::SecondFrame => quote!(BoreMotion::SecondFrame),
+            BoreMotion::SecondTurn => quote!(BoreMotion::SecondTurn),
         });
         let name = &contact.name;
         let place = match contact.place {

@@ -77,6 +77,7 @@ fn all_coordinates(spec: &ClearanceSpec) -> Vec<(&str, Id)> {
         .chain(&spec.tangential)
         .chain(&spec.bore)
         .chain(&spec.section)
+        .chain(&spec.gear)
         .chain([&spec.constant])
         .chain(&spec.radius);
     all.map(|own| (own.name.as_str(), own.symbol)).collect()

@@ -79,18 +79,22 @@ impl Balance<'_> {
             };
             match own {
                 Turn::Speed(places) => {
-                    let bodies = places.iter().filter_map(of);
-                    bodies.for_each(|body| add(&mut column, &by_speed[body]));
+                    for (theta, ratio) in places {
+                        let Some(body) = of(theta) else { continue };
+                        let own = column.iter_mut().zip(&by_speed[body]);
+                        own.for_each(|(sum, value)| *sum += ratio * value);
+                    }
                 }
                 Turn::Angle(theta) => {
                     add(&mut column, &by_position[theta * size..(theta + 1) * size]);
                 }
                 Turn::Acceleration(places) => {
-                    for &theta in places {
-                        column[theta] = self.own_inertia(theta);
+                    for &(theta, ratio) in places {
+                        column[theta] = ratio * self.own_inertia(theta);
                         let Some(body) = of(&theta) else { continue };
                         let place = machine.places()[body].flexible.clone();
-                        column[place].copy_from_slice(&self.twisting[body]);
+                        let own = column[place].iter_mut().zip(&self.twisting[body]);
+                        own.for_each(|(to, value)| *to = ratio * value);
                     }
                 }
             }

@@ -1,55 +1,18 @@
-//! Eigenvalues of M z̈ + C ż + K z = 0 whose matrices vary with an angle: Hill's determinant.
-//!
-//! X(t) = X_0 + Σ_k (X_k e^{ikΩt} + its conjugate) and z = e^{λt} Σ_k z_k e^{ikΩt} give for every j
-//! Σ_k [(λ + ikΩ)² M_{j−k} + (λ + ikΩ) C_{j−k} + K_{j−k}] z_k = 0. Of its solutions every motion comes once for each shift of k
-//! by the step s of the harmonics; the one is kept whose centre Σ k |z_k|² / Σ |z_k|² is in (−s/2, s/2].
+//! All motions at once.
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, MatRef};
 use num_complex::Complex64;
 
-use super::{LinearAlgebraError, Matrix, congruence, generalised_symmetric_eigen, on_one_thread};
+use super::equations::{Periodic, PeriodicPair};
+use crate::linalg::{LinearAlgebraError, Matrix, generalised_symmetric_eigen, on_one_thread};
 
 /// ω below this share of the largest one stand for it where speeds are scaled by it.
 const SLOWEST: f64 = 1e-4;
 /// Shift of the bounds of centres, so that rounding decides about none that is on one.
 const ASIDE: f64 = 1e-3;
 
-/// A harmonic of M, C and K: real and imaginary parts of X_k, k > 0.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Harmonic {
-    /// k.
-    pub(crate) order: i32,
-    /// M_k, C_k and K_k.
-    pub(crate) parts: [[Matrix; 2]; 3],
-}
-
-/// Equations whose matrices vary.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Periodic {
-    /// M_0, C_0 and K_0; M_0 symmetric.
-    pub(crate) means: [Matrix; 3],
-    /// By rising orders.
-    pub(crate) harmonics: Vec<Harmonic>,
-    /// Ω (rad/s).
-    pub(crate) speed: f64,
-}
-
-/// A motion e^{λt} Σ z_k e^{ikΩt}.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct PeriodicPair {
-    /// λ (1/s).
-    pub(crate) value: Complex64,
-    /// k with z_k.
-    pub(crate) parts: Vec<(i32, Vec<Complex64>)>,
-}
-
 impl Periodic {
-    /// The step of the harmonics: 2 where only even ones are there.
-    pub(crate) fn step(&self) -> i32 {
-        if self.harmonics.iter().all(|own| own.order % 2 == 0) { 2 } else { 1 }
-    }
-
     /// X_k of one of the three matrices, at (i, j).
     fn entry(&self, matrix: usize, k: i32, i: usize, j: usize) -> Complex64 {
         if k == 0 {
@@ -78,20 +41,6 @@ impl Periodic {
             });
             terms.sum()
         })
-    }
-
-    /// The same equations in coordinates V of which z = V u.
-    pub(crate) fn in_basis(&self, basis: &Matrix) -> Periodic {
-        let of = |own: &Matrix| congruence(own, basis);
-        let harmonics = self.harmonics.iter().map(|own| Harmonic {
-            order: own.order,
-            parts: own.parts.each_ref().map(|parts| parts.each_ref().map(of)),
-        });
-        Periodic {
-            means: self.means.each_ref().map(of),
-            harmonics: harmonics.collect(),
-            speed: self.speed,
-        }
     }
 
     /// All motions with harmonics up to ±hs, each once, and its conjugate as one of its own.
@@ -170,33 +119,6 @@ impl Periodic {
         };
         Ok((0..2 * all).filter_map(pair).collect())
     }
-
-    /// z_k of the motion Σ z_k e^{i(ν + kΩ)t} under forces Σ f_k e^{i(ν + kΩ)t}, harmonics up to ±hs.
-    ///
-    /// # Errors
-    /// A singular matrix.
-    pub(crate) fn forced(
-        &self,
-        count: i32,
-        frequency: f64,
-        force: &dyn Fn(i32) -> Option<Vec<Complex64>>,
-    ) -> Result<Vec<(i32, Vec<Complex64>)>, LinearAlgebraError> {
-        let (n, step) = (self.means[0].rows, self.step());
-        let rate = |k: i32| Complex64::new(0.0, frequency + f64::from(k) * self.speed);
-        let matrix = self.blocks(count, &|matrix, k| rate(k).powi(2 - matrix as i32));
-        let orders: Vec<i32> = (-count..=count).map(|k| k * step).collect();
-        let mut right = vec![Complex64::ZERO; n * orders.len()];
-        for (own, &k) in right.chunks_exact_mut(n.max(1)).zip(&orders) {
-            if let Some(force) = force(k) {
-                own.copy_from_slice(&force);
-            }
-        }
-        let size = right.len();
-        let entries: Vec<Complex64> =
-            (0..size * size).map(|place| matrix[(place % size, place / size)]).collect();
-        let moved = super::solve_complex(size, &entries, &right)?;
-        Ok(orders.into_iter().zip(moved.chunks(n.max(1)).map(<[Complex64]>::to_vec)).collect())
-    }
 }
 
 /// V u.
@@ -209,6 +131,7 @@ fn of_modes(vectors: &Matrix, own: &[Complex64]) -> Vec<Complex64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::linalg::periodic::equations::Harmonic;
 
     /// Mathieu's equation at δ = 1, ε small: growth is that of the known tongue, ε/2 within second order.
     #[test]

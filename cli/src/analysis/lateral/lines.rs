@@ -1,0 +1,106 @@
+//! Lines of the table: a clause, a quantity, its value and its limit.
+
+use std::fmt::Write;
+
+use whirl_text::shown;
+
+use crate::report::table;
+
+/// What a line comes to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Pass {
+    Yes,
+    No,
+    /// The screening of level I asks for level II.
+    LevelTwo,
+    /// There is no limit.
+    None,
+}
+
+impl Pass {
+    pub(super) fn of(passes: bool) -> Pass {
+        if passes { Pass::Yes } else { Pass::No }
+    }
+
+    fn word(self) -> &'static str {
+        match self {
+            Pass::Yes => "yes",
+            Pass::No => "NO",
+            Pass::LevelTwo => "level II",
+            Pass::None => "",
+        }
+    }
+}
+
+/// A line.
+#[derive(Debug, Clone)]
+pub(super) struct Line {
+    pub(super) variant: String,
+    /// Which unbalance, or nothing.
+    pub(super) unbalance: String,
+    pub(super) clause: &'static str,
+    pub(super) quantity: &'static str,
+    pub(super) place: String,
+    /// rpm.
+    pub(super) speed: Option<f64>,
+    pub(super) value: f64,
+    pub(super) limit: Option<f64>,
+    pub(super) unit: &'static str,
+    pub(super) pass: Pass,
+}
+
+/// All of them for other programs.
+pub(super) fn rows(lines: &[Line]) -> String {
+    let mut text =
+        String::from("variant,unbalance,clause,quantity,place,speed_rpm,value,limit,unit,pass\n");
+    let given = |value: Option<f64>| value.map_or(String::new(), |own| own.to_string());
+    for own in lines {
+        let Line { variant, unbalance, clause, quantity, place, unit, .. } = own;
+        let (speed, limit, pass) = (given(own.speed), given(own.limit), own.pass.word());
+        writeln!(
+            text,
+            "{variant},{unbalance},{clause},{quantity},{place},{speed},{},{limit},{unit},{pass}",
+            own.value
+        )
+        .expect("text can be written");
+    }
+    text
+}
+
+/// Those of a variant for people.
+pub(super) fn told(lines: &[&Line]) -> String {
+    let head =
+        ["unbalance", "clause", "quantity", "at", "speed (rpm)", "value", "limit", "unit", "pass"];
+    let mut rows = vec![head.map(str::to_owned).to_vec()];
+    let number = |value: f64| shown(value, 5, 1e-4..1e7);
+    for own in lines {
+        rows.push(vec![
+            own.unbalance.clone(),
+            own.clause.to_owned(),
+            own.quantity.to_owned(),
+            own.place.clone(),
+            own.speed.map_or(String::new(), |speed| shown(speed, 6, 1e-3..1e7)),
+            number(own.value),
+            own.limit.map_or(String::new(), number),
+            own.unit.to_owned(),
+            own.pass.word().to_owned(),
+        ]);
+    }
+    table(&rows)
+}
+
+/// What all lines come to.
+pub(super) fn verdict(lines: &[Line]) -> String {
+    let count = |pass: Pass| lines.iter().filter(|own| own.pass == pass).count();
+    let judged = lines.len() - count(Pass::None);
+    let of_level_two = match count(Pass::LevelTwo) {
+        0 => String::new(),
+        some => format!("; {some} of level I ask for level II"),
+    };
+    match count(Pass::No) {
+        0 => format!("PASSES: all {judged} lines that have a limit{of_level_two}\n"),
+        some => {
+            format!("DOES NOT PASS: {some} of {judged} lines that have a limit{of_level_two}\n")
+        }
+    }
+}

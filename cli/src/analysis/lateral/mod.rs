@@ -1,0 +1,283 @@
+//! The lateral analysis of API 617 and API RP 684: one table with what passes and what does not.
+//!
+//! A case with each variant of its keys → the machine with stations along the body ([`Model`]) → unbalance at antinodes
+//! ([`placement`]) → response of probes and at close clearances ([`response`]) → stability of both levels ([`stability`]) →
+//! lines ([`lines`]), by the formulas of [`standard`].
+
+mod figure;
+mod lines;
+mod model;
+mod placement;
+mod response;
+mod stability;
+mod standard;
+
+use std::fmt::Write;
+
+use whirl_codegen::diagnostic::Located;
+use whirl_solver::cache::Cache;
+use whirl_text::shown;
+
+use self::lines::Line;
+use self::model::Model;
+use self::placement::Unbalance;
+use self::response::{Close, Probe, Responses};
+use self::stability::Stability;
+use super::found::{Found, drawn};
+use super::speeds::{FINE, Wanted};
+use super::words;
+use crate::case::{Analysis, Case, CaseText, Lateral, Variant};
+use crate::errors::Failure;
+use crate::machine;
+use crate::report::table;
+use crate::signals::Interruption;
+use crate::streams;
+use crate::values::level::as_toml;
+
+/// How far speeds reach, of the trip speed, where the case does not say it.
+const BEYOND: f64 = 1.25;
+/// The case as its own variant.
+const AS_IT_IS: &str = "as given";
+
+/// What one variant comes to.
+struct Done {
+    name: String,
+    model: Model,
+    unbalance: Vec<Unbalance>,
+    probes: Vec<Probe>,
+    closes: Vec<Close>,
+    responses: Responses,
+    stability: Option<Stability>,
+    notes: String,
+}
+
+/// The table of all variants. `file`: as the user called the case.
+pub(super) fn found(
+    (case, file): (&Case, &str),
+    analysis: &Analysis,
+    cache: Option<&Cache>,
+    interruption: &Interruption,
+    figures: bool,
+) -> Result<Found, Failure> {
+    let lateral = analysis.lateral.as_deref().expect("a lateral analysis");
+    let mut all: Vec<Done> = Vec::new();
+    let mut interrupted = false;
+    let variants = std::iter::once(None).chain(lateral.variants.iter().map(Some));
+    for variant in variants {
+        let own = variant.map(|own| varied(file, own)).transpose()?;
+        let name = variant.map_or(AS_IT_IS, |own| own.name.as_str());
+        let done = of_variant(
+            name,
+            own.as_ref().unwrap_or(case),
+            (analysis, lateral),
+            cache,
+            interruption,
+        )?;
+        interrupted |= done.responses.interrupted;
+        all.push(done);
+        if interrupted {
+            break;
+        }
+    }
+    let mut whole: Vec<Line> = Vec::new();
+    for done in &all {
+        let stability = done.stability.iter().flat_map(|own| &own.lines);
+        for line in done.responses.lines.iter().chain(stability) {
+            whole.push(Line { variant: done.name.clone(), ..line.clone() });
+        }
+    }
+    let name = &analysis.name;
+    let mut files = vec![
+        (format!("{name}.csv"), lines::rows(&whole).into_bytes()),
+        (format!("{name}.unbalance.csv"), unbalance_rows(&all).into_bytes()),
+        (format!("{name}.response.csv"), response_rows(&all).into_bytes()),
+    ];
+    if all.iter().any(|own| own.stability.as_ref().is_some_and(|own| !own.curve.is_empty())) {
+        files.push((format!("{name}.stability.csv"), stability_rows(&all).into_bytes()));
+    }
+    if figures && !interrupted {
+        files.extend(drawn(name, &figure::figure(case, lateral, &all)));
+    }
+    let mut text = format!("{}: {}\n", case.name, case.title);
+    let edition = lateral.edition;
+    let [low, high, trip] = [lateral.minimum, lateral.maximum, lateral.trip].map(words::speed);
+    let _ = writeln!(
+        text,
+        "API 617, edition {edition}: N_ma {low} rpm, N_mc {high} rpm, trip {trip} rpm"
+    );
+    for done in &all {
+        let _ = writeln!(text, "\n{}\n", heading(done, lateral));
+        text += &told_unbalance(&done.unbalance);
+        text.push('\n');
+        let own: Vec<&Line> = whole.iter().filter(|own| own.variant == done.name).collect();
+        text += &lines::told(&own);
+        text += &done.responses.lost;
+        text += &done.notes;
+    }
+    text.push('\n');
+    text += &lines::verdict(&whole);
+    Ok(Found { text, files, interrupted })
+}
+
+/// The case with other values of some keys.
+fn varied(file: &str, variant: &Variant) -> Result<Case, Failure> {
+    let mut values = String::new();
+    for own in &variant.set {
+        if let Some((key, value)) = own.text().split_once('=') {
+            let _ = writeln!(values, "{} = {}", key.trim(), as_toml(value.trim()));
+        }
+    }
+    let text = CaseText::find(file, None)?.with_values(values);
+    streams::warned(|warnings| machine::read_text(&text, warnings))
+}
+
+fn of_variant(
+    name: &str,
+    case: &Case,
+    (analysis, lateral): (&Analysis, &Lateral),
+    cache: Option<&Cache>,
+    interruption: &Interruption,
+) -> Result<Done, Failure> {
+    let model = Model::new(case, (analysis, lateral), false, cache)?;
+    let probes = probes(&model, lateral)?;
+    let closes = closes(&model, lateral)?;
+    let (unbalance, mut notes) = placement::placed(&model, analysis, lateral)?;
+    let mut speeds = match analysis.speeds.as_slice() {
+        [] => (0..FINE).map(|k| BEYOND * lateral.trip * k as f64 / (FINE - 1) as f64).collect(),
+        own => own.to_vec(),
+    };
+    speeds.extend([lateral.minimum, lateral.maximum, lateral.trip]);
+    speeds.sort_by(f64::total_cmp);
+    speeds.dedup_by(|a, b| (*a - *b).abs() <= 1e-12 * b.abs());
+    let wanted = Wanted { of: Some(model.of), speeds };
+    let of = (analysis, lateral);
+    let responses =
+        response::found(&model, of, (&probes, &closes), &unbalance, &wanted, interruption)?;
+    let stability = match responses.interrupted {
+        true => None,
+        false if lateral.seals.is_empty() => Some(stability::found(&model, &model, of)?),
+        false => {
+            let bare = Model::new(case, of, true, cache)?;
+            Some(stability::found(&model, &bare, of)?)
+        }
+    };
+    if let Some(own) = &stability {
+        notes += &own.notes;
+    }
+    if closes.is_empty() {
+        notes += "note: no `clearances`, and no bearing with one: nothing is held against 75 % of a clearance\n";
+    }
+    let name = name.to_owned();
+    Ok(Done { name, model, unbalance, probes, closes, responses, stability, notes })
+}
+
+/// Two probes at each of their points.
+fn probes(model: &Model, lateral: &Lateral) -> Result<Vec<Probe>, Failure> {
+    let journal =
+        |name: &Located| Located::new(name.source(), name.span(), format!("joint.{}", name.text()));
+    let names: Vec<Located> = match lateral.probes.as_slice() {
+        [] => model.journals.iter().map(|own| journal(&own.name)).collect(),
+        own => own.to_vec(),
+    };
+    let mut all = Vec::new();
+    for name in &names {
+        let point = model.point(name)?;
+        for angle in [lateral.probe_angle, lateral.probe_angle + std::f64::consts::FRAC_PI_2] {
+            let degrees = whirl_text::rounded(angle.to_degrees(), 4);
+            all.push(Probe {
+                name: format!("{} {degrees} deg", point.name),
+                point: point.clone(),
+                angle,
+            });
+        }
+    }
+    Ok(all)
+}
+
+/// Points with a clearance: of bearings that have one, and those that the case names.
+fn closes(model: &Model, lateral: &Lateral) -> Result<Vec<Close>, Failure> {
+    let mut all = Vec::new();
+    for (name, clearance) in &model.clearances {
+        let told = lateral.clearances.iter().any(|own| own.0.text() == name);
+        let point = model.points.iter().find(|own| own.name == *name);
+        if let (Some(point), false) = (point, told) {
+            all.push(Close { point: point.clone(), clearance: *clearance });
+        }
+    }
+    for (name, clearance) in &lateral.clearances {
+        all.push(Close { point: model.point(name)?, clearance: *clearance });
+    }
+    Ok(all)
+}
+
+fn heading(done: &Done, lateral: &Lateral) -> String {
+    let loads = done
+        .model
+        .journals
+        .iter()
+        .map(|own| format!("{} {} kg", own.name.text(), shown(own.load, 5, 1e-4..1e7)));
+    let loads = loads.collect::<Vec<_>>().join(", ");
+    match lateral.variants.is_empty() {
+        true => format!("static loads: {loads}"),
+        false => format!("variant {}; static loads: {loads}", done.name),
+    }
+}
+
+fn told_unbalance(all: &[Unbalance]) -> String {
+    let head = ["unbalance", "z (mm)", "W (kg)", "U_a (g mm)", "phase (deg)"];
+    let mut rows = vec![head.map(str::to_owned).to_vec()];
+    let number = |value: f64| shown(value, 5, 1e-4..1e7);
+    for own in all {
+        for plane in &own.planes {
+            let values = [1e3 * plane.z, plane.load, 1e6 * plane.moment, plane.phase.to_degrees()];
+            rows.push(std::iter::once(own.name.clone()).chain(values.map(number)).collect());
+        }
+    }
+    table(&rows)
+}
+
+fn unbalance_rows(all: &[Done]) -> String {
+    let mut text = String::from("variant,unbalance,z_mm,load_kg,unbalance_g_mm,phase_deg\n");
+    for done in all {
+        for own in &done.unbalance {
+            for plane in &own.planes {
+                let values =
+                    [1e3 * plane.z, plane.load, 1e6 * plane.moment, plane.phase.to_degrees()];
+                let values = values.map(|own| own.to_string()).join(",");
+                let _ = writeln!(text, "{},{},{values}", done.name, own.name);
+            }
+        }
+    }
+    text
+}
+
+fn response_rows(all: &[Done]) -> String {
+    let mut text =
+        String::from("variant,unbalance,speed_rpm,place,unscaled_um_pkpk,scaled_um_pkpk\n");
+    for done in all {
+        for own in &done.responses.all {
+            for (place, speed) in done.responses.speeds.iter().enumerate() {
+                let probes =
+                    done.probes.iter().map(|own| own.name.as_str()).zip(&own.readings[place]);
+                let closes =
+                    done.closes.iter().map(|own| own.point.name.as_str()).zip(&own.orbits[place]);
+                for (name, value) in probes.chain(closes) {
+                    let (rpm, scaled) = (words::rpm(*speed), own.scale * value);
+                    let _ =
+                        writeln!(text, "{},{},{rpm},{name},{value},{scaled}", done.name, own.name);
+                }
+            }
+        }
+    }
+    text
+}
+
+fn stability_rows(all: &[Done]) -> String {
+    let mut text = String::from("variant,cross_coupling_N_m,log_decrement\n");
+    for done in all {
+        for (q, decrement) in done.stability.iter().flat_map(|own| &own.curve) {
+            let _ = writeln!(text, "{},{q},{decrement}", done.name);
+        }
+    }
+    text
+}

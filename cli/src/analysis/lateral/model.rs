@@ -1,0 +1,277 @@
+//! The machine of a variant with stations along the body, its journals, and the state at the maximum continuous speed.
+
+use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
+use whirl_solver::assembly::mass_above;
+use whirl_solver::cache::Cache;
+use whirl_solver::linear::{LinearMachine, Linearised, Point, Standstill};
+use whirl_solver::loads::Frame;
+use whirl_solver::model::AttachmentKind;
+use whirl_solver::output::{Motion, Wanted};
+
+use crate::case::{Analysis, Case, Form, JointKind, Lateral, NamedBody, Output, OutputPoint};
+use crate::errors::Failure;
+use crate::machine::{self, PlannedBody};
+use crate::streams;
+
+/// m/s².
+const GRAVITY: f64 = 9.80665;
+/// Stations along a body with a mesh.
+const STATIONS: usize = 41;
+/// Nodes of matrices at most so many planes stand in.
+const PLANES: usize = 200;
+/// Loads of journals below this share of the weight are none.
+const NOTHING: f64 = 1e-6;
+
+/// A journal of the body.
+#[derive(Debug, Clone)]
+pub(super) struct Journal {
+    /// Its joint, by its place.
+    pub(super) joint: usize,
+    /// The name of that.
+    pub(super) name: Located,
+    /// m.
+    pub(super) z: f64,
+    /// kg.
+    pub(super) load: f64,
+}
+
+/// A machine as the analysis takes it.
+pub(super) struct Model {
+    pub(super) linear: LinearMachine,
+    /// The body whose speed it is.
+    pub(super) of: usize,
+    /// Those that the case knows.
+    pub(super) points: Vec<Point>,
+    /// z (m), rising, and the motion there.
+    pub(super) stations: Vec<(f64, Point)>,
+    /// By z, seals left out.
+    pub(super) journals: Vec<Journal>,
+    /// Points of joints that have a clearance, with it (m, diametral).
+    pub(super) clearances: Vec<(String, f64)>,
+    /// The state at N_mc and its equations.
+    pub(super) at: Standstill,
+    pub(super) equations: Linearised,
+    /// Mass beyond the first and the last journal (kg).
+    pub(super) overhung: [f64; 2],
+}
+
+impl Model {
+    /// Builds it.
+    ///
+    /// # Errors
+    /// As the machine's; a body without journals, or one that is not round.
+    pub(super) fn new(
+        case: &Case,
+        (analysis, lateral): (&Analysis, &Lateral),
+        without_seals: bool,
+        cache: Option<&Cache>,
+    ) -> Result<Model, Failure> {
+        let mut own = case.clone();
+        let of = body(&own, analysis)?;
+        let of_motion =
+            |own: &Output| matches!(own.what, Wanted::Motion { motion: Motion::Displacement, .. });
+        own.outputs.retain(of_motion);
+        own.fields = None;
+        let plan = streams::warned(|_| machine::plan(&own, &mut Vec::new()))?;
+        let joint_z = |joint: usize| {
+            let z = plan.stations(joint);
+            z.iter().sum::<f64>() / z.len().max(1) as f64
+        };
+        let mut journals = Vec::new();
+        let mut clearances = Vec::new();
+        for (place, joint) in own.machine.joints.iter().enumerate() {
+            let is_on = joint.sides.iter().any(|side| side.body == Some(of));
+            if !is_on || joint.kind == JointKind::Coupling {
+                continue;
+            }
+            let clearance = 2.0 * plan.clearance(place).0;
+            if clearance > 0.0 && joint.kind != JointKind::Bushing {
+                clearances.push((format!("joint.{}", joint.name.text()), clearance));
+            }
+            if !lateral.seals.contains(&place) {
+                journals.push(Journal {
+                    joint: place,
+                    name: joint.name.clone(),
+                    z: joint_z(place),
+                    load: 0.0,
+                });
+            }
+        }
+        journals.sort_by(|a, b| a.z.total_cmp(&b.z));
+        let (Some(first), Some(last)) = (journals.first(), journals.last()) else {
+            return Err(Failure::Argument {
+                message: format!(
+                    "`{}` has no journal: a lateral analysis needs its loads",
+                    own.machine.bodies[of].name.text()
+                ),
+                help: "add a `[joint.NAME]` that carries the body, and name seals only in `seals`"
+                    .to_owned(),
+            });
+        };
+        let ends = [first.z, last.z];
+        let named = &own.machine.bodies[of];
+        let overhung = overhung(named, &plan.bodies[of], ends)?;
+        let mut levels = levels(named, &plan.bodies[of], &journals);
+        let stages = lateral.stages.iter().filter_map(|own| own.z);
+        let planes = lateral.unbalance.iter().flat_map(|own| own.planes.iter().map(|own| own.z));
+        let middle = lateral.cross_coupling_z.unwrap_or(0.5 * (ends[0] + ends[1]));
+        levels.extend(stages.chain(planes).chain([middle]));
+        levels.sort_by(f64::total_cmp);
+        levels.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
+        let meshed = matches!(named.form, Form::Meshed(_));
+        let place = own.machine.bodies[of].name.clone();
+        for (number, z) in levels.iter().enumerate() {
+            own.outputs.push(station(of, *z, (meshed, &place), number));
+        }
+        if without_seals {
+            let mut number = 0;
+            own.machine.joints.retain(|_| {
+                number += 1;
+                !lateral.seals.contains(&(number - 1))
+            });
+            for journal in &mut journals {
+                journal.joint -= lateral.seals.iter().filter(|own| **own < journal.joint).count();
+            }
+        }
+        let build = || streams::warned(|warnings| machine::build_planned(&own, cache, warnings));
+        let linear = LinearMachine::new(build()?.machine)?;
+        let mut points = linear.points();
+        let stations = points.split_off(points.len() - levels.len());
+        let speeds = linear.speeds(of, lateral.maximum, &analysis.ratios);
+        let at = linear.standing(&speeds, None)?;
+        let equations = linear.linearised(&at)?;
+        if !equations.stands_in_space() {
+            return Err(Failure::Argument {
+                message: format!("a body of `{}` that turns is not round", own.name),
+                help: "a lateral analysis is of round rotors: give the mesh three or more equal sectors".to_owned(),
+            });
+        }
+        let mut model = Model {
+            linear,
+            of,
+            points,
+            stations: levels.into_iter().zip(stations).collect(),
+            journals,
+            clearances,
+            at,
+            equations,
+            overhung,
+        };
+        if !without_seals {
+            model.load(lateral)?;
+        }
+        Ok(model)
+    }
+
+    /// The loads of the journals (kg): as the case says, as the joints carry them at N_mc, or by the weight along x where
+    /// nothing loads them.
+    fn load(&mut self, lateral: &Lateral) -> Result<(), Failure> {
+        let joints = self.linear.coefficients(&self.at);
+        let weight = self.linear.machine().bodies[self.of].centre_of_mass().mass * GRAVITY;
+        let mut found: Vec<f64> =
+            joints.iter().map(|own| own.force[0].hypot(own.force[1])).collect();
+        if self.journals.iter().all(|own| found[own.joint] < NOTHING * weight) {
+            let at = (&self.at, &self.equations);
+            found = self.linear.loads_by_acceleration(at, self.of, [GRAVITY, 0.0])?;
+        }
+        for own in &mut self.journals {
+            let told = lateral.journal_loads.iter().find(|told| told.0 == own.joint);
+            own.load = told.map_or(found[own.joint], |told| told.1) / GRAVITY;
+        }
+        Ok(())
+    }
+
+    /// The station nearest to z (m).
+    pub(super) fn station(&self, z: f64) -> &Point {
+        let away = |own: &&(f64, Point)| (own.0 - z).abs();
+        let nearest = self.stations.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
+        &nearest.expect("a station").1
+    }
+
+    /// z of the first and the last journal (m).
+    pub(super) fn span(&self) -> [f64; 2] {
+        [self.journals[0].z, self.journals[self.journals.len() - 1].z]
+    }
+
+    /// A point that the case knows, by its name.
+    ///
+    /// # Errors
+    /// There is none.
+    pub(super) fn point(&self, name: &Located) -> Result<Point, Failure> {
+        let own = self.points.iter().find(|own| own.name == name.text());
+        own.cloned().ok_or_else(|| {
+            let known: Vec<&str> = self.points.iter().map(|own| own.name.as_str()).collect();
+            let message = format!("there is no point `{}`", name.text());
+            let help = format!(
+                "name one of `{}`, or add an `[output.NAME]` with `quantity = \"displacement\"`",
+                known.join("`, `")
+            );
+            let mut errors = Diagnostics::new();
+            errors.push(name.error_here(Code::BAD_VALUE, message).help(help));
+            Failure::Input(errors)
+        })
+    }
+}
+
+/// The body whose speed it is: the one that the case names, or the fastest.
+fn body(case: &Case, analysis: &Analysis) -> Result<usize, Failure> {
+    let top = |body: usize| case.machine.top_speed(body, case.run());
+    let turning = (0..case.machine.bodies.len()).filter(|body| case.machine.bodies[*body].turns());
+    let fastest = turning.max_by(|a, b| top(*a).total_cmp(&top(*b)).then(b.cmp(a)));
+    analysis.of.or(fastest).ok_or_else(|| Failure::Argument {
+        message: format!("nothing turns in `{}`: it has no lateral analysis", case.name),
+        help: "give a body `turns = \"prescribed\"` and a `speed`".to_owned(),
+    })
+}
+
+/// The motion of a section as an output of the case, under a name that no user writes.
+fn station(body: usize, z: f64, (meshed, place): (bool, &Located), number: usize) -> Output {
+    let point = match meshed {
+        true => OutputPoint::Section(z, place.clone()),
+        false => OutputPoint::At(Some(z)),
+    };
+    let (motion, frame, components) = (Motion::Displacement, Frame::Space, vec![0, 1]);
+    let what = Wanted::Motion { body, point, motion, frame, components };
+    Output { name: format!("station {number}"), what }
+}
+
+/// Where shapes of modes are looked at (m).
+fn levels(body: &NamedBody, planned: &PlannedBody, journals: &[Journal]) -> Vec<f64> {
+    let carried = body.attached.iter().map(|own| own.z);
+    let Some(plan) = planned.meshed() else {
+        return journals.iter().map(|own| own.z).chain(carried).collect();
+    };
+    let mut all: Vec<f64> =
+        plan.mesh.nodes()[..plan.mesh.placed()].iter().map(|own| own[2]).collect();
+    all.sort_by(f64::total_cmp);
+    let (first, last) = (all[0], all[all.len() - 1]);
+    all.dedup_by(|a, b| (*a - *b).abs() <= 1e-6 * (last - first));
+    if plan.mesh.matrices().is_some() && all.len() <= PLANES {
+        return all;
+    }
+    let even = |k: usize| first + (last - first) * k as f64 / (STATIONS - 1) as f64;
+    // Ends of a mesh are planes of nodes, and sections between them are those of its cells.
+    match plan.mesh.matrices() {
+        Some(_) => all.iter().step_by(all.len().div_ceil(PLANES)).copied().collect(),
+        None => (0..STATIONS).map(even).collect(),
+    }
+}
+
+/// Mass beyond the outer journals (kg).
+fn overhung(body: &NamedBody, planned: &PlannedBody, ends: [f64; 2]) -> Result<[f64; 2], Failure> {
+    let carried = |beyond: &dyn Fn(f64) -> bool| -> f64 {
+        let own = body.attached.iter().filter(|own| beyond(own.z));
+        own.map(|own| match own.what {
+            AttachmentKind::Disc { mass, .. } | AttachmentKind::Mass { mass, .. } => mass,
+            AttachmentKind::Unbalance(_) => 0.0,
+        })
+        .sum()
+    };
+    let mut both = [carried(&|z| z < ends[0]), carried(&|z| z > ends[1])];
+    if let Some(plan) = planned.meshed() {
+        let whole = mass_above(&plan.mesh, f64::NEG_INFINITY)?;
+        both[0] += whole - mass_above(&plan.mesh, ends[0])?;
+        both[1] += mass_above(&plan.mesh, ends[1])?;
+    }
+    Ok(both)
+}

@@ -1,0 +1,160 @@
+//! Where unbalance stands: at the antinodes of forward modes at N_mc, or where the case says.
+
+use whirl_solver::linear::{AppliedUnbalance, Point, Vibration, Whirl};
+
+use super::model::Model;
+use super::standard;
+use crate::analysis::words;
+use crate::case::{Analysis, Lateral};
+use crate::errors::Failure;
+
+/// Shares of the largest amplitude: below the first a station has no sign, from the second on a lobe between the journals
+/// counts, from the third on one beyond them. As ROSS has them (`Rotor.api617_unbalance`).
+const SIGNED: f64 = 0.02;
+const INBOARD: f64 = 0.1;
+const OUTBOARD: f64 = 0.5;
+/// Modes by which unbalance is placed where the case names none.
+const USUAL: [usize; 2] = [1, 2];
+/// Modes that are looked at for forward ones.
+const MODES: usize = 24;
+
+/// A plane of unbalance.
+#[derive(Debug, Clone)]
+pub(super) struct Plane {
+    /// m.
+    pub(super) z: f64,
+    /// W (kg).
+    pub(super) load: f64,
+    /// U_a (kg·m).
+    pub(super) moment: f64,
+    /// rad.
+    pub(super) phase: f64,
+    pub(super) point: Point,
+}
+
+/// Unbalance that acts at a time.
+#[derive(Debug, Clone)]
+pub(super) struct Unbalance {
+    pub(super) name: String,
+    pub(super) planes: Vec<Plane>,
+}
+
+impl Unbalance {
+    pub(super) fn applied(&self) -> Vec<AppliedUnbalance<'_>> {
+        let applied = self.planes.iter().map(|own| AppliedUnbalance {
+            point: &own.point,
+            moment: own.moment,
+            angle: own.phase,
+        });
+        applied.collect()
+    }
+}
+
+/// All that is applied, one after the other, and what is said of modes that there are not.
+///
+/// # Errors
+/// No mode by which it could be placed, and none that the case places.
+pub(super) fn placed(
+    model: &Model,
+    analysis: &Analysis,
+    lateral: &Lateral,
+) -> Result<(Vec<Unbalance>, String), Failure> {
+    let rpm = words::rpm(lateral.maximum);
+    let plane = |z: f64, load: f64, phase: f64| {
+        let amount = standard::factor(lateral.edition) * standard::residual_unbalance(load, rpm);
+        Plane { z, load, moment: 1e-6 * amount, phase, point: model.station(z).clone() }
+    };
+    let mut all: Vec<Unbalance> = Vec::new();
+    for own in &lateral.unbalance {
+        let planes = own.planes.iter().map(|own| plane(own.z, own.load, own.phase));
+        all.push(Unbalance { name: own.name.clone(), planes: planes.collect() });
+    }
+    let wanted: &[usize] = match (lateral.modes.as_slice(), all.is_empty()) {
+        ([], true) => &USUAL,
+        (own, _) => own,
+    };
+    if wanted.is_empty() {
+        return Ok((all, String::new()));
+    }
+    let modes = model.linear.modes(&model.equations, analysis.count.max(MODES))?.oscillating;
+    let shapes: Vec<Vec<Vibration>> = modes
+        .iter()
+        .filter(|own| own.whirl(lateral.maximum) == Whirl::Forward)
+        .map(|mode| {
+            let motion = |own: &(f64, Point)| model.linear.motion_in(&model.at, &own.1, mode);
+            model.stations.iter().map(motion).collect()
+        })
+        .collect();
+    let mut notes = String::new();
+    for &number in wanted {
+        let Some(shape) = shapes.get(number - 1) else {
+            if !lateral.modes.is_empty() {
+                notes += &format!(
+                    "note: there are {} forward modes at N_mc, no mode {number} by which unbalance could be placed\n",
+                    shapes.len()
+                );
+            }
+            continue;
+        };
+        let found = antinodes(model, shape);
+        let [first, last] = model.span();
+        let inboard = found.iter().filter(|own| (first..=last).contains(&own.0)).count();
+        let load = |z: f64| match z {
+            z if z < first => model.overhung[0],
+            z if z > last => model.overhung[1],
+            _ if inboard == 1 => model.journals.iter().map(|own| own.load).sum(),
+            _ => {
+                let away = |own: f64| (own - z).abs();
+                let nearest = model.journals.iter().min_by(|a, b| away(a.z).total_cmp(&away(b.z)));
+                nearest.map_or(0.0, |own| own.load)
+            }
+        };
+        let planes = found.iter().map(|(z, sign)| {
+            plane(*z, load(*z), if *sign < 0.0 { std::f64::consts::PI } else { 0.0 })
+        });
+        all.push(Unbalance { name: format!("mode {number}"), planes: planes.collect() });
+    }
+    if all.is_empty() {
+        return Err(Failure::Argument {
+            message: "no forward mode was found at the maximum speed by which unbalance could be placed".to_owned(),
+            help: "place it: `unbalance.NAME = { z = [\"500 mm\"], load = [\"40 kg\"] }` in the analysis".to_owned(),
+        });
+    }
+    Ok((all, notes))
+}
+
+/// z of the largest amplitude of each lobe of a shape that counts (m), and its sign against the largest of all.
+fn antinodes(model: &Model, shape: &[Vibration]) -> Vec<(f64, f64)> {
+    let sizes: Vec<f64> = shape.iter().map(|own| own.orbit().major).collect();
+    let mut most = 0;
+    for (place, own) in sizes.iter().enumerate() {
+        // Of equal ones the first, whatever rounding says.
+        if *own > sizes[most] * (1.0 + 1e-9) {
+            most = place;
+        }
+    }
+    let sign = |own: &Vibration| if own.is_opposite(&shape[most]) { -1.0 } else { 1.0 };
+    // Places of the largest of each lobe.
+    let mut lobes: Vec<(usize, f64)> = Vec::new();
+    for (place, own) in shape.iter().enumerate() {
+        if sizes[place] < SIGNED * sizes[most] {
+            continue;
+        }
+        let own = sign(own);
+        match lobes.last_mut() {
+            Some((top, side)) if *side == own => {
+                if sizes[place] > sizes[*top] * (1.0 + 1e-9) {
+                    *top = place;
+                }
+            }
+            _ => lobes.push((place, own)),
+        }
+    }
+    let [first, last] = model.span();
+    let counts = |(place, _): &(usize, f64)| {
+        let inside = (first..=last).contains(&model.stations[*place].0);
+        let least = if inside { INBOARD } else { OUTBOARD };
+        *place == most || sizes[*place] >= least * sizes[most]
+    };
+    lobes.into_iter().filter(counts).map(|(place, own)| (model.stations[place].0, own)).collect()
+}

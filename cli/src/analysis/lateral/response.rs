@@ -1,0 +1,277 @@
+//! Response of probes and close clearances to unbalance: peaks, their margins, and the response scaled to the limit of vibration.
+
+use whirl_solver::Error;
+use whirl_solver::linear::{Peak, Point, Range, Standstill, Vibration};
+
+use super::lines::{Line, Pass};
+use super::model::Model;
+use super::placement::Unbalance;
+use super::standard;
+use crate::analysis::response::{coarse, peaks};
+use crate::analysis::speeds::Wanted;
+use crate::analysis::states::{Ended, at_each_speed};
+use crate::analysis::words;
+use crate::case::{Analysis, Lateral};
+use crate::errors::Failure;
+use crate::signals::Interruption;
+
+/// A probe: a point and the direction in which it measures.
+#[derive(Debug, Clone)]
+pub(super) struct Probe {
+    pub(super) name: String,
+    pub(super) point: Point,
+    /// From x (rad).
+    pub(super) angle: f64,
+}
+
+impl Probe {
+    /// Peak to peak of what it measures (µm).
+    fn reading(&self, own: &Vibration) -> f64 {
+        2e6 * own.along(self.angle)
+    }
+}
+
+/// A close clearance.
+#[derive(Debug, Clone)]
+pub(super) struct Close {
+    pub(super) point: Point,
+    /// The least diametral one (m).
+    pub(super) clearance: f64,
+}
+
+/// The response to one unbalance.
+pub(super) struct Response {
+    pub(super) name: String,
+    /// By speeds, by probes: peak to peak (µm).
+    pub(super) readings: Vec<Vec<f64>>,
+    /// By speeds, by close clearances: major axis, peak to peak (µm).
+    pub(super) orbits: Vec<Vec<f64>>,
+    /// By probes: heights in µm peak to peak.
+    pub(super) peaks: Vec<Vec<Peak>>,
+    /// S_cc.
+    pub(super) scale: f64,
+}
+
+/// Responses over speeds.
+pub(super) struct Responses {
+    /// rad/s.
+    pub(super) speeds: Vec<f64>,
+    pub(super) all: Vec<Response>,
+    pub(super) lines: Vec<Line>,
+    pub(super) lost: String,
+    pub(super) interrupted: bool,
+}
+
+/// Finds them.
+///
+/// # Errors
+/// A machine that stands at none of the speeds, or a critical speed without damping.
+pub(super) fn found(
+    model: &Model,
+    (analysis, lateral): (&Analysis, &Lateral),
+    (probes, closes): (&[Probe], &[Close]),
+    unbalance: &[Unbalance],
+    wanted: &Wanted,
+    interruption: &Interruption,
+) -> Result<Responses, Failure> {
+    let (linear, of) = (&model.linear, model.of);
+    let points: Vec<Point> = probes
+        .iter()
+        .map(|own| &own.point)
+        .chain(closes.iter().map(|own| &own.point))
+        .cloned()
+        .collect();
+    let mut speeds = Vec::new();
+    let mut all: Vec<Response> = unbalance
+        .iter()
+        .map(|own| Response {
+            name: own.name.clone(),
+            readings: Vec::new(),
+            orbits: Vec::new(),
+            peaks: vec![Vec::new(); probes.len()],
+            scale: 0.0,
+        })
+        .collect();
+    let read = |motions: &[Vibration]| -> [Vec<f64>; 2] {
+        let (first, second) = motions.split_at(probes.len());
+        let readings = probes.iter().zip(first).map(|(probe, own)| probe.reading(own));
+        [readings.collect(), second.iter().map(|own| 2e6 * own.orbit().major).collect()]
+    };
+    let mut work = |speed: f64, here: &Standstill| -> Result<(), Failure> {
+        let equations = linear.linearised(here)?;
+        for (own, response) in unbalance.iter().zip(&mut all) {
+            let motions = match speed == 0.0 {
+                true => vec![Vibration::default(); points.len()],
+                false => linear.response_to((here, &equations), of, &own.applied(), &points)?,
+            };
+            let [readings, orbits] = read(&motions);
+            response.readings.push(readings);
+            response.orbits.push(orbits);
+        }
+        speeds.push(speed);
+        Ok(())
+    };
+    let Ended { lost, interrupted } =
+        at_each_speed(linear, (analysis, wanted), interruption, &mut work)?;
+    let mut lines = Vec::new();
+    if !interrupted {
+        let range = Range {
+            of,
+            speeds: coarse(&speeds),
+            ratios: analysis.ratios.clone(),
+            count: analysis.count,
+            orders: vec![1.0],
+        };
+        let seeds = linear.campbell(&range, &|| true)?.criticals;
+        let ends = [speeds[0], speeds[speeds.len() - 1]];
+        for (own, response) in unbalance.iter().zip(&mut all) {
+            let applied = own.applied();
+            let mut near: Option<Standstill> = None;
+            let mut at = |speed: f64, point: &Point| -> Result<Vibration, Error> {
+                let here =
+                    linear.standing(&linear.speeds(of, speed, &analysis.ratios), near.as_ref())?;
+                let equations = linear.linearised(&here)?;
+                let moved = linear.response_to(
+                    (&here, &equations),
+                    of,
+                    &applied,
+                    std::slice::from_ref(point),
+                )?;
+                near = Some(here);
+                Ok(moved[0])
+            };
+            for (place, probe) in probes.iter().enumerate() {
+                let mut reading = |speed: f64| Ok(probe.reading(&at(speed, &probe.point)?));
+                response.peaks[place] = peaks(&seeds, ends, &mut reading)?;
+            }
+            let mut orbits = Vec::with_capacity(closes.len());
+            for close in closes {
+                let mut orbit = |speed: f64| Ok(2e6 * at(speed, &close.point)?.orbit().major);
+                orbits.push(peaks(&seeds, ends, &mut orbit)?);
+            }
+            judge(&mut lines, response, lateral, &speeds, (probes, closes), &orbits);
+        }
+    }
+    Ok(Responses { speeds, all, lines, lost, interrupted })
+}
+
+/// N_c/(N₂ − N₁); of a peak that falls so far on one side only, by twice that side.
+fn amplification(own: &Peak) -> Option<f64> {
+    own.amplification().or_else(|| {
+        let side = own.half_power.into_iter().flatten().next()?;
+        Some(own.speed / (2.0 * (own.speed - side).abs()))
+    })
+}
+
+/// The largest of a response within speeds, with the speed of it: of those that were looked at, and of peaks.
+fn largest(
+    [low, high]: [f64; 2],
+    speeds: &[f64],
+    of: &dyn Fn(usize) -> f64,
+    peaks: &[Peak],
+) -> (f64, f64) {
+    let inside = |speed: f64| (low..=high).contains(&speed);
+    let looked = speeds.iter().enumerate().map(|(place, speed)| (*speed, of(place)));
+    let peaks = peaks.iter().map(|own| (own.speed, own.height));
+    let all = looked.chain(peaks).filter(|own| inside(own.0));
+    all.fold((low, 0.0), |most, own| if own.1 > most.1 { own } else { most })
+}
+
+/// Lines of one unbalance, and its scale factor.
+fn judge(
+    lines: &mut Vec<Line>,
+    response: &mut Response,
+    lateral: &Lateral,
+    speeds: &[f64],
+    (probes, closes): (&[Probe], &[Close]),
+    orbits: &[Vec<Peak>],
+) {
+    let name = response.name.clone();
+    let rpm = words::rpm(lateral.maximum);
+    let mut add = |clause, quantity, place: &str, speed: Option<f64>, value, limit, unit, pass| {
+        lines.push(Line {
+            variant: String::new(),
+            unbalance: name.clone(),
+            clause,
+            quantity,
+            place: place.to_owned(),
+            speed: speed.map(words::rpm),
+            value,
+            limit,
+            unit,
+            pass,
+        });
+    };
+    for (probe, peaks) in probes.iter().zip(&response.peaks) {
+        for own in peaks {
+            let Some(factor) = amplification(own) else { continue };
+            let (at, speed) = (probe.name.as_str(), own.speed);
+            let is_inside = (lateral.minimum..=lateral.maximum).contains(&speed);
+            let critical = factor >= standard::CRITICAL;
+            let (limit, pass) = match is_inside {
+                true => (Some(standard::CRITICAL), Pass::of(!critical)),
+                false => (None, Pass::None),
+            };
+            add("6.8.2.1", "amplification factor", at, Some(speed), factor, limit, "1", pass);
+            if !critical || is_inside {
+                continue;
+            }
+            let (actual, required) = match speed < lateral.minimum {
+                true => (1.0 - speed / lateral.minimum, standard::margin_below(factor)),
+                false => (speed / lateral.maximum - 1.0, standard::margin_above(factor)),
+            };
+            let pass = Pass::of(100.0 * actual >= required);
+            add(
+                "6.8.2.10",
+                "separation margin",
+                at,
+                Some(speed),
+                100.0 * actual,
+                Some(required),
+                "%",
+                pass,
+            );
+        }
+    }
+    let range = [lateral.minimum, lateral.maximum];
+    let mut most: (f64, f64, &str) = (lateral.minimum, 0.0, "");
+    for (place, probe) in probes.iter().enumerate() {
+        let own =
+            largest(range, speeds, &|at| response.readings[at][place], &response.peaks[place]);
+        if own.1 > most.1 {
+            most = (own.0, own.1, &probe.name);
+        }
+    }
+    let (speed, reading, at) = most;
+    let limit = standard::vibration_limit(rpm);
+    let pass = Pass::of(reading <= limit);
+    add(
+        "6.8.2.10",
+        "probe vibration A_max",
+        at,
+        Some(speed),
+        reading,
+        Some(limit),
+        "um pk-pk",
+        pass,
+    );
+    let scale = (limit / reading).min(lateral.scale_limit);
+    response.scale = scale;
+    add("6.8.2.11", "scale factor S_cc", "", None, scale, None, "1", Pass::None);
+    for (place, (close, peaks)) in closes.iter().zip(orbits).enumerate() {
+        let own = largest([0.0, lateral.trip], speeds, &|at| response.orbits[at][place], peaks);
+        let allowed = standard::CLEARANCE * 1e6 * close.clearance;
+        let (value, pass) = (scale * own.1, Pass::of(scale * own.1 < allowed));
+        let quantity = "scaled response at clearance";
+        add(
+            "6.8.2.11",
+            quantity,
+            &close.point.name,
+            Some(own.0),
+            value,
+            Some(allowed),
+            "um pk-pk",
+            pass,
+        );
+    }
+}

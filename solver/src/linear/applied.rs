@@ -1,0 +1,122 @@
+//! What is applied to a machine beside its own: unbalance at points of a body, and stiffness across.
+
+use num_complex::Complex64;
+
+use super::linearised::{Linearised, Standstill};
+use super::modes::Mode;
+use super::response::{Point, Vibration};
+use super::round::LinearMachine;
+use crate::error::Error;
+use crate::linalg::{dot, solve_complex};
+
+/// Unbalance in the plane of a point of a body that turns.
+#[derive(Debug, Clone, Copy)]
+pub struct AppliedUnbalance<'a> {
+    /// The point.
+    pub point: &'a Point,
+    /// Mass times eccentricity (kg·m).
+    pub moment: f64,
+    /// Its angle from x of the body, in the sense of its rotation if the body turns from x to y (rad).
+    pub angle: f64,
+}
+
+impl LinearMachine {
+    /// How points move by unbalance that a body has beside its own, which is left out: Re(w e^{iΩt}), the phase counted from the
+    /// angle θ = 0 of the body.
+    ///
+    /// # Errors
+    /// A matrix that is singular: a critical speed without damping.
+    ///
+    /// # Panics
+    /// If the equations are not constant in space.
+    pub fn response_to(
+        &self,
+        (at, equations): (&Standstill, &Linearised),
+        body: usize,
+        unbalance: &[AppliedUnbalance],
+        points: &[Point],
+    ) -> Result<Vec<Vibration>, Error> {
+        assert!(equations.stands_in_space(), "the equations are constant in space");
+        let speed = at.speeds[body];
+        let Linearised { mass, damping, stiffness, .. } = equations;
+        let mut force = vec![Complex64::ZERO; mass.rows];
+        for own in unbalance {
+            // (cos, sin)(Ωt + φ) is Re((1, −i) e^{iφ} e^{iΩt}).
+            let along = Complex64::from_polar(own.moment * speed * speed, own.angle);
+            let parts = [along, -Complex64::i() * along];
+            for (row, part) in self.rows(at, own.point).iter().zip(parts) {
+                force.iter_mut().zip(row).for_each(|(sum, own)| *sum += part * own);
+            }
+        }
+        let entry = |m: f64, c: f64, k: f64| Complex64::new(k - speed * speed * m, speed * c);
+        let entries = mass.data.iter().zip(&damping.data).zip(&stiffness.data);
+        let matrix: Vec<Complex64> = entries.map(|((m, c), k)| entry(*m, *c, *k)).collect();
+        let moved = solve_complex(mass.rows, &matrix, &force)?;
+        Ok(points.iter().map(|point| self.vibration(at, point, &moved)).collect())
+    }
+
+    /// How a point moves in a mode, in the measure of its shape.
+    pub fn motion_in(&self, at: &Standstill, point: &Point, mode: &Mode) -> Vibration {
+        self.vibration(at, point, &mode.shape)
+    }
+
+    fn vibration(&self, at: &Standstill, point: &Point, moved: &[Complex64]) -> Vibration {
+        let amplitudes = self
+            .rows(at, point)
+            .map(|row| row.iter().zip(moved).map(|(row, own)| row * own).sum::<Complex64>());
+        Vibration { amplitudes }
+    }
+
+    /// The equations with stiffness across at points of a body that turns: the force −Q y along x and Q x along y (N/m), or the
+    /// other way round if the body turns from y to x, so that Q > 0 drives its forward whirl.
+    pub fn with_stiffness_across(
+        &self,
+        (at, equations): (&Standstill, &Linearised),
+        body: usize,
+        across: &[(&Point, f64)],
+    ) -> Linearised {
+        let mut own = equations.clone();
+        let sense = if at.speeds[body] < 0.0 { -1.0 } else { 1.0 };
+        for (point, value) in across {
+            let [x, y] = self.rows(at, point);
+            for i in 0..x.len() {
+                for j in 0..x.len() {
+                    own.stiffness[(i, j)] += sense * value * (x[i] * y[j] - y[i] * x[j]);
+                }
+            }
+        }
+        own
+    }
+
+    /// The static displacement by an acceleration of a body along x or y of space, of what is linear about a state, and by it
+    /// the forces on its points: of each joint the load that it carries (N).
+    ///
+    /// # Errors
+    /// Nothing holds the machine.
+    pub fn loads_by_acceleration(
+        &self,
+        (at, equations): (&Standstill, &Linearised),
+        body: usize,
+        acceleration: [f64; 2],
+    ) -> Result<Vec<f64>, Error> {
+        let centre = self.machine.bodies[body].centre_of_mass();
+        let size = equations.mass.rows;
+        let mut force = vec![Complex64::ZERO; size];
+        let block = self.block(equations.angles, body);
+        for (place, sum) in force[block].iter_mut().enumerate() {
+            let own = [0, 1].map(|axis| centre.node.shapes[(axis, place)]);
+            *sum += centre.mass * dot(&own, &acceleration);
+        }
+        let matrix: Vec<Complex64> =
+            equations.stiffness.data.iter().map(|own| Complex64::from(*own)).collect();
+        let moved = solve_complex(size, &matrix, &force)?;
+        let joints = self.coefficients(at);
+        let points = self.points();
+        let loads = joints.iter().zip(&points).map(|(joint, point)| {
+            let [x, y] = self.vibration(at, point, &moved).amplitudes.map(|own| own.re);
+            let along = |row: [f64; 2]| row[0] * x + row[1] * y;
+            along(joint.stiffness[0]).hypot(along(joint.stiffness[1]))
+        });
+        Ok(loads.collect())
+    }
+}
