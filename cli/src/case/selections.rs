@@ -79,7 +79,7 @@ fn one(name: Located, own: &Table) -> Option<NamedSelection> {
         }
         Selection::Point { at, within: within? }
     } else if own.gives("section") {
-        Selection::Section { at: section?, within: within.unwrap_or(FLAT) }
+        Selection::Section { at: section?, within: within.unwrap_or(FLAT), innermost: false }
     } else {
         Selection::Plane { across, at: plane?, within: within.unwrap_or(FLAT) }
     };

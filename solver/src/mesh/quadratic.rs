@@ -61,7 +61,8 @@ impl Middles {
 
     /// Corners of a surface with the nodes in the middles of the edges between two of them, ascending.
     pub(super) fn with_middles(&self, corners: &BTreeSet<usize>) -> BTreeSet<usize> {
-        let between = self.known.iter().filter(|(ends, _)| ends.iter().all(|a| corners.contains(a)));
+        let between =
+            self.known.iter().filter(|(ends, _)| ends.iter().all(|a| corners.contains(a)));
         corners.iter().copied().chain(between.map(|(_, middle)| *middle)).collect()
     }
 

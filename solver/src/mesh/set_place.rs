@@ -40,6 +40,8 @@ pub enum Selection {
         at: f64,
         /// How far nodes may be from it (m).
         within: f64,
+        /// Only those nearest to the axis of the mesh, x = y = 0: the bore there.
+        innermost: bool,
     },
 }
 

@@ -267,7 +267,7 @@ fn read_meshed(
     }
     // Where a joint acts along z, it may hold the body.
     // Matrices need not have dofs along z; where they have, what may move is found.
-    let along = !table.gives("matrices");
+    let along = !table.gives("matrices") && !table.gives("sections");
     if turns && along && !rigid && !thrust && axial_restraint.is_none() && held.is_empty() {
         table.demand("axial_restraint");
     }

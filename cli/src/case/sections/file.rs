@@ -105,7 +105,10 @@ fn column(head: &Located) -> Result<(Column, String), Box<Diagnostic>> {
         let known: Vec<&str> = LENGTHS.into_iter().chain(TEXTS).collect();
         let message = format!("a table of sections has no column `{}`", name.escape_debug());
         let help = suggest(name, &known).unwrap_or_else(|| {
-            format!("columns are {}", known.iter().map(|own| format!("`{own}`")).collect::<Vec<_>>().join(", "))
+            format!(
+                "columns are {}",
+                known.iter().map(|own| format!("`{own}`")).collect::<Vec<_>>().join(", ")
+            )
         });
         return Err(Box::new(head.error_here(Code::TABLE, message).help(help)));
     };
@@ -126,7 +129,8 @@ fn column(head: &Located) -> Result<(Column, String), Box<Diagnostic>> {
 fn row(line: &[Located], columns: &[Column]) -> Result<RowDraft, Box<Diagnostic>> {
     if line.len() > columns.len() {
         let message = format!("a row has {} cells, and this has {}", columns.len(), line.len());
-        let help = "separate cells by a comma, a semicolon or a tab, and write numbers with a point";
+        let help =
+            "separate cells by a comma, a semicolon or a tab, and write numbers with a point";
         return Err(Box::new(line[columns.len()].error_here(Code::TABLE, message).help(help)));
     }
     let mut own = RowDraft { place: whole(line), lengths: BTreeMap::new(), texts: BTreeMap::new() };
@@ -138,7 +142,8 @@ fn row(line: &[Located], columns: &[Column]) -> Result<RowDraft, Box<Diagnostic>
             Column::Length(name, unit) => {
                 let number = cell.text().parse::<f64>().ok().filter(|number| number.is_finite());
                 let Some(number) = number else {
-                    let message = format!("expected a number, found `{}`", cell.text().escape_debug());
+                    let message =
+                        format!("expected a number, found `{}`", cell.text().escape_debug());
                     let help = "write numbers with a point, such as `0.035` or `3.5e-2`";
                     return Err(Box::new(cell.error_here(Code::TABLE, message).help(help)));
                 };

@@ -45,7 +45,12 @@ pub(crate) struct Sections {
 }
 
 /// What a table says of a body that is made from sections.
-pub(super) fn read(store: FileStore, table: &Table, materials: &Materials, turns: bool) -> Option<Body> {
+pub(super) fn read(
+    store: FileStore,
+    table: &Table,
+    materials: &Materials,
+    turns: bool,
+) -> Option<Body> {
     let before = table.errors();
     for key in ["mesh", "dimensions", "matrices"].into_iter().filter(|key| table.has(key)) {
         table.conflict(key, "sections");
@@ -80,7 +85,8 @@ pub(super) fn read(store: FileStore, table: &Table, materials: &Materials, turns
         table.push(table.written("sections").error_here(Code::TABLE, message).help(help));
     }
     if drafts.len() > MOST_ROWS {
-        let message = format!("a table of sections has at most {MOST_ROWS} rows, this has {}", drafts.len());
+        let message =
+            format!("a table of sections has at most {MOST_ROWS} rows, this has {}", drafts.len());
         table.push(table.written("sections").error_here(Code::LIMIT, message));
     }
     let mut places = table.places();

@@ -36,9 +36,11 @@ pub(super) struct RowDraft {
 
 /// A row in a list of the case.
 pub(super) fn inline(own: &Table) -> RowDraft {
-    let lengths = LENGTHS.into_iter().filter_map(|key| Some((key, (own.quantity(key)?, own.written(key)))));
+    let lengths =
+        LENGTHS.into_iter().filter_map(|key| Some((key, (own.quantity(key)?, own.written(key)))));
     let lengths = lengths.collect();
-    let texts = TEXTS.into_iter().filter_map(|key| Some((key, own.optional_string(key)?))).collect();
+    let texts =
+        TEXTS.into_iter().filter_map(|key| Some((key, own.optional_string(key)?))).collect();
     let place = own.heading().text("");
     RowDraft { place, lengths, texts }
 }
@@ -55,7 +57,9 @@ impl RowDraft {
             (None, Some(a), Some(b)) => Some([0.5 * a, 0.5 * b]),
             (None, None, None) => None,
             (Some(_), _, _) => {
-                let message = format!("`{both}` is the diameter at both ends: `{left}` or `{right}` is one too many");
+                let message = format!(
+                    "`{both}` is the diameter at both ends: `{left}` or `{right}` is one too many"
+                );
                 self.refuse(table, both, message, "keep the one or the other");
                 None
             }
@@ -94,7 +98,11 @@ pub(super) fn rows(
             let own = draft.get(key).filter(|own| *own < 0.0 || *own == 0.0 && !may_be_zero);
             if own.is_some() {
                 let what = if may_be_zero { "is negative" } else { "is not positive" };
-                let help = if may_be_zero { "give 0 or a positive diameter" } else { "give a length above zero" };
+                let help = if may_be_zero {
+                    "give 0 or a positive diameter"
+                } else {
+                    "give a length above zero"
+                };
                 draft.refuse(table, key, format!("`{key}` {what}"), help);
             }
         }
@@ -105,7 +113,10 @@ pub(super) fn rows(
         let errors = table.errors();
         let outer = draft.radii(table, "outer", ["outer_left", "outer_right"]);
         if outer.is_none() && table.errors() == errors {
-            missing("outer", "give the outer diameter `outer`, or `outer_left` and `outer_right` of a cone");
+            missing(
+                "outer",
+                "give the outer diameter `outer`, or `outer_left` and `outer_right` of a cone",
+            );
         }
         let inner = draft.radii(table, "inner", ["inner_left", "inner_right"]).unwrap_or([0.0; 2]);
         if draft.get("length").is_none() {
@@ -116,7 +127,10 @@ pub(super) fn rows(
             None => {
                 if usual.is_none() && !table.gives("material") && !lacks_material {
                     lacks_material = true;
-                    missing("material", "name one in the row, or `material = \"…\"` of the body for all rows without");
+                    missing(
+                        "material",
+                        "name one in the row, or `material = \"…\"` of the body for all rows without",
+                    );
                 }
                 usual.cloned()
             }
@@ -124,7 +138,8 @@ pub(super) fn rows(
         let name = draft.texts.get("name");
         if let Some(name) = name {
             if !named_well(name.text()) {
-                let message = format!("`{}` cannot be the name of a row", name.text().escape_debug());
+                let message =
+                    format!("`{}` cannot be the name of a row", name.text().escape_debug());
                 let help = "names are of letters, digits, `_` and `-`, begin with a letter, and are none of `LEFT_END`, \
                             `RIGHT_END`, `Nall`, `Ehex20` and `Ewedge15`";
                 table.push(name.error_here(Code::BAD_VALUE, message).help(help));
@@ -144,7 +159,9 @@ pub(super) fn rows(
         };
         if let Some(reach) = draft.get("mass_outer").filter(|_| table.errors() == before) {
             if 0.5 * reach < outer[0].max(outer[1]) {
-                let message = "`mass_outer` is smaller than the outer diameter, which has the stiffness".to_owned();
+                let message =
+                    "`mass_outer` is smaller than the outer diameter, which has the stiffness"
+                        .to_owned();
                 let help = "give the diameter of the stiffness as `outer`, and the larger one of the mass as `mass_outer`";
                 draft.refuse(table, "mass_outer", message, help);
             } else if !turns {
@@ -166,7 +183,8 @@ fn carry(row: &mut SectionRow, reach: f64, place: &Located) -> Option<RowInertia
     let length = to - from;
     // ∫ r^n dz over a cone.
     let second = |[a, b]: [f64; 2]| (a * a + a * b + b * b) * length / 3.0;
-    let fourth = |[a, b]: [f64; 2]| (0..=4).map(|k| a.powi(4 - k) * b.powi(k)).sum::<f64>() * length / 5.0;
+    let fourth =
+        |[a, b]: [f64; 2]| (0..=4).map(|k| a.powi(4 - k) * b.powi(k)).sum::<f64>() * length / 5.0;
     let (outer, inner) = (row.outer, row.inner);
     let factor = (second([reach; 2]) - second(inner)) / (second(outer) - second(inner));
     let density = row.material.properties.get("rho").copied()?;

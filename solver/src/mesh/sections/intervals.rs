@@ -51,7 +51,11 @@ pub(super) fn intervals(rows: &[SectionRow]) -> Result<Vec<Interval>, Error> {
         own.sort_by(|a, b| radius(*a)[0].total_cmp(&radius(*b)[0]));
         if own.is_empty() {
             let after = (0..rows.len()).find(|row| rows[*row].z[0] >= middle).unwrap_or(0);
-            let what = format!("leaves a gap: nothing is between z = {} and {}", length(z[0]), length(z[1]));
+            let what = format!(
+                "leaves a gap: nothing is between z = {} and {}",
+                length(z[0]),
+                length(z[1])
+            );
             let help = "let each row begin where another one ends";
             return Err(wrong(&called(after), rows[after].described(), what, help));
         }
@@ -109,7 +113,8 @@ fn shape(place: usize, row: &SectionRow) -> Result<(), Error> {
         );
     }
     let [first, last] = [0, 1].map(|end| row.outer[end] - row.inner[end]);
-    if first < 0.0 || last < 0.0 || first.max(last) <= SAME_RADIUS * row.outer[0].max(row.outer[1]) {
+    if first < 0.0 || last < 0.0 || first.max(last) <= SAME_RADIUS * row.outer[0].max(row.outer[1])
+    {
         return refuse(
             "has a bore that is not smaller than the outside",
             "check inner and outer diameter; both are diameters, not radii",
@@ -142,7 +147,9 @@ fn joined(rows: &[SectionRow], all: &[Interval], same: f64) -> Result<(), Error>
             }
         }
         let Some(next) = all.get(place + 1) else { continue };
-        for (&left, &right) in own.rows.iter().flat_map(|left| next.rows.iter().map(move |r| (left, r))) {
+        for (&left, &right) in
+            own.rows.iter().flat_map(|left| next.rows.iter().map(move |r| (left, r)))
+        {
             let ([a, b], [c, d]) = (rows[left].at(own.z[1]), rows[right].at(own.z[1]));
             if b.min(d) - a.max(c) > same {
                 join(left, right);

@@ -88,6 +88,11 @@ impl SectionTable {
         solid::mesh(self, &partition, elements)
     }
 
+    /// z between its layers of cells (m), ascending; none where its rows cannot be.
+    pub fn planes_of_cells(&self) -> Option<Vec<f64>> {
+        Some(self.layers(&intervals(&self.rows).ok()?))
+    }
+
     /// How fine its layers are; none where its rows cannot be.
     pub fn fineness(&self) -> Option<Fineness> {
         let intervals = intervals(&self.rows).ok()?;
@@ -138,7 +143,9 @@ impl SectionTable {
         let mut wanted = self.planes.clone();
         wanted.sort_by(f64::total_cmp);
         for z in wanted {
-            let Some(own) = intervals.iter().find(|own| own.z[0] < z && z < own.z[1]) else { continue };
+            let Some(own) = intervals.iter().find(|own| own.z[0] < z && z < own.z[1]) else {
+                continue;
+            };
             let near = NEAR * own.outer(&self.rows);
             if ends.iter().all(|end| (end - z).abs() > near) {
                 let place = ends.partition_point(|end| *end < z);
@@ -152,7 +159,8 @@ impl SectionTable {
             let Some(own) = intervals.iter().find(|own| from < own.z[1]) else { continue };
             let of_beam = self.beam(own, whole).longest_layer(self.cells.tolerance);
             let longest = of_beam.min(2.0 * LONGEST * own.outer(&self.rows));
-            let count = ((to - from) / longest - 1e-9).ceil().clamp(1.0, MOST_CELLS as f64) as usize;
+            let count =
+                ((to - from) / longest - 1e-9).ceil().clamp(1.0, MOST_CELLS as f64) as usize;
             let count = count.saturating_mul(refine).min(MOST_CELLS);
             planes.extend((0..count).map(|k| from + (to - from) * k as f64 / count as f64));
         }

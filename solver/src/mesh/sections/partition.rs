@@ -54,7 +54,8 @@ impl Partition {
         let near = SAME * (planes[planes.len() - 1] - planes[0]);
         let range = |row: usize, [from, to]: [f64; 2]| {
             // Ends of rows are planes to rounding: radii there are those that the row gives.
-            let snapped = |z: f64| rows[row].z.into_iter().find(|end| (end - z).abs() <= near).unwrap_or(z);
+            let snapped =
+                |z: f64| rows[row].z.into_iter().find(|end| (end - z).abs() <= near).unwrap_or(z);
             Range { row, left: rows[row].at(snapped(from)), right: rows[row].at(snapped(to)) }
         };
         let strips: Vec<Vec<Range>> = planes
@@ -92,7 +93,8 @@ impl Partition {
             };
             let mut own: Vec<Piece> = own.iter().map(piece).collect();
             for k in 1..own.len() {
-                let touch = own[k - 1].left[1] == own[k].left[0] && own[k - 1].right[1] == own[k].right[0];
+                let touch =
+                    own[k - 1].left[1] == own[k].left[0] && own[k - 1].right[1] == own[k].right[0];
                 own[k - 1].free[1] &= !touch;
                 own[k].free[0] &= !touch;
             }

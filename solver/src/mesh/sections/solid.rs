@@ -102,7 +102,10 @@ pub(super) fn mesh(
         nodes,
         blocks,
         materials,
-        node_sets: node_sets.into_iter().map(|(name, set)| (name, set.into_iter().collect())).collect(),
+        node_sets: node_sets
+            .into_iter()
+            .map(|(name, set)| (name, set.into_iter().collect()))
+            .collect(),
         element_sets,
         ties: Vec::new(),
         matrices: None,
@@ -171,7 +174,8 @@ impl Grid {
         for flat in strip::cells(left, right, apart) {
             for sector in 0..self.sectors {
                 let l = |k: usize, next: usize| self.node(layer, inner + k, sector + next);
-                let r = |k: usize, next: usize| self.node(layer + 1, piece.right[0] + k, sector + next);
+                let r =
+                    |k: usize, next: usize| self.node(layer + 1, piece.right[0] + k, sector + next);
                 match flat {
                     Flat::Quadrilateral { left: [a, b], right: [c, d] } if l(a, 0) == l(a, 1) => {
                         let corners = [l(a, 0), l(b, 0), l(b, 1), r(c, 0), r(d, 0), r(d, 1)];

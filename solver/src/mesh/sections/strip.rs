@@ -7,20 +7,11 @@ const TRIANGLE: f64 = 1.0;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Flat {
     /// From the inner to the outer radius on both sides.
-    Quadrilateral {
-        left: [usize; 2],
-        right: [usize; 2],
-    },
+    Quadrilateral { left: [usize; 2], right: [usize; 2] },
     /// With an edge on the left.
-    OnLeft {
-        left: [usize; 2],
-        right: usize,
-    },
+    OnLeft { left: [usize; 2], right: usize },
     /// With an edge on the right.
-    OnRight {
-        left: usize,
-        right: [usize; 2],
-    },
+    OnRight { left: usize, right: [usize; 2] },
 }
 
 /// Cells between radii of a left and a right plane, both ascending, which are `apart`, from the inside outwards: those whose
@@ -35,7 +26,8 @@ pub(super) fn cells(left: &[f64], right: &[f64], apart: f64) -> Vec<Flat> {
     for i in 0..m {
         for j in 0..n {
             for step in [[true, true], [true, false], [false, true]] {
-                let [before_i, before_j] = [i.checked_sub(step[0].into()), j.checked_sub(step[1].into())];
+                let [before_i, before_j] =
+                    [i.checked_sub(step[0].into()), j.checked_sub(step[1].into())];
                 let (Some(a), Some(b)) = (before_i, before_j) else { continue };
                 let triangle = step != [true; 2];
                 if axis && triangle && (a == 0 && b == 0 || i == 0 || j == 0) {

@@ -122,8 +122,7 @@ fn tables() -> Vec<(&'static str, SectionTable)> {
 fn cells_fit_together_and_fill_the_table() {
     for (name, own) in tables() {
         for refine in [1, 2] {
-            let own =
-                SectionTable { cells: TableCells { refine, ..own.cells }, ..own.clone() };
+            let own = SectionTable { cells: TableCells { refine, ..own.cells }, ..own.clone() };
             let mesh = mesh(&own);
             let (worst, inverted) = mesh.worst_cell().expect("cells");
             assert_eq!(inverted, 0, "{name}: {worst:?}");
