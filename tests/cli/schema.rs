@@ -255,6 +255,14 @@ fn unknown(bench: &Workbench, value: &Value) -> Vec<String> {
 const SHORT: &str = "include /start/kind /march/duration /march/stop_when_steady /march/step_tolerance /march/spectral_radius \
     /figures/laws /fields/bodies /shaft /support /springs /bearing /drive /load /mass /stop";
 
+/// Keys of lateral analyses, which others refuse.
+const LATERAL: &str = "/analysis/chosen/edition /analysis/chosen/minimum_speed /analysis/chosen/maximum_speed \
+    /analysis/chosen/trip_speed /analysis/chosen/probes /analysis/chosen/probe_angle \
+    /analysis/chosen/clearances /analysis/chosen/scale_limit /analysis/chosen/unbalance_modes \
+    /analysis/chosen/unbalance /analysis/chosen/journal_loads /analysis/chosen/stages \
+    /analysis/chosen/cross_coupling_z /analysis/chosen/gas_density /analysis/chosen/seals \
+    /analysis/chosen/variants";
+
 /// Of files of named bodies: each of the ways in which one turns, with each kind of joint.
 const NAMED: [&str; 8] = [
     "/body/chosen/turns=free /output/chosen/joint /fields/bodies matrices rigid moves_along_z static_correction dimensions /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z \
@@ -351,7 +359,15 @@ fn variants(kind: &str) -> Vec<Vec<&'static str>> {
     };
     let named = if kind == "case" { NAMED.as_slice() } else { &[] };
     let words = |text: &&'static str| SHORT.split(' ').chain(text.split_whitespace()).collect();
-    plain.iter().map(|keys| keys.to_vec()).chain(named.iter().map(words)).collect()
+    let mut all: Vec<Vec<&'static str>> =
+        plain.iter().map(|keys| keys.to_vec()).chain(named.iter().map(words)).collect();
+    if kind == "case" {
+        let lateral =
+            all.first().map(|keys| [&keys[..], &["/analysis/chosen/kind=lateral"]].concat());
+        all.iter_mut().for_each(|keys| keys.extend(LATERAL.split_whitespace()));
+        all.extend(lateral);
+    }
+    all
 }
 
 /// Files with every key of a schema, one for each of its variants.

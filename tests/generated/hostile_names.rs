@@ -120,15 +120,15 @@ fn motion(name: &str, scalars: &[String], others: &[String]) -> String {
 }
 
 /// Names that the shipped clearance gives to its own things, and its kinds of laws.
-const OWN_NAMES: usize = 24;
-const KINDS: usize = 3;
+const OWN_NAMES: usize = 25;
+const KINDS: usize = 4;
 
 /// The shipped clearance with other names for its coordinates, definitions, measures, forces and kinds of laws, but for the
 /// quantities that laws know.
 fn clearance(name: &str, words: &[String]) -> String {
     const OWN: [&str; OWN_NAMES] = [
         "psi", "c", "R", "eps_x", "eps_y", "delta", "tau", "b_x", "b_y", "beta", "u_x", "u_y", "s",
-        "alpha", "phi", "D_x", "D_y", "b_z", "g_x", "g_y", "gamma", "s_z", "a_x", "a_y",
+        "alpha", "phi", "D_x", "D_y", "b_z", "g_x", "g_y", "gamma", "s_z", "a_x", "a_y", "lambda",
     ];
     let kinds = &words[OWN.len()..];
     let other = |word: &str| match OWN.iter().position(|own| *own == word) {
@@ -140,13 +140,15 @@ fn clearance(name: &str, words: &[String]) -> String {
             (_, "spring_law") => kinds[0].clone(),
             (_, "ring_law") => kinds[1].clone(),
             (_, "joint_law") => kinds[2].clone(),
+            (_, "gear_law") => kinds[3].clone(),
             _ => word.to_owned(),
         },
     };
     let text = text("specs/motion/clearance.toml")
         .replace("laws.spring", "laws.spring_law")
         .replace("laws.ring", "laws.ring_law")
-        .replace("laws.joint", "laws.joint_law");
+        .replace("laws.joint", "laws.joint_law")
+        .replace("laws.gear", "laws.gear_law");
     let plain = text.lines().filter(|line| {
         !["title", "source", "#", "kind", "name"].iter().any(|start| line.starts_with(start))
     });
@@ -226,7 +228,7 @@ fn specs_of_hostile_names_compile() {
     // The names of rates and forces that laws take and give stay what they are.
     let kept = [
         "v_t", "omega", "F_x", "F_y", "F_z", "h", "theta", "e_x", "e_y", "e_z", "alpha_x",
-        "alpha_y", "Q", "T", "M_x", "M_y", "M_z",
+        "alpha_y", "e_n", "Q", "T", "M_x", "M_y", "M_z", "F_n",
     ];
     let mut free: Vec<String> = (words.iter())
         .filter(|word| !word.ends_with("_dot"))

@@ -75,5 +75,5 @@ fn a_crank_in_uneven_supports_has_the_multipliers_of_its_march() {
     let columns = ["X_main1_um", "Y_main1_um", "X_main2_um", "Y_main2_um"];
     let window = Window { columns: &columns, from: 0.05, every: 0.01, count: 16 };
     let march = March { case: &case, step: 8e-6, duration: 0.6, window };
-    floquet(&march, Workbench::new().file("push.csv", &push(1.0)), speed, 2);
+    floquet(&march, Workbench::new().file("push.csv", &push(1e4)), speed, 2);
 }

@@ -1,6 +1,7 @@
 //! Bode plots of the probes with the speed range and the margins, and the logarithmic decrement over stiffness across.
 
-use super::{AS_IT_IS, Done, standard};
+use super::done::{AS_IT_IS, Done};
+use super::standard;
 use crate::analysis::words;
 use crate::case::{Case, Lateral};
 use crate::figures::{Dot, Figure, Line, Mark, Panel, Style};

@@ -4,6 +4,7 @@
 //! ([`placement`]) → response of probes and at close clearances ([`response`]) → stability of both levels ([`stability`]) →
 //! lines ([`lines`]), by the formulas of [`standard`].
 
+mod done;
 mod figure;
 mod lines;
 mod model;
@@ -18,11 +19,11 @@ use whirl_codegen::diagnostic::Located;
 use whirl_solver::cache::Cache;
 use whirl_text::shown;
 
+use self::done::{AS_IT_IS, Done};
 use self::lines::Line;
 use self::model::Model;
 use self::placement::Unbalance;
-use self::response::{Close, Probe, Responses};
-use self::stability::Stability;
+use self::response::{Close, Probe};
 use super::found::{Found, drawn};
 use super::speeds::{FINE, Wanted};
 use super::words;
@@ -36,20 +37,6 @@ use crate::values::level::as_toml;
 
 /// How far speeds reach, of the trip speed, where the case does not say it.
 const BEYOND: f64 = 1.25;
-/// The case as its own variant.
-const AS_IT_IS: &str = "as given";
-
-/// What one variant comes to.
-struct Done {
-    name: String,
-    model: Model,
-    unbalance: Vec<Unbalance>,
-    probes: Vec<Probe>,
-    closes: Vec<Close>,
-    responses: Responses,
-    stability: Option<Stability>,
-    notes: String,
-}
 
 /// The table of all variants. `file`: as the user called the case.
 pub(super) fn found(

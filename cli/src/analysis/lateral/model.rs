@@ -114,8 +114,10 @@ impl Model {
         let mut levels = levels(named, &plan.bodies[of], &journals);
         let stages = lateral.stages.iter().filter_map(|own| own.z);
         let planes = lateral.unbalance.iter().flat_map(|own| own.planes.iter().map(|own| own.z));
-        let middle = lateral.cross_coupling_z.unwrap_or(0.5 * (ends[0] + ends[1]));
-        levels.extend(stages.chain(planes).chain([middle]));
+        // A body of matrices has its nodes only: of what nobody placed the nearest one is taken.
+        let by_nodes = plan.bodies[of].meshed().is_some_and(|own| own.mesh.matrices().is_some());
+        let midway = (!by_nodes).then_some(0.5 * (ends[0] + ends[1]));
+        levels.extend(stages.chain(planes).chain(lateral.cross_coupling_z.or(midway)));
         levels.sort_by(f64::total_cmp);
         levels.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
         let meshed = matches!(named.form, Form::Meshed(_));

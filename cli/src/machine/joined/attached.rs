@@ -2,19 +2,15 @@
 
 use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::assembly::mass_properties;
-use whirl_solver::mesh::{MeanComponent, NodeSetMean};
+use whirl_solver::mesh::MeanComponent;
 use whirl_solver::model::{Attachment, AttachmentKind, Place};
 
 use super::planned_body::PlannedBody;
-use super::section::{ends, nodes_at};
+use super::section::section_at;
 use crate::case::Attached;
 use crate::machine::plan::BodyPlan;
 use crate::machine::wording::mm;
 
-/// A plane of nodes is at most this part of the body's length away from where a section is looked for; in a body without cells
-/// at most so far.
-const CLOSE: f64 = 1e-4;
-const NEAR: f64 = 0.01;
 /// Share of the body's mass from which masses on a section have its tilts and its turn as coordinates, too.
 const HEAVY: f64 = 0.05;
 
@@ -96,59 +92,6 @@ fn section(
         plan.retain_mean(&own.name, mean, *component);
     }
     Some(mean)
-}
-
-/// That there is no section, and what to do.
-pub(super) struct NoSection {
-    pub(super) message: String,
-    pub(super) help: String,
-}
-
-/// The mean motion of the section nearest to `z` (m).
-pub(super) fn section_at(plan: &mut BodyPlan, z: f64) -> Result<usize, NoSection> {
-    let nodes = plan.mesh.nodes();
-    let ends = ends(&plan.mesh);
-    let length = ends[1] - ends[0];
-    let away = |node: &[f64; 3]| (node[2] - z).abs();
-    let nearest = nodes.iter().min_by(|a, b| away(a).total_cmp(&away(b))).copied();
-    let near = nearest.filter(|node| away(node) <= NEAR * length).map(|node| node[2]);
-    section_near(plan, z, near).ok_or_else(|| NoSection {
-        message: format!(
-            "no section of {} is at z = {}; it has nodes from {} to {}",
-            plan.mesh.origin(),
-            mm(z),
-            mm(ends[0]),
-            mm(ends[1])
-        ),
-        help: match nearest {
-            Some(node) => format!("the nearest nodes are at `z = \"{}\"`", mm(node[2])),
-            None => "the mesh has no nodes".to_owned(),
-        },
-    })
-}
-
-/// The mean motion of the nodes at the z that is near, where they are a plane of nodes; else of the section of the cells at
-/// `z` (m). None where there is no section.
-fn section_near(plan: &mut BodyPlan, z: f64, near: Option<f64>) -> Option<usize> {
-    /// Faces in a plane of nodes have this part of the section's area at least.
-    const WHOLE: f64 = 0.98;
-    let section = |z: f64| NodeSetMean::of_section(&plan.mesh, z).ok().flatten();
-    let area = |own: &NodeSetMean| own.area().unwrap_or(0.0);
-    let close = CLOSE * (ends(&plan.mesh)[1] - ends(&plan.mesh)[0]);
-    let is_plane = |near: &f64| (near - z).abs() <= close || section(z).is_none();
-    if let Some(near) = near.filter(is_plane) {
-        let found = nodes_at(&plan.mesh, near);
-        let [first, last] = ends(&plan.mesh);
-        let cut = section(near).or_else(|| section(near + NEAR * NEAR * (last - first)));
-        let own = NodeSetMean::new(&plan.mesh, &found);
-        // Matrices have no cells.
-        if cut.is_none_or(|cut| own.is_ok_and(|own| area(&own) >= WHOLE * area(&cut))) {
-            return Some(plan.mean(&found));
-        }
-    }
-    let cut = section(z).or_else(|| section(near?))?;
-    plan.spec.means.push(cut);
-    Some(plan.spec.means.len() - 1)
 }
 
 /// Whether a section shows all turns and, if asked for, has its centre on the axis to a part of how far it reaches.

@@ -4,7 +4,7 @@ use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::model::{Form, LoadAction, Place};
 use whirl_solver::rigid::RigidBody;
 
-use super::attached::section_at;
+use super::section::section_at;
 use crate::case::{self, JoinedLoad, OutputPoint};
 use crate::machine::plan::BodyPlan;
 
