@@ -30,9 +30,9 @@ pub(super) fn place(file: &Table, machine: &mut JoinedMachine) {
     for joint in joints {
         for side in 0..2 {
             let own = &joint.sides[side];
-            let (Some(body), Some(z), true) = (own.body, own.z, own.sets.is_empty()) else {
-                continue;
-            };
+            let (Some(body), true) = (own.body, own.sets.is_empty()) else { continue };
+            // A side without a place is noted where it is checked, and stands at the left end for further checks.
+            let Some(z) = own.z.or_else(|| left_end(&mut bodies[body])) else { continue };
             let bore = side == 1 && matches!(joint.kind, JointKind::Bearing | JointKind::Stop);
             if let Some((set, z)) = set(file, &mut bodies[body], (&own.place, z, bore)) {
                 name(joint, side, &set, z);
@@ -68,8 +68,13 @@ fn table_of(body: &mut NamedBody) -> Option<&mut SectionTable> {
     }
 }
 
-/// The set of the nodes in the section nearest to z (m), or of its bore, and the z of it; none on another body, and where the
-/// body is not.
+/// z of the left end of a body that is made from sections (m).
+fn left_end(body: &mut NamedBody) -> Option<f64> {
+    table_of(body)?.rows.iter().map(|row| row.z[0]).reduce(f64::min)
+}
+
+/// The set of the nodes in the section nearest to z (m), or of its bore, and the z of it; none on another body. A z beyond the
+/// body is noted.
 fn set(
     file: &Table,
     body: &mut NamedBody,
@@ -85,7 +90,6 @@ fn set(
         let message = format!("`{}` is not at z = {}", body.name.text(), length(z));
         let help = format!("it reaches from z = {} to {}", length(first), length(last));
         file.push(place.error_here(Code::BAD_VALUE, message).help(help));
-        return None;
     }
     let at = planes.into_iter().min_by(|a, b| (a - z).abs().total_cmp(&(b - z).abs()))?;
     let what = if bore { "bore at z" } else { "z" };

@@ -144,6 +144,10 @@ pub(super) fn rows(
                             `RIGHT_END`, `Nall`, `Ehex20` and `Ewedge15`";
                 table.push(name.error_here(Code::BAD_VALUE, message).help(help));
             }
+            if let Some(message) = taken(&names, name.text()) {
+                let help = "call it something else; rows of the same name share its sets";
+                table.push(name.error_here(Code::BAD_VALUE, message).help(help));
+            }
             names.insert(name.text().to_owned());
         }
         let z = draft.get("z").unwrap_or(next);
@@ -198,6 +202,21 @@ fn carry(row: &mut SectionRow, reach: f64, place: &Located) -> Option<RowInertia
     let each = polar / count as f64;
     // Rings of no length: half of their polar inertia about a diameter.
     Some(RowInertia { place: place.clone(), at, inertias: [each, 0.5 * each] })
+}
+
+/// Why a row cannot have a name beside those of other rows, whose bores have sets, too.
+fn taken(names: &BTreeSet<String>, name: &str) -> Option<String> {
+    let bore = |of: &str| format!("{of}_BORE");
+    let mut others = names.iter().filter(|other| *other != name);
+    let other = others.find(|other| {
+        other.eq_ignore_ascii_case(name)
+            || bore(other).eq_ignore_ascii_case(name)
+            || bore(name).eq_ignore_ascii_case(other)
+    })?;
+    Some(match other.eq_ignore_ascii_case(name) {
+        true => format!("`{name}` differs from the row `{other}` only by capitals"),
+        false => format!("`{name}` and the row `{other}`: one would be the bore of the other"),
+    })
 }
 
 /// Whether sets can be called so.

@@ -7,6 +7,11 @@ use crate::mesh::layers::{length, wrong};
 /// Radii nearer than this part of the largest one are the same.
 pub(super) const SAME_RADIUS: f64 = 1e-7;
 
+/// Ends of rows may be nearer to each other than this part of the radius only if they are the same.
+const SLIVER: f64 = 1e-4;
+/// Walls are at least this part of the radius thick at one of their ends.
+const THINNEST: f64 = 1e-4;
+
 /// Such a range.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Interval {
@@ -40,6 +45,7 @@ pub(super) fn intervals(rows: &[SectionRow]) -> Result<Vec<Interval>, Error> {
     }
     rows.iter().enumerate().try_for_each(|(place, row)| shape(place, row))?;
     let ends = ends(rows);
+    slivers(rows, &ends)?;
     let same = SAME_RADIUS * largest(rows);
     let mut all = Vec::with_capacity(ends.len());
     for pair in ends.windows(2) {
@@ -113,8 +119,13 @@ fn shape(place: usize, row: &SectionRow) -> Result<(), Error> {
         );
     }
     let [first, last] = [0, 1].map(|end| row.outer[end] - row.inner[end]);
-    if first < 0.0 || last < 0.0 || first.max(last) <= SAME_RADIUS * row.outer[0].max(row.outer[1])
-    {
+    let largest = row.outer[0].max(row.outer[1]);
+    if first.min(last) >= 0.0 && first.max(last) > SAME_RADIUS * largest {
+        if first.max(last) < THINNEST * largest {
+            let what = format!("has a wall of {}, too thin for solid cells", length(first.max(last)));
+            return refuse(&what, "leave it out, or give the row outside of it that diameter");
+        }
+    } else {
         return refuse(
             "has a bore that is not smaller than the outside",
             "check inner and outer diameter; both are diameters, not radii",
@@ -130,6 +141,36 @@ fn ends(rows: &[SectionRow]) -> Vec<f64> {
     let same = SAME * (ends[ends.len() - 1] - ends[0]);
     ends.dedup_by(|later, first| *later - *first <= same);
     ends
+}
+
+/// Refuses ends of rows that are apart by far less than cells can be long.
+fn slivers(rows: &[SectionRow], ends: &[f64]) -> Result<(), Error> {
+    let [first, last] = [ends[0], ends[ends.len() - 1]];
+    let same = SAME * (last - first);
+    if let Some(place) = rows.iter().position(|row| row.z[1] - row.z[0] <= same) {
+        let help = "leave it out, or check the units of its length";
+        return Err(wrong(&called(place), rows[place].described(), "is too short for cells", help));
+    }
+    for pair in ends.windows(2) {
+        let (z, middle) = ([pair[0], pair[1]], 0.5 * (pair[0] + pair[1]));
+        let near = |row: &usize| rows[*row].z.into_iter().any(|end| (end - z[1]).abs() <= same);
+        let around = rows.iter().filter(|row| row.z[0] <= middle && middle <= row.z[1]);
+        let outer = around.flat_map(|row| row.outer).fold(0.0, f64::max);
+        if z[1] - z[0] >= SLIVER * outer {
+            continue;
+        }
+        if let Some(place) = (0..rows.len()).rfind(near) {
+            let what = format!(
+                "makes a sliver: from z = {} to {} are {}",
+                length(z[0]),
+                length(z[1]),
+                length(z[1] - z[0])
+            );
+            let help = "let rows end at the same z, or leave out what is so short";
+            return Err(wrong(&called(place), rows[place].described(), what, help));
+        }
+    }
+    Ok(())
 }
 
 /// Refuses rows that are not joined to the first one: in an interval side by side, or from one to the next one.

@@ -123,7 +123,11 @@ impl SectionTable {
                  sections has at most {MOST_CELLS}",
                 count.saturating_mul(sectors)
             );
-            wrong("cells.refine", refine, what, "refine less, or raise `cells.tolerance`")
+            let help = match refine {
+                0 | 1 => "check the units of lengths and diameters, or raise `cells.tolerance`",
+                _ => "refine less, or raise `cells.tolerance`",
+            };
+            wrong("cells.refine", refine, what, help)
         };
         if planes.len() > most {
             return Err(too_many(planes.len() - 1));
