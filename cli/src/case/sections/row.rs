@@ -173,7 +173,9 @@ pub(super) fn rows(
                 let help = "give the part beside the stiffness a row of its own, with a material of small stiffness";
                 draft.refuse(table, "mass_outer", message, help);
             } else {
-                inertias.extend(carry(&mut row, 0.5 * reach, &draft.place));
+                let called = format!("beside row {}", k + 1);
+                let place = Located::new(draft.place.source(), draft.place.span(), called);
+                inertias.extend(carry(&mut row, 0.5 * reach, place));
             }
         }
         rows.push(row);
@@ -182,7 +184,7 @@ pub(super) fn rows(
 }
 
 /// Gives the cells of a row the mass of all that is inside of a radius (m), and returns the inertia that they lack then.
-fn carry(row: &mut SectionRow, reach: f64, place: &Located) -> Option<RowInertia> {
+fn carry(row: &mut SectionRow, reach: f64, place: Located) -> Option<RowInertia> {
     let [from, to] = row.z;
     let length = to - from;
     // ∫ r^n dz over a cone.
@@ -201,7 +203,7 @@ fn carry(row: &mut SectionRow, reach: f64, place: &Located) -> Option<RowInertia
     let at = (0..count).map(|k| from + length * (k as f64 + 0.5) / count as f64).collect();
     let each = polar / count as f64;
     // Rings of no length: half of their polar inertia about a diameter.
-    Some(RowInertia { place: place.clone(), at, inertias: [each, 0.5 * each] })
+    Some(RowInertia { place, at, inertias: [each, 0.5 * each] })
 }
 
 /// Why a row cannot have a name beside those of other rows, whose bores have sets, too.
