@@ -159,7 +159,9 @@ fn slivers(rows: &[SectionRow], ends: &[f64]) -> Result<(), Error> {
         if z[1] - z[0] >= SLIVER * outer {
             continue;
         }
-        if let Some(place) = (0..rows.len()).rfind(near) {
+        let within = |row: &usize| near(row) && z[0] - rows[*row].z[0] <= same;
+        let place = (0..rows.len()).find(within).or_else(|| (0..rows.len()).rfind(near));
+        if let Some(place) = place {
             let what = format!(
                 "makes a sliver: from z = {} to {} are {}",
                 length(z[0]),
