@@ -380,15 +380,14 @@ fn variants(kind: &str) -> Vec<Vec<&'static str>> {
     };
     let named = if kind == "case" { NAMED.as_slice() } else { &[] };
     let words = |text: &'static str| SHORT.split(' ').chain(text.split_whitespace());
-    let named = named.iter().map(|text| {
-        words(text).chain(["/body/chosen/sections", "/body/chosen/cells"]).collect()
-    });
+    let named = named
+        .iter()
+        .map(|text| words(text).chain(["/body/chosen/sections", "/body/chosen/cells"]).collect());
     let mut all: Vec<Vec<&'static str>> =
         plain.iter().map(|keys| keys.to_vec()).chain(named).collect();
     if kind == "case" {
         all.push(words(SECTIONS).collect());
-        let lateral =
-            all.first().map(|keys| [&keys[..], &FOR_LATERAL].concat());
+        let lateral = all.first().map(|keys| [&keys[..], &FOR_LATERAL].concat());
         all.iter_mut().for_each(|keys| keys.extend(LATERAL.split_whitespace()));
         all.extend(lateral);
     }

@@ -42,7 +42,8 @@ fn modes_of_coaxial_tables_are_those_of_another_program() {
     let inner = "sections = [{ length = \"2500 mm\", outer = \"50 mm\" }]\n";
     let case = cut(case, "[body.inner.dimensions]", "[body.inner.disc.left]", inner);
     let outer = "turns = \"prescribed\"\nspeed = \"200 rad/s\"\nsections = \"outer.csv\"\nmaterial = \"steel\"\nmodes = 30\n";
-    let case = cut(&case, "[body.outer]", "[body.outer.disc.left]", &format!("[body.outer]\n{outer}"));
+    let case =
+        cut(&case, "[body.outer]", "[body.outer.disc.left]", &format!("[body.outer]\n{outer}"));
     let changes = [
         ("axial_restraint = \"JOURNAL1_MIDDLE\"\n", ""),
         ("\"inner\", sets = \"LEFT\"", "\"inner\", z = \"0 mm\""),
@@ -146,7 +147,8 @@ fn stepped(cells: &str) -> Vec<f64> {
     );
     let sleeve = "z [mm], ".to_owned() + STEPPED.split_once('\n').expect("a head").0;
     let rows = STEPPED.lines().skip(1).map(|row| format!(", {row}\n"));
-    let table = format!("{sleeve}\n{}185, 110, 90, 90, 70, bronze, SLEEVE\n", rows.collect::<String>());
+    let table =
+        format!("{sleeve}\n{}185, 110, 90, 90, 70, bronze, SLEEVE\n", rows.collect::<String>());
     let workbench = Workbench::new().file("rotor.csv", &table).file("case.toml", &case);
     ran(&workbench, &["modes", "case.toml", "--count", "10", "--out", "out"]);
     let whirls = column(&workbench, "out/modes.csv", "whirl");
@@ -208,7 +210,8 @@ fn layers_of_one_material_are_one_row() {
 #[test]
 fn a_body_from_sections_is_round() {
     let march = "[march]\nduration = \"1 ms\"\ntime_step = \"0.1 ms\"\n";
-    let case = pipe("unbalance.mid = { mass = \"1 g\", radius = \"30 mm\", z = \"500 mm\" }\n") + march;
+    let case =
+        pipe("unbalance.mid = { mass = \"1 g\", radius = \"30 mm\", z = \"500 mm\" }\n") + march;
     let workbench = Workbench::new().file("case.toml", &case);
     let said = ran(&workbench, &["check", "case.toml"]).stdout;
     assert!(said.contains("round"), "{said}");
@@ -232,6 +235,7 @@ fn a_load_at_a_z_is_the_whole_force() {
     let (e, outer, inner): (f64, f64, f64) = (210e9, 0.03, 0.02);
     let moment = 0.25 * PI * (outer.powi(4) - inner.powi(4));
     let area = PI * (outer.powi(2) - inner.powi(2));
-    let known = 1000.0 / (48.0 * e * moment) + 1000.0 * 1.3 / (2.0 * e * shear(inner / outer) * area);
+    let known =
+        1000.0 / (48.0 * e * moment) + 1000.0 * 1.3 / (2.0 * e * shear(inner / outer) * area);
     assert!((deflection / known - 1.0).abs() < 2e-3, "{deflection} m, not {known}");
 }

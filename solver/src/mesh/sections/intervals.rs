@@ -122,7 +122,8 @@ fn shape(place: usize, row: &SectionRow) -> Result<(), Error> {
     let largest = row.outer[0].max(row.outer[1]);
     if first.min(last) >= 0.0 && first.max(last) > SAME_RADIUS * largest {
         if first.max(last) < THINNEST * largest {
-            let what = format!("has a wall of {}, too thin for solid cells", length(first.max(last)));
+            let what =
+                format!("has a wall of {}, too thin for solid cells", length(first.max(last)));
             return refuse(&what, "leave it out, or give the row outside of it that diameter");
         }
     } else {

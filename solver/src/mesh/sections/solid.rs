@@ -50,7 +50,9 @@ pub(super) fn mesh(
     for (layer, pieces) in partition.pieces.iter().enumerate() {
         for piece in pieces {
             grid.turn(partition, (layer, piece), &mut cells[of_row[piece.row]]);
-            let sides = [(piece.free[0], 0), (piece.free[1], 1)];
+            // The axis of a full row is no bore.
+            let hollow = table.rows[piece.row].inner != [0.0; 2];
+            let sides = [(piece.free[0] && hollow, 0), (piece.free[1], 1)];
             for (_, side) in sides.into_iter().filter(|own| own.0) {
                 let own = &mut surfaces[piece.row][1 - side];
                 own.extend(grid.ring(layer, piece.left[side]));
