@@ -1,13 +1,33 @@
 //! Dimensions from which meshes are made.
 
+use whirl_codegen::diagnostic::Located;
 use whirl_solver::error::Error;
 use whirl_solver::mesh::crank::CrankThrow;
+use whirl_solver::mesh::sections::SectionTable;
 use whirl_solver::mesh::shaft::SolidShaft;
 use whirl_solver::mesh::support::RingSupport;
 use whirl_solver::mesh::{Fineness, Material, Mesh};
 use whirl_specs::Element;
 
-use super::sections::Sections;
+/// A row's inertia beside that of its cells, where its mass reaches farther out than its stiffness.
+#[derive(Debug, Clone)]
+pub(crate) struct RowInertia {
+    /// The row.
+    pub(crate) place: Located,
+    /// z of its middles, m.
+    pub(crate) at: Vec<f64>,
+    /// About the axis and about a diameter, at each of them, kg m².
+    pub(crate) inertias: [f64; 2],
+}
+
+/// A table of sections as a case has it.
+#[derive(Debug, Clone)]
+pub(crate) struct Sections {
+    /// Of which the mesh is made.
+    pub(crate) table: SectionTable,
+    /// What its cells lack.
+    pub(crate) inertias: Vec<RowInertia>,
+}
 
 /// Dimensions from which a mesh is made.
 #[derive(Debug, Clone)]

@@ -5,12 +5,12 @@ mod row;
 
 use std::collections::BTreeMap;
 
-use whirl_codegen::diagnostic::{Code, Located};
+use whirl_codegen::diagnostic::Code;
 use whirl_codegen::document::{Table, Value};
 use whirl_solver::mesh::sections::{SectionTable, TableCells};
 
 use self::row::RowDraft;
-use super::dimensions::Dimensions;
+use super::dimensions::{Dimensions, Sections};
 use super::library::FileStore;
 use super::machine::Materials;
 use super::rotor::{Body, GeneratedMesh, Mesh, StaticCorrection};
@@ -23,26 +23,6 @@ const OF_OTHERS: [(&str, &str); 2] = [
     ("units", "leave it out: the columns of a table name their units"),
     ("merge", "leave it out: a mesh made from sections has each node once"),
 ];
-
-/// A row's inertia beside that of its cells, where its mass reaches farther out than its stiffness.
-#[derive(Debug, Clone)]
-pub(crate) struct RowInertia {
-    /// The row.
-    pub(crate) place: Located,
-    /// z of its middles, m.
-    pub(crate) at: Vec<f64>,
-    /// About the axis and about a diameter, at each of them, kg m².
-    pub(crate) inertias: [f64; 2],
-}
-
-/// A table of sections as a case has it.
-#[derive(Debug, Clone)]
-pub(crate) struct Sections {
-    /// Of which the mesh is made.
-    pub(crate) table: SectionTable,
-    /// What its cells lack.
-    pub(crate) inertias: Vec<RowInertia>,
-}
 
 /// What a table says of a body that is made from sections.
 pub(super) fn read(

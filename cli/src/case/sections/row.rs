@@ -8,7 +8,7 @@ use whirl_codegen::document::Table;
 use whirl_solver::mesh::Material;
 use whirl_solver::mesh::sections::SectionRow;
 
-use super::RowInertia;
+use crate::case::dimensions::RowInertia;
 use crate::case::machine::Materials;
 
 /// What a row may say: diameters and places along z.

@@ -1,6 +1,6 @@
 //! Ranges along z in which rows neither begin nor end, with the rows that are there from the axis outwards.
 
-use super::{SAME, SectionRow};
+use super::row::{SAME, SectionRow};
 use crate::error::Error;
 use crate::mesh::layers::{length, wrong};
 

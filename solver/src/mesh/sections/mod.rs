@@ -6,6 +6,7 @@
 
 mod intervals;
 mod partition;
+mod row;
 mod solid;
 mod strip;
 
@@ -13,36 +14,19 @@ use whirl_specs::Element;
 
 use self::intervals::{Interval, intervals};
 use self::partition::Partition;
+pub use self::row::SectionRow;
 use super::fineness::Beam;
-use super::layers::{MOST_CELLS, length, wrong};
+use super::layers::{MOST_CELLS, wrong};
 use super::shaft::{ROUND, shear_ratio};
-use super::{Fineness, Material, Mesh};
+use super::{Fineness, Mesh};
 use crate::error::Error;
 
-const ORIGIN: &str = "the body made from its sections";
 /// Part by which frequencies of bending may be off where a case says nothing.
 pub const TOLERANCE: f64 = 1e-4;
 /// Layers are at most this part of the outer diameter long, times a whole number that says how fine the mesh is.
 const LONGEST: f64 = 1.0;
 /// A layer ends at a wanted plane unless one does so near, as a part of the outer radius.
 const NEAR: f64 = 5e-3;
-/// z nearer than this part of the body's length are the same.
-const SAME: f64 = 1e-9;
-
-/// A row: what is between two circles from one z to another.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SectionRow {
-    /// From where to where along z, m.
-    pub z: [f64; 2],
-    /// Outer radius at both ends, m.
-    pub outer: [f64; 2],
-    /// Inner radius at both ends, m; 0 of a full row.
-    pub inner: [f64; 2],
-    /// What it is made of.
-    pub material: Material,
-    /// What its sets are called.
-    pub name: Option<String>,
-}
 
 /// How fine the mesh is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,7 +69,7 @@ impl SectionTable {
     /// [`Error::Mesh`] for a missing element.
     pub fn mesh(&self, elements: &[&'static Element]) -> Result<Mesh, Error> {
         let partition = self.partition()?;
-        solid::mesh(self, &partition, elements)
+        solid::mesh((&self.rows, self.cells.sectors), &partition, elements)
     }
 
     /// z between its layers of cells (m), ascending; none where its rows cannot be.
@@ -182,40 +166,6 @@ impl SectionTable {
             shear = f64::max(shear, ROUND * shear_ratio(&self.rows[row].material));
         }
         Beam { length: whole, area_over_moment: area / moment, shear }
-    }
-}
-
-impl SectionRow {
-    /// Inner and outer radius at a z within the row (m).
-    fn at(&self, z: f64) -> [f64; 2] {
-        let [from, to] = self.z;
-        [self.inner, self.outer].map(|[first, last]| {
-            if z == from || first == last {
-                first
-            } else if z == to {
-                last
-            } else {
-                first + (last - first) * (z - from) / (to - from)
-            }
-        })
-    }
-
-    /// The same half way between two z (m).
-    fn middle(&self, [from, to]: [f64; 2]) -> [f64; 2] {
-        self.at(0.5 * (from + to))
-    }
-
-    /// What it is, for people.
-    fn described(&self) -> String {
-        let range = |[from, to]: [f64; 2]| match from == to {
-            true => length(2.0 * from),
-            false => format!("{} to {}", length(2.0 * from), length(2.0 * to)),
-        };
-        let bore = match self.inner == [0.0; 2] {
-            true => String::new(),
-            false => format!(", bore {}", range(self.inner)),
-        };
-        format!("z {} to {}, Ø {}{bore}", length(self.z[0]), length(self.z[1]), range(self.outer))
     }
 }
 

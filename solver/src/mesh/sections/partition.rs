@@ -5,7 +5,7 @@
 //! longer layers need not carry it, and have triangles instead.
 
 use super::intervals::{Interval, SAME_RADIUS, largest};
-use super::{SAME, SectionRow};
+use super::row::{SAME, SectionRow};
 
 /// Edges of cells along the axis lean by at most this ratio of radius to length, where they need not.
 const SKEW: f64 = 0.6;

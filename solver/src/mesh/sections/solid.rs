@@ -6,8 +6,8 @@ use std::f64::consts::TAU;
 use whirl_specs::Element;
 
 use super::partition::{Partition, Piece};
+use super::row::SectionRow;
 use super::strip::{self, Flat};
-use super::{ORIGIN, SectionTable};
 use crate::error::Error;
 use crate::mesh::layers::element;
 use crate::mesh::quadratic::{Middles, corner_radius};
@@ -24,17 +24,19 @@ struct Cells {
     rows: Vec<usize>,
 }
 
-/// The mesh of a partition.
+/// What the mesh is called in errors.
+const ORIGIN: &str = "the body made from its sections";
+
+/// The mesh of a partition of rows, with so many sectors around the axis.
 pub(super) fn mesh(
-    table: &SectionTable,
+    (rows, sectors): (&[SectionRow], usize),
     partition: &Partition,
     elements: &[&'static Element],
 ) -> Result<Mesh, Error> {
-    let grid = Grid::new(partition, table.cells.sectors);
+    let grid = Grid::new(partition, sectors);
     let mut nodes = grid.nodes(partition);
     let mut materials: Vec<Material> = Vec::new();
-    let of_row: Vec<usize> = table
-        .rows
+    let of_row: Vec<usize> = rows
         .iter()
         .map(|row| {
             materials.iter().position(|own| *own == row.material).unwrap_or_else(|| {
@@ -45,13 +47,12 @@ pub(super) fn mesh(
         .collect();
     let mut cells: Vec<[Cells; 2]> = materials.iter().map(|_| Default::default()).collect();
     // Corners of the free outside and of the bore of each row.
-    let mut surfaces: Vec<[BTreeSet<usize>; 2]> =
-        table.rows.iter().map(|_| Default::default()).collect();
+    let mut surfaces: Vec<[BTreeSet<usize>; 2]> = rows.iter().map(|_| Default::default()).collect();
     for (layer, pieces) in partition.pieces.iter().enumerate() {
         for piece in pieces {
             grid.turn(partition, (layer, piece), &mut cells[of_row[piece.row]]);
             // The axis of a full row is no bore.
-            let hollow = table.rows[piece.row].inner != [0.0; 2];
+            let hollow = rows[piece.row].inner != [0.0; 2];
             let sides = [(piece.free[0] && hollow, 0), (piece.free[1], 1)];
             for (_, side) in sides.into_iter().filter(|own| own.0) {
                 let own = &mut surfaces[piece.row][1 - side];
@@ -75,7 +76,7 @@ pub(super) fn mesh(
             for (cell, &row) in own.rows.iter().enumerate() {
                 let cell = Cell { block: blocks.len(), cell };
                 element_sets.entry(set.to_owned()).or_default().push(cell);
-                if let Some(name) = &table.rows[row].name {
+                if let Some(name) = &rows[row].name {
                     element_sets.entry(name.clone()).or_default().push(cell);
                 }
             }
@@ -83,7 +84,7 @@ pub(super) fn mesh(
         }
     }
     let mut node_sets = BTreeMap::<String, BTreeSet<usize>>::new();
-    for (row, sides) in table.rows.iter().zip(surfaces) {
+    for (row, sides) in rows.iter().zip(surfaces) {
         let Some(name) = &row.name else { continue };
         for (corners, name) in sides.into_iter().zip([name.clone(), format!("{name}_BORE")]) {
             if !corners.is_empty() {
