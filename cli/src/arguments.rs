@@ -264,6 +264,9 @@ pub(crate) struct CheckArguments {
     /// Print the full report on every law: range, trends and breaks
     #[arg(long)]
     pub(crate) laws: bool,
+    /// Draw bodies made from `sections`, with what stands on them: FILE.svg or FILE.png
+    #[arg(long, value_name = "FILE")]
+    pub(crate) picture: Option<PathBuf>,
     /// Where reduced bodies are kept
     #[command(flatten)]
     pub(crate) cache: CacheArguments,

@@ -10,9 +10,10 @@ use crate::arguments::CheckArguments;
 use crate::case::{Case, Joint, JointKind, LawSource};
 use crate::errors::Failure;
 use crate::explain;
+use crate::figures;
 use crate::machine::{self, JoinedPlan};
 use crate::progress::{self, ProgressMode};
-use crate::{spec_file, start, streams, sweep};
+use crate::{picture_file, spec_file, start, streams, sweep};
 
 /// Adds a line to a text.
 macro_rules! line {
@@ -29,6 +30,7 @@ mod laws;
 mod loads;
 mod mass;
 mod meshes;
+mod picture;
 mod round;
 mod sets;
 
@@ -51,14 +53,24 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     if spec_file::is_spec(name) {
         return explain::check(name);
     }
+    // Before anything is read.
+    arguments.picture.as_deref().map(picture_file::is_png).transpose()?;
     let cache = arguments.cache.open();
     if sweep::is_sweep(name) {
         return sweep::check(Path::new(name), cache);
     }
     let case = streams::warned(|warnings| machine::read(name, warnings))?;
+    let drawn =
+        arguments.picture.as_deref().map(|file| Ok::<_, Failure>((picture::figure(&case)?, file)));
+    let drawn = drawn.transpose()?;
     let show = ProgressMode::on_terminal();
     let wanted = Wanted { contacts: arguments.contacts, laws: arguments.laws };
-    streams::warned(|warnings| of_case(&case, (cache.as_ref(), wanted), show, warnings))
+    let text =
+        streams::warned(|warnings| of_case(&case, (cache.as_ref(), wanted), show, warnings))?;
+    if let Some((figure, file)) = drawn {
+        picture_file::write(figures::svg(&figure), file)?;
+    }
+    Ok(text)
 }
 
 /// What is said of a case: what an engineer asks of a machine first, then how it is computed. `warnings` are added to.

@@ -20,6 +20,7 @@ mod memory;
 mod mesh_file;
 mod new;
 mod output;
+mod picture_file;
 mod progress;
 mod report;
 mod results;

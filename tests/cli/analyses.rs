@@ -6,6 +6,7 @@ mod forces;
 mod invariance;
 mod lateral;
 mod matrices;
+mod sections;
 
 use std::f64::consts::TAU;
 use std::fs::{File, read_to_string};
@@ -92,9 +93,14 @@ fn modes(case: &str, speed: &str) -> Vec<[f64; 2]> {
 
 #[test]
 fn modes_are_those_of_other_programs() {
+    assert_eq!(compare(&CASES), 24 + 35 + 20 + 20 + 16 + 24);
+}
+
+/// Compares the modes of cases with those of the reference; how many numbers were.
+pub(super) fn compare(cases: &[(&str, &str)]) -> usize {
     let all = reference();
     let mut compared = 0;
-    for (name, case) in CASES {
+    for &(name, case) in cases {
         let own = all.iter().filter(|known| known.case == name);
         let at: Vec<(&Known, &str, &str)> = own
             .filter_map(|known| {
@@ -131,7 +137,7 @@ fn modes_are_those_of_other_programs() {
             }
         }
     }
-    assert_eq!(compared, 24 + 35 + 20 + 20 + 16 + 24);
+    compared
 }
 
 #[test]

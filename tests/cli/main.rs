@@ -37,6 +37,7 @@ mod own_mesh;
 mod pulses;
 mod read_meshes;
 mod readme;
+mod rotors_page;
 mod rubs;
 mod schema;
 mod set_places;

@@ -263,6 +263,17 @@ const LATERAL: &str = "/analysis/chosen/edition /analysis/chosen/minimum_speed /
     /analysis/chosen/cross_coupling_z /analysis/chosen/gas_density /analysis/chosen/seals \
     /analysis/chosen/variants";
 
+/// Of a file with such an analysis, what other files show.
+const FOR_LATERAL: [&str; 7] = [
+    "/analysis/chosen/kind=lateral",
+    "/march/step_tolerance",
+    "/march/spectral_radius",
+    "/march/stop_when_steady",
+    "/march/duration",
+    "/shaft/sets",
+    "/support/sets",
+];
+
 /// Of files of named bodies: each of the ways in which one turns, with each kind of joint.
 const NAMED: [&str; 8] = [
     "/body/chosen/turns=free /output/chosen/joint /fields/bodies matrices rigid moves_along_z static_correction dimensions /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z \
@@ -313,6 +324,16 @@ const NAMED: [&str; 8] = [
      axial_stiffness axial_damping",
 ];
 
+/// Of files of named bodies, too: one that is made from sections.
+const SECTIONS: &str = "/body/chosen/turns=prescribed /output/chosen/joint /fields/bodies mesh matrices units merge dimensions rigid moves_along_z static_correction \
+     outer_left outer_right inner_left inner_right mass_outer \
+     /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z /body/chosen/sets /body/chosen/regions material drives loads disc added \
+     /body/chosen/stiffness /body/chosen/damping initial_speed held ground_spring /body/chosen/table \
+     /joint/chosen/kind=stop first second /joint/chosen/springs radial_clearance stations \
+     /joint/chosen/stiffness /joint/chosen/damping /joint/chosen/table tilting_stiffness tilting_damping \
+     axial_stiffness axial_damping \
+     teeth pitch_radii internal pressure_angle mesh_stiffness mesh_damping backlash";
+
 /// Keys that exclude each other, so that a file with both would leave tables of one unread.
 fn variants(kind: &str) -> Vec<Vec<&'static str>> {
     let plain: &[&[&str]] = match kind {
@@ -358,12 +379,15 @@ fn variants(kind: &str) -> Vec<Vec<&'static str>> {
         _ => &[&[]],
     };
     let named = if kind == "case" { NAMED.as_slice() } else { &[] };
-    let words = |text: &&'static str| SHORT.split(' ').chain(text.split_whitespace()).collect();
+    let words = |text: &'static str| SHORT.split(' ').chain(text.split_whitespace());
+    let named = named
+        .iter()
+        .map(|text| words(text).chain(["/body/chosen/sections", "/body/chosen/cells"]).collect());
     let mut all: Vec<Vec<&'static str>> =
-        plain.iter().map(|keys| keys.to_vec()).chain(named.iter().map(words)).collect();
+        plain.iter().map(|keys| keys.to_vec()).chain(named).collect();
     if kind == "case" {
-        let lateral =
-            all.first().map(|keys| [&keys[..], &["/analysis/chosen/kind=lateral"]].concat());
+        all.push(words(SECTIONS).collect());
+        let lateral = all.first().map(|keys| [&keys[..], &FOR_LATERAL].concat());
         all.iter_mut().for_each(|keys| keys.extend(LATERAL.split_whitespace()));
         all.extend(lateral);
     }

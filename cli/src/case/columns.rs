@@ -61,18 +61,7 @@ fn parse(
 ) -> Result<Columns, Vec<Diagnostic>> {
     let shown = name.text();
     let refuse = |message: String| vec![Diagnostic::new(source, Code::LIMIT, None, message)];
-    if source.text.len() > LONGEST {
-        return Err(refuse(format!("a table is at most {LONGEST} bytes long")));
-    }
-    let mut lines = Vec::new();
-    let mut start = 0;
-    for line in source.text.split_inclusive('\n') {
-        let text = line.split('#').next().unwrap_or("").trim_end();
-        if !text.trim_matches(['\u{feff}', ' ', '\t']).is_empty() {
-            lines.push(cells(source, text, start));
-        }
-        start += line.len();
-    }
+    let lines = lines(source).map_err(|error| vec![*error])?;
     let example = example(allowed);
     let Some((heads, lines)) = lines.split_first() else {
         let message = format!("`{shown}` is empty");
@@ -119,6 +108,24 @@ fn parse(
     let measures = units.map(|(_, dimension)| dimension);
     let columns = Columns { source: source.clone(), name: name.clone(), measures, rows, places };
     if errors.is_empty() { Ok(columns) } else { Err(errors) }
+}
+
+/// The cells of all lines that have some; what follows a `#` is left out.
+pub(super) fn lines(source: &Arc<Source>) -> Result<Vec<Vec<Located>>, Box<Diagnostic>> {
+    if source.text.len() > LONGEST {
+        let message = format!("a table is at most {LONGEST} bytes long");
+        return Err(Box::new(Diagnostic::new(source, Code::LIMIT, None, message)));
+    }
+    let mut lines = Vec::new();
+    let mut start = 0;
+    for line in source.text.split_inclusive('\n') {
+        let text = line.split('#').next().unwrap_or("").trim_end();
+        if !text.trim_matches(['\u{feff}', ' ', '\t']).is_empty() {
+            lines.push(cells(source, text, start));
+        }
+        start += line.len();
+    }
+    Ok(lines)
 }
 
 /// How a file may begin.

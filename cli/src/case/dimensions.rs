@@ -1,11 +1,33 @@
 //! Dimensions from which meshes are made.
 
+use whirl_codegen::diagnostic::Located;
 use whirl_solver::error::Error;
 use whirl_solver::mesh::crank::CrankThrow;
+use whirl_solver::mesh::sections::SectionTable;
 use whirl_solver::mesh::shaft::SolidShaft;
 use whirl_solver::mesh::support::RingSupport;
-use whirl_solver::mesh::{Fineness, Mesh};
+use whirl_solver::mesh::{Fineness, Material, Mesh};
 use whirl_specs::Element;
+
+/// A row's inertia beside that of its cells, where its mass reaches farther out than its stiffness.
+#[derive(Debug, Clone)]
+pub(crate) struct RowInertia {
+    /// The row.
+    pub(crate) place: Located,
+    /// z of its middles, m.
+    pub(crate) at: Vec<f64>,
+    /// About the axis and about a diameter, at each of them, kg m².
+    pub(crate) inertias: [f64; 2],
+}
+
+/// A table of sections as a case has it.
+#[derive(Debug, Clone)]
+pub(crate) struct Sections {
+    /// Of which the mesh is made.
+    pub(crate) table: SectionTable,
+    /// What its cells lack.
+    pub(crate) inertias: Vec<RowInertia>,
+}
 
 /// Dimensions from which a mesh is made.
 #[derive(Debug, Clone)]
@@ -16,6 +38,8 @@ pub(crate) enum Dimensions {
     Crank(CrankThrow),
     /// Of rings below a beam.
     Support(RingSupport),
+    /// Of a round body, by its sections.
+    Sections(Box<Sections>),
 }
 
 impl Dimensions {
@@ -28,6 +52,7 @@ impl Dimensions {
             Dimensions::Shaft(shaft) => shaft.mesh(elements),
             Dimensions::Crank(crank) => crank.mesh(elements),
             Dimensions::Support(support) => support.mesh(elements),
+            Dimensions::Sections(own) => own.table.mesh(elements),
         }
     }
 
@@ -37,6 +62,15 @@ impl Dimensions {
             Dimensions::Shaft(shaft) => shaft.fineness(),
             Dimensions::Crank(_) => None,
             Dimensions::Support(support) => support.fineness(),
+            Dimensions::Sections(own) => own.table.fineness(),
+        }
+    }
+
+    /// The materials of rows; none where one material is that of all cells.
+    pub(crate) fn materials(&self) -> Vec<&Material> {
+        match self {
+            Dimensions::Sections(own) => own.table.rows.iter().map(|row| &row.material).collect(),
+            _ => Vec::new(),
         }
     }
 }

@@ -63,7 +63,7 @@ pub(crate) struct Load {
     pub(crate) name: Located,
     /// The body, by its place.
     pub(crate) body: usize,
-    /// z on a rigid body, m, if the case says it.
+    /// z on a rigid body or on one made from sections, m, if the case says it.
     pub(crate) z: Option<f64>,
     /// The force, and the sets of a mesh that carry it.
     pub(crate) load: loads::Load,

@@ -128,6 +128,6 @@ pub(crate) struct Side {
     pub(crate) sets: Vec<Located>,
     /// Whether its one set is a surface, from one end of the joint to the other.
     pub(crate) surface: bool,
-    /// z on a rigid body, m, if the case says it.
+    /// z on a rigid body or on one made from sections, m, if the case says it.
     pub(crate) z: Option<f64>,
 }

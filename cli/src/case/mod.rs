@@ -27,6 +27,7 @@ mod reduction;
 mod rotor;
 mod run;
 mod schema;
+pub(crate) mod sections;
 mod selections;
 mod shapes;
 mod start;
@@ -48,6 +49,7 @@ pub(crate) use analyses::{
 };
 pub(crate) use columns::Columns;
 pub(crate) use cycle::TWO_REVOLUTIONS;
+pub(crate) use dimensions::Dimensions;
 pub(crate) use embedded::embedded_cases;
 pub(crate) use fields::Fields;
 pub(crate) use gravity::Gravity;

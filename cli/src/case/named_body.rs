@@ -9,6 +9,7 @@ use whirl_solver::model::AttachmentKind;
 use whirl_solver::rigid::RigidBody;
 
 use super::columns::Columns;
+use super::dimensions::Dimensions;
 use super::rotor::{self, GroundSpring};
 
 /// A body.
@@ -48,6 +49,13 @@ impl NamedBody {
             form,
             attached: Vec::new(),
         }
+    }
+
+    /// Whether it is made from a table of sections: what stands on it may be placed by its z.
+    pub(crate) fn has_sections(&self) -> bool {
+        let Form::Meshed(own) = &self.form else { return false };
+        let rotor::Mesh::Generated(made) = &own.body.mesh else { return false };
+        matches!(made.dimensions, Dimensions::Sections(_))
     }
 
     /// Whether its frame turns: not that of a mass, which turns in it.

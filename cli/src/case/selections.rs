@@ -25,7 +25,7 @@ const ROUND: f64 = 0.01;
 const FLAT: f64 = 1e-5;
 
 /// Which keys there are besides `within`.
-const KINDS: [&str; 3] = ["radius", "point", "plane"];
+const KINDS: [&str; 4] = ["radius", "point", "plane", "section"];
 
 /// The sets of a body.
 pub(super) fn read(table: &Table) -> Vec<NamedSelection> {
@@ -36,6 +36,7 @@ pub(super) fn read(table: &Table) -> Vec<NamedSelection> {
 fn one(name: Located, own: &Table) -> Option<NamedSelection> {
     let (radius, point, plane) =
         (own.quantity("radius"), own.quantity_triple("point"), own.quantity("plane"));
+    let section = own.quantity("section");
     let (within, z, centre) = (own.quantity("within"), range(own), own.quantity_pair("centre"));
     let given: Vec<&str> = KINDS.into_iter().filter(|key| own.gives(key)).collect();
     for key in ["z", "centre"] {
@@ -59,7 +60,8 @@ fn one(name: Located, own: &Table) -> Option<NamedSelection> {
         [_] => {}
         [] => {
             let help = "add `radius = \"20 mm\"` for a cylinder (faces count that are up to `within`, 1 % of it, away from it), \
-                        `point = [\"0 mm\", \"0 mm\", \"100 mm\"]` for nodes near it, or `plane = \"0 mm\"` for faces across the axis (with `across = \"x\"` across x)";
+                        `point = [\"0 mm\", \"0 mm\", \"100 mm\"]` for nodes near it, or `plane = \"0 mm\"` for faces across the axis (with `across = \"x\"` across x), \
+                        `section = \"50 mm\"` for all nodes at a z";
             own.absent("radius", help);
             return None;
         }
@@ -76,6 +78,8 @@ fn one(name: Located, own: &Table) -> Option<NamedSelection> {
             own.absent("within", "add `within = \"1 mm\"`, the distance up to which nodes count");
         }
         Selection::Point { at, within: within? }
+    } else if own.gives("section") {
+        Selection::Section { at: section?, within: within.unwrap_or(FLAT), innermost: false }
     } else {
         Selection::Plane { across, at: plane?, within: within.unwrap_or(FLAT) }
     };

@@ -19,6 +19,7 @@ macro_rules! measures {
 
 measures! {
     LENGTH: LENGTH, "12.5 mm", Positive;
+    BORE: LENGTH, "20 mm", NotNegative;
     CLEARANCE: LENGTH, "35 um", Positive;
     POSITION: LENGTH, "12.5 mm", Any;
     VELOCITY: SPEED, "1 m/s", Any;
@@ -86,6 +87,7 @@ pub(super) const SELECTION: &[Key] = &[
     .like("[\"0 mm\", \"0 mm\"]"),
     key("point", Tuple(&POSITION, 3), "nodes near it").like("[\"0 mm\", \"0 mm\", \"100 mm\"]"),
     key("plane", POSITION, "z of faces across the axis: their nodes"),
+    key("section", POSITION, "z of a section: all nodes there, inside of the body, too"),
     key(
         "across",
         Words(&["x", "y", "z"]),
@@ -94,7 +96,7 @@ pub(super) const SELECTION: &[Key] = &[
     key(
         "within",
         LENGTH,
-        "how far nodes may be from it: 1 % of the radius, 0.01 mm from a plane if left out",
+        "how far nodes may be from it: 1 % of the radius, 0.01 mm from a plane or a section if left out",
     ),
 ];
 

@@ -27,9 +27,10 @@ pub(super) fn say(
         for own in &body.attached {
             let (kind, what) = match own.what {
                 AttachmentKind::Disc { mass, polar_inertia, diametral_inertia } => {
-                    let inertias = format!(
-                        "polar inertia {polar_inertia} kg m², transverse {diametral_inertia} kg m²"
-                    );
+                    let [polar, transverse] =
+                        [polar_inertia, diametral_inertia].map(|own| rounded(own, 6));
+                    let inertias =
+                        format!("polar inertia {polar} kg m², transverse {transverse} kg m²");
                     ("disc", format!("{mass} kg, {inertias}"))
                 }
                 AttachmentKind::Mass { mass, offset: [x, y] } => {

@@ -58,7 +58,12 @@ fn has_mass(mesh: &Mesh, place: &Located) -> Result<(), Failure> {
 
 /// Warns of materials of the case that no solid is made of; those of a file are judged where they are read.
 fn unusual_materials(body: &case::Body, mesh: &Mesh, warnings: &mut Vec<String>) {
+    let of_rows = match &body.mesh {
+        case::Mesh::Generated(made) => made.dimensions.materials(),
+        _ => Vec::new(),
+    };
     let given = body.material.iter().chain(body.regions.iter().map(|region| &region.material));
+    let given = given.chain(of_rows);
     let used = |material: &&Material| {
         let mut blocks = mesh.blocks().iter();
         blocks.any(|block| mesh.materials()[block.material] == **material)

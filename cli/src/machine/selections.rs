@@ -167,6 +167,18 @@ fn nothing(mesh: &Mesh, selection: &Selection) -> (String, String) {
             });
             (message, help)
         }
+        Selection::Section { at, within, .. } => {
+            let along = || mesh.nodes().iter().map(|node| node[2]);
+            let nearest = along().min_by(|a, b| (a - at).abs().total_cmp(&(b - at).abs()));
+            let message = format!("no node of {origin} is at z = {} ± {}", mm(at), mm(within));
+            let help = format!(
+                "the mesh reaches from z = {} to {}; its nodes nearest to this z are at z = {}",
+                mm(along().fold(f64::INFINITY, f64::min)),
+                mm(along().fold(f64::NEG_INFINITY, f64::max)),
+                mm(nearest.unwrap_or(0.0))
+            );
+            (message, help)
+        }
         Selection::Plane { across, at, within } => {
             let along = || mesh.nodes().iter().map(|node| node[across]);
             let nearest = along().min_by(|a, b| (a - at).abs().total_cmp(&(b - at).abs()));

@@ -13,6 +13,7 @@ use whirl_solver::mesh::format::Format;
 pub(crate) use self::open::{Opened, body_name, bounds, mm, named, open};
 use crate::arguments::MeshArguments;
 use crate::errors::Failure;
+use crate::picture_file;
 use crate::report::table;
 
 /// Adds a line to a text.
@@ -30,7 +31,7 @@ pub(crate) fn mesh(arguments: &MeshArguments) -> Result<String, Failure> {
     let path = arguments.file.display().to_string();
     // Before the mesh is read.
     if let Some(file) = &arguments.picture {
-        picture::kind(file)?;
+        picture_file::is_png(file)?;
     }
     let (units, merge) = (arguments.units.as_deref(), arguments.merge.as_deref());
     let Opened { mesh, format, units } = open(&arguments.file, units, merge)?;

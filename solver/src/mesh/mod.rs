@@ -1,7 +1,7 @@
 //! Meshes of solid bodies: nodes, blocks of cells of one element and material, named sets.
 //!
-//! A mesh is read ([`mod@format`]: [`inp`], [`msh`], [`bdf`]) or made from a few dimensions ([`shaft`], [`crank`], [`support`]) and does not change
-//! afterwards. Degree of freedom 3a + i is displacement component i (x, y, z) of node a.
+//! A mesh is read ([`mod@format`]: [`inp`], [`msh`], [`bdf`]), made from a few dimensions ([`shaft`], [`crank`], [`support`]) or from a table of
+//! sections ([`sections`]), and does not change afterwards. Degree of freedom 3a + i is displacement component i (x, y, z) of node a.
 
 pub mod bdf;
 mod body_matrices;
@@ -24,6 +24,7 @@ mod quality;
 mod raw;
 mod reading;
 mod regions;
+pub mod sections;
 mod selection;
 mod set_place;
 pub mod shaft;

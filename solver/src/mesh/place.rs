@@ -124,6 +124,18 @@ impl Mesh {
                 };
                 found(all(&near), Vec::new(), None)
             }
+            Selection::Section { at, within, innermost } => {
+                let there = |node: &[f64; 3]| (node[2] - at).abs() <= within;
+                let reach = |node: &[f64; 3]| node[0].hypot(node[1]);
+                let least = match innermost {
+                    true => placed.iter().filter(|node| there(node)).map(reach).reduce(f64::min),
+                    false => None,
+                };
+                let near = |node: &[f64; 3]| {
+                    there(node) && least.is_none_or(|least| reach(node) <= (1.0 + MARGIN) * least)
+                };
+                found(all(&near), Vec::new(), None)
+            }
             Selection::Plane { across, at, within } => {
                 let near = |node: &[f64; 3]| (node[across] - at).abs() <= within;
                 if self.matrices().is_some() {

@@ -1,6 +1,6 @@
 //! Quadratic cells of generated meshes: linear ones with a node in the middle of each edge.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::PI;
 
 /// Edges of a hexahedron by its corners, in the order in which Abaqus lists the nodes in their middles.
@@ -57,6 +57,13 @@ impl Middles {
             }
         }
         raised
+    }
+
+    /// Corners of a surface with the nodes in the middles of the edges between two of them, ascending.
+    pub(super) fn with_middles(&self, corners: &BTreeSet<usize>) -> BTreeSet<usize> {
+        let between =
+            self.known.iter().filter(|(ends, _)| ends.iter().all(|a| corners.contains(a)));
+        corners.iter().copied().chain(between.map(|(_, middle)| *middle)).collect()
     }
 
     /// Nodes around a closed ring with those between them.

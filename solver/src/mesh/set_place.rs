@@ -34,15 +34,36 @@ pub enum Selection {
         /// How far nodes may be from it (m).
         within: f64,
     },
+    /// All nodes at a z, those inside of the body, too.
+    Section {
+        /// Where (m).
+        at: f64,
+        /// How far nodes may be from it (m).
+        within: f64,
+        /// Only those nearest to the axis of the mesh, x = y = 0: the bore there.
+        innermost: bool,
+    },
 }
 
 impl Selection {
+    /// The finite z (m) at which it begins, ends or stands.
+    pub fn planes(&self) -> Vec<f64> {
+        let all = match *self {
+            Selection::Cylinder { z, .. } => z.to_vec(),
+            Selection::Plane { across: 2, at, .. } | Selection::Section { at, .. } => vec![at],
+            Selection::Point { at, .. } => vec![at[2]],
+            Selection::Plane { .. } => Vec::new(),
+        };
+        all.into_iter().filter(|z| z.is_finite()).collect()
+    }
+
     /// The place goes with a mesh that moves along x and y (m).
     pub(super) fn moves(&mut self, by: [f64; 2]) {
         match self {
             Selection::Cylinder { centre, .. } => (0..2).for_each(|k| centre[k] += by[k]),
             Selection::Point { at, .. } => (0..2).for_each(|k| at[k] += by[k]),
             Selection::Plane { across, at, .. } => *at += by.get(*across).unwrap_or(&0.0),
+            Selection::Section { .. } => {}
         }
     }
 }

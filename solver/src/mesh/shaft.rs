@@ -17,7 +17,7 @@ pub const FINE: f64 = 1e-3;
 /// Planes nearer than this part of the diameter are one.
 const SPLIT: f64 = 0.01;
 /// κ of a round section (Cowper, J. Appl. Mech. 33 (1966) 335–340, at ν = 0.3).
-const ROUND: f64 = 0.886;
+pub(super) const ROUND: f64 = 0.886;
 
 /// A round shaft along z from z = 0, turning in supports.
 ///

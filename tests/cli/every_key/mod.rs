@@ -8,6 +8,7 @@ mod built;
 mod by_hand;
 mod mass;
 mod rotor;
+mod rows;
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -18,7 +19,7 @@ use whirl_tests::History;
 use crate::workbench::Workbench;
 
 /// Everything that the cases name, by its name.
-const FILES: [(&str, &str); 21] = [
+const FILES: [(&str, &str); 22] = [
     ("generated.toml", include_str!("generated.toml")),
     ("base.toml", include_str!("base.toml")),
     ("read.toml", include_str!("read.toml")),
@@ -40,10 +41,11 @@ const FILES: [(&str, &str); 21] = [
     ("stored.toml", include_str!("stored.toml")),
     ("punched.toml", include_str!("punched.toml")),
     ("chosen.toml", include_str!("chosen.toml")),
+    ("rows.toml", include_str!("rows.toml")),
 ];
 
 /// Those of them that are cases.
-const CASES: [&str; 12] = [
+const CASES: [&str; 13] = [
     "generated.toml",
     "base.toml",
     "read.toml",
@@ -56,6 +58,7 @@ const CASES: [&str; 12] = [
     "stored.toml",
     "punched.toml",
     "chosen.toml",
+    "rows.toml",
 ];
 
 #[test]

@@ -85,6 +85,7 @@ pub(crate) fn discs(bending: f64) -> Shaft {
         coordinates: (0..n).map(|i| format!("disc {} {}", i / 2 + 1, ["x", "y"][i % 2])).collect(),
         nodes: (0..DISCS).map(node).collect(),
         measures: Vec::new(),
+        sections: Vec::new(),
         centre_of_mass: CentreOfMass::none(n),
     }
 }
@@ -116,6 +117,7 @@ pub(crate) fn bores() -> Support {
         coordinates: (1..=4).map(|i| format!("mode {i}")).collect(),
         nodes,
         measures: Vec::new(),
+        sections: Vec::new(),
         centre_of_mass: CentreOfMass::none(4),
     }
 }

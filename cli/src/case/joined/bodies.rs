@@ -20,7 +20,7 @@ use crate::case::library::FileStore;
 use crate::case::machine::{self, Materials};
 use crate::case::named_body::{Attached, Form, MeshedBody, NamedBody};
 use crate::case::rotor::{Body, Mesh};
-use crate::case::{names, selections};
+use crate::case::{names, sections, selections};
 
 /// What a table says of a body.
 pub(super) struct BodyDraft {
@@ -35,12 +35,14 @@ const RIGID: [&str; 4] = ["mass", "polar_inertia", "transverse_inertia", "stiffn
 /// Keys of rigid bodies, with a mesh or without, and of all.
 const OF_BOTH: [&str; 4] = ["z", "damping", "ground_spring", "moves_along_z"];
 /// Keys of a body with a mesh.
-const MESHED: [&str; 15] = [
+const MESHED: [&str; 17] = [
     "mesh",
     "matrices",
     "units",
     "merge",
     "dimensions",
+    "sections",
+    "cells",
     "rigid",
     "material",
     "regions",
@@ -106,7 +108,7 @@ pub(super) fn read(
         (Some(_), None) => read_meshed(store, table, materials, (turned, thrust)).map(Form::Meshed),
         (None, Some(_)) => Some(Form::Rigid(read_rigid(table, turned))),
         (None, None) => {
-            let help = "add `mesh = \"body.inp\"`, a table of `dimensions` or of `matrices`, or the `mass` of a rigid body";
+            let help = "add `mesh = \"body.inp\"`, `sections = \"body.csv\"`, a table of `dimensions` or of `matrices`, or the `mass` of a rigid body";
             table.absent("mesh", help);
             MESHED.iter().chain(&RIGID).for_each(|key| table.pass_over(key));
             OF_BOTH.iter().for_each(|key| table.pass_over(key));
@@ -115,27 +117,41 @@ pub(super) fn read(
     };
     // What does not tilt moves alike at every z.
     let tilts = meshed.is_some() || table.gives("transverse_inertia");
-    let attached = attached::read(table, turned, meshed.is_some(), tilts);
+    let mut attached = attached::read(table, turned, meshed.is_some(), tilts);
     let right = table.errors() == before;
     let name = name.clone();
     let body = form.filter(|_| right).map(|mut form| {
-        carry(&mut form, &attached);
+        carry(&mut form, &mut attached);
         let own = NamedBody::of(name.clone(), form);
         NamedBody { rotation, initial_speed, speeds, axis, axis_given, attached, ..own }
     });
     BodyDraft { body: (name, body), motion }
 }
 
-/// Lets the layers of a mesh that is made from dimensions end where masses are.
-fn carry(form: &mut Form, attached: &[Attached]) {
-    if let Form::Meshed(own) = form
-        && let Mesh::Generated(made) = &mut own.body.mesh
-        && let Dimensions::Shaft(shaft) = &mut made.dimensions
-    {
-        let masses =
-            attached.iter().filter(|own| !matches!(own.what, AttachmentKind::Unbalance(_)));
-        shaft.sections = masses.map(|own| own.z).collect();
-        shaft.sections.sort_by(f64::total_cmp);
+/// Lets the layers of a mesh that is made from dimensions end where masses are, and those of one made from sections where
+/// anything is that the case names; what its rows have beside their cells is added.
+fn carry(form: &mut Form, attached: &mut Vec<Attached>) {
+    let Form::Meshed(own) = form else { return };
+    let Mesh::Generated(made) = &mut own.body.mesh else { return };
+    match &mut made.dimensions {
+        Dimensions::Shaft(shaft) => {
+            let masses =
+                attached.iter().filter(|own| !matches!(own.what, AttachmentKind::Unbalance(_)));
+            shaft.sections = masses.map(|own| own.z).collect();
+            shaft.sections.sort_by(f64::total_cmp);
+        }
+        Dimensions::Sections(sections) => {
+            for own in &sections.inertias {
+                let [polar_inertia, diametral_inertia] = own.inertias;
+                let what = AttachmentKind::Disc { mass: 0.0, polar_inertia, diametral_inertia };
+                let at = own.at.iter();
+                attached.extend(at.map(|&z| Attached { name: own.place.clone(), z, what }));
+            }
+            let planes = &mut sections.table.planes;
+            planes.extend(attached.iter().map(|own| own.z));
+            planes.extend(own.body.selections.iter().flat_map(|own| own.selection.planes()));
+        }
+        Dimensions::Crank(_) | Dimensions::Support(_) => {}
     }
 }
 
@@ -226,12 +242,20 @@ fn read_meshed(
         let help = "add `modes = 20`: so many of its lowest modes with its joints and loads held are kept; more change little";
         table.absent("modes", help);
     }
-    let body = match table.gives("matrices") {
-        true => matrices::read(store, table),
-        false => machine::meshed(store, table, materials, |dimensions, material| {
+    let body = if table.gives("sections") {
+        sections::read(store, table, materials, turns)
+    } else if table.gives("matrices") {
+        matrices::read(store, table)
+    } else {
+        machine::meshed(store, table, materials, |dimensions, material| {
             made(dimensions, material, turns)
-        }),
+        })
     };
+    if table.has("cells") && !table.gives("sections") {
+        let message = "`cells` is of a body made from `sections`";
+        let help = "leave it out; cells of `dimensions` are in their own table";
+        table.push(table.written("cells").error_here(Code::BAD_VALUE, message).help(help));
+    }
     let axial_restraint = table.optional_string("axial_restraint");
     let held = table.texts("held");
     let section = if turns { table.texts("section") } else { Vec::new() };
@@ -243,7 +267,7 @@ fn read_meshed(
     }
     // Where a joint acts along z, it may hold the body.
     // Matrices need not have dofs along z; where they have, what may move is found.
-    let along = !table.gives("matrices");
+    let along = !table.gives("matrices") && !table.gives("sections");
     if turns && along && !rigid && !thrust && axial_restraint.is_none() && held.is_empty() {
         table.demand("axial_restraint");
     }

@@ -149,7 +149,21 @@ impl Checks<'_, '_> {
     fn side(&mut self, joint: &Joint, side: &Side) {
         let Some(body) = side.body else { return };
         let (name, coupling) = (side.place.text(), joint.kind == JointKind::Coupling);
+        let by_z = self.machine.bodies[body].has_sections();
         match self.machine.bodies[body].form {
+            Form::Meshed(_) if by_z && side.z.is_some() && !side.sets.is_empty() => {
+                let message = format!("a side on `{name}` has both a `z` and node sets");
+                self.note(&side.place, message, "keep one of them");
+            }
+            Form::Meshed(_) if by_z && side.z.is_none() && side.sets.is_empty() && !coupling => {
+                let message = format!("a side on `{name}` does not say where it stands");
+                self.note(
+                    &side.place,
+                    message,
+                    "add `z = \"100 mm\"`, or `sets = [\"…\"]`, beside `body`",
+                );
+            }
+            Form::Meshed(_) if by_z => {}
             Form::Meshed(_) if side.z.is_some() => {
                 let message = format!("`{name}` has a mesh: a side on it is named by node sets");
                 self.note(&side.place, message, "write `sets = [\"…\"]` in place of `z`");
@@ -278,7 +292,12 @@ impl Checks<'_, '_> {
         let Form::Meshed(own) = &body.form else { return };
         // Whether matrices have dofs along z is known once they are read.
         let stored = matches!(own.body.mesh, Mesh::Matrices(_));
-        let held = stored || own.rigid || own.axial_restraint.is_some() || !own.held.is_empty();
+        // Of what is made from sections, one at a joint is held.
+        let held = stored
+            || own.rigid
+            || body.has_sections()
+            || own.axial_restraint.is_some()
+            || !own.held.is_empty();
         if body.turns() && !held {
             let message =
                 format!("`[body.{name}]` has no `axial_restraint`: nothing holds it along z");

@@ -60,6 +60,7 @@ pub(super) fn load<'a>(
     let body = names::body(table, &place, known, false)?;
     let own = body_of(body)?;
     match own.form {
+        Form::Meshed(_) if own.has_sections() => on_sections(table),
         Form::Meshed(_) => {
             table.demand("sets");
             if table.has("z") {
@@ -76,6 +77,20 @@ pub(super) fn load<'a>(
         load.follow(followed);
     }
     Some(Load { name: name.clone(), body, z, load })
+}
+
+/// A load on a body made from sections stands at a z, or on sets.
+fn on_sections(table: &Table) {
+    if table.has("z") && table.has("sets") {
+        table.conflict("z", "sets");
+    }
+    if !table.has("z") {
+        table.demand("sets");
+    } else if table.has("spread") {
+        let message = "`spread` is of node sets: at a `z` the section carries the whole load";
+        let help = "leave it out";
+        table.push(table.written("spread").error_here(Code::BAD_VALUE, message).help(help));
+    }
 }
 
 /// The body whose angle a load follows; none if it follows none.

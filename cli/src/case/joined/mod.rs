@@ -1,6 +1,7 @@
 //! A machine of bodies by name, and of what joins them: the tables `[body.NAME]`, `[joint.NAME]`, `[drives.NAME]` and
 //! `[loads.NAME]`.
 
+mod along;
 mod attached;
 mod bodies;
 mod bushing;
@@ -103,7 +104,7 @@ impl JoinedMachine {
         }
         let (mut bodies, joints) = (bodies?, joints.into_iter().collect::<Option<Vec<_>>>()?);
         gear::start(&mut bodies, &joints);
-        let machine = JoinedMachine {
+        let mut machine = JoinedMachine {
             bodies,
             joints,
             drives: drives.into_iter().collect::<Option<_>>()?,
@@ -113,6 +114,7 @@ impl JoinedMachine {
             form: InputForm::Named,
         };
         machine.check(file, goes_on);
+        along::place(file, &mut machine);
         Some(machine)
     }
 

@@ -6,7 +6,7 @@ use whirl_codegen::document::schema::Shape::{
 use whirl_codegen::document::schema::{Key, Shape, key, merged};
 
 use crate::case::shapes::{
-    ACCELERATION, ANGLE, CLEARANCE, CROSS_DAMPING, CROSS_STIFFNESS, DAMPING, DAMPING_TIME,
+    ACCELERATION, ANGLE, BORE, CLEARANCE, CROSS_DAMPING, CROSS_STIFFNESS, DAMPING, DAMPING_TIME,
     GROUND_SPRING, INERTIA, LENGTH, MASS, MERGE, MESH_DAMPING, MESH_STIFFNESS, MOST_CELLS,
     MOST_MODES, MOST_SPRINGS, MOTION, NAMES, PARAMETERS, PARAMETERS_EXAMPLE, POSITION, SELECTION,
     STIFFNESS, TARGET_SPEED, TILTING_DAMPING, TILTING_STIFFNESS, TORQUE, TORSIONAL_DAMPING,
@@ -39,7 +39,14 @@ pub(crate) const BODY: &[Key] = &[
         Table(&[DIMENSIONS]),
         "a mesh made from a few dimensions: if the body turns a shaft, or a crank, which has a throw; else a support",
     ),
-    key("material", Text, "a material, of a mesh file where it has no sections"),
+    key(
+        "sections",
+        Either(&[Text, List(&Table(&[SECTION]))]),
+        "a round body by its sections: a table in a file, or rows in a list, from left to right",
+    )
+    .like("\"rotor.csv\""),
+    key("cells", Table(&[SECTION_CELLS]), "cells of a body made from `sections`"),
+    key("material", Text, "a material, of a mesh file or of rows of `sections` where they have none"),
     key("regions", Named(&Text), "materials by the names of element sets, in place of the mesh's"),
     key("sets", Named(&Table(&[SELECTION])), "node sets by where they are, in place of sets of the mesh"),
     key("modes", Count(0, MOST_MODES), "fixed-interface modes kept").like("20"),
@@ -84,6 +91,40 @@ pub(crate) const BODY: &[Key] = &[
         "of a mesh that turns: false leaves out the stiffness by the centrifugal stress",
     ),
     key("moves_along_z", Flag, "of a rigid body: true lets it move along z"),
+];
+
+const SECTION: &[Key] = &[
+    key("length", LENGTH, "along z"),
+    key(
+        "z",
+        POSITION,
+        "of its left end; where the row before it ends if left out, and 0 of the first one",
+    ),
+    key("outer", LENGTH, "outer diameter at both ends"),
+    key("outer_left", LENGTH, "outer diameter of a cone at its left end"),
+    key("outer_right", LENGTH, "outer diameter of a cone at its right end"),
+    key("inner", BORE, "inner diameter at both ends, 0 if left out"),
+    key("inner_left", BORE, "inner diameter at its left end"),
+    key("inner_right", BORE, "inner diameter at its right end"),
+    key(
+        "mass_outer",
+        LENGTH,
+        "diameter up to which there is mass, where `outer` is that of the stiffness",
+    ),
+    key("material", Text, "a material; that of the body if left out").like("\"steel\""),
+    key("name", Text, "of the sets of its surface, of its bore and of its cells")
+        .like("\"JOURNAL\""),
+];
+
+const SECTION_CELLS: &[Key] = &[
+    key("sectors", Count(1, MOST_CELLS), "around the axis, 12 if left out").like("12"),
+    key("refine", Count(1, 20), "layers and rings so many times as fine").like("2"),
+    key(
+        "tolerance",
+        Between(0.0, 0.1),
+        "part by which frequencies of bending may be off by the length of the layers: 0.0001 if left out",
+    )
+    .like("0.0001"),
 ];
 
 const MATRICES: &[Key] = &[
@@ -281,7 +322,11 @@ pub(crate) const JOINT: &[Key] = &[
 const END: &[Key] = &[
     merged("body", Text, "its name, or \"ground\"").like("\"rotor\""),
     key("sets", NAMES, "one node set, or three: left, middle, right").like("[\"J1\"]"),
-    key("z", POSITION, "on a rigid body, where the other side does not say it"),
+    key(
+        "z",
+        POSITION,
+        "on a body of `sections`; on a rigid one where the other side does not say it",
+    ),
 ];
 
 const SIDE: &[Key] = &[
@@ -289,7 +334,11 @@ const SIDE: &[Key] = &[
     key("sets", NAMES, "one node set, or three: left, middle, right").like("[\"J1\"]"),
     key("surface", Text, "in place of sets: a node set all over the journal, or all over the bore")
         .like("\"JOURNAL\""),
-    key("z", POSITION, "on a rigid body, where the other side does not say it"),
+    key(
+        "z",
+        POSITION,
+        "on a body of `sections`; on a rigid one where the other side does not say it",
+    ),
 ];
 
 const BUSHING_STIFFNESS: &[Key] = &[
@@ -344,6 +393,10 @@ pub(crate) const DRIVE: &[Key] = &[
 pub(crate) const LOAD: &[Key] = &[
     merged("body", Text, "the name of a body").like("\"rotor\""),
     key("sets", NAMES, "node sets of a mesh").like("[\"LOAD1\"]"),
-    key("z", POSITION, "on a rigid body; at its centre if left out"),
+    key(
+        "z",
+        POSITION,
+        "on a body of `sections`, or on a rigid one; at the centre of that if left out",
+    ),
     key("of", Text, "the body whose angle it follows; its own if left out").like("\"rotor\""),
 ];

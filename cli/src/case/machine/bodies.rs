@@ -18,7 +18,7 @@ use super::super::named_body::{Form, MeshedBody, NamedBody};
 use super::super::rotor::{Body, GeneratedMesh, GroundSpring, Mesh, MeshFile, StaticCorrection};
 use super::super::selections;
 use super::super::units::mesh_units;
-use super::materials::{Materials, material_of, regions};
+use super::materials::Materials;
 use super::motion::{default_motion, motion};
 
 /// The table `[shaft]`: the body, which its drive ties to its frame, and how its rotation is coupled to deformation.
@@ -105,8 +105,8 @@ pub(in crate::case) fn body(
     materials: &Materials,
     make: impl Fn(&Table, Material) -> Dimensions,
 ) -> Option<Body> {
-    let material = material_of(table, materials);
-    let regions = regions(table, materials);
+    let material = materials.of(table);
+    let regions = materials.regions(table);
     let selections = selections::read(table);
     let mesh = mesh(store, table, material.as_ref(), make);
     Some(Body {

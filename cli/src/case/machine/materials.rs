@@ -55,28 +55,31 @@ fn material(name: &str, table: &Table) -> Material {
     material
 }
 
-/// The material that a table names.
-pub(super) fn material_of(table: &Table, materials: &Materials) -> Option<Material> {
-    called_material(table, &table.optional_string("material")?, materials)
-}
-
-/// Materials of parts of the mesh.
-pub(super) fn regions(table: &Table, materials: &Materials) -> Vec<Region> {
-    let named = table.named_texts("regions").into_iter();
-    let region = |(set, name): (Located, Located)| {
-        Some(Region { set, material: called_material(table, &name, materials)? })
-    };
-    named.filter_map(region).collect()
-}
-
-fn called_material(table: &Table, name: &Located, materials: &Materials) -> Option<Material> {
-    let found = materials.known.get(name.text());
-    if found.is_none() && materials.all_read {
-        let known: Vec<&str> = materials.known.keys().map(String::as_str).collect();
-        let message = format!("there is no material `{}`", name.text());
-        let help = suggest(name.text(), &known)
-            .unwrap_or_else(|| format!("describe it in a table `[material.{}]`", name.text()));
-        table.push(name.error_here(Code::BAD_VALUE, message).help(help));
+impl Materials {
+    /// The material that a table names.
+    pub(in crate::case) fn of(&self, table: &Table) -> Option<Material> {
+        self.called(table, &table.optional_string("material")?)
     }
-    found.cloned()
+
+    /// Materials of parts of the mesh.
+    pub(in crate::case) fn regions(&self, table: &Table) -> Vec<Region> {
+        let named = table.named_texts("regions").into_iter();
+        let region = |(set, name): (Located, Located)| {
+            Some(Region { set, material: self.called(table, &name)? })
+        };
+        named.filter_map(region).collect()
+    }
+
+    /// The material of this name; another one is noted.
+    pub(in crate::case) fn called(&self, table: &Table, name: &Located) -> Option<Material> {
+        let found = self.known.get(name.text());
+        if found.is_none() && self.all_read {
+            let known: Vec<&str> = self.known.keys().map(String::as_str).collect();
+            let message = format!("there is no material `{}`", name.text());
+            let help = suggest(name.text(), &known)
+                .unwrap_or_else(|| format!("describe it in a table `[material.{}]`", name.text()));
+            table.push(name.error_here(Code::BAD_VALUE, message).help(help));
+        }
+        found.cloned()
+    }
 }

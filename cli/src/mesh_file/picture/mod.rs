@@ -16,8 +16,7 @@ use self::surface::{OuterFace, ShownSet};
 use self::view::View;
 use super::open::bounds;
 use crate::errors::Failure;
-use crate::figures;
-use crate::output::Output;
+use crate::picture_file;
 
 /// Adds a line to a text.
 macro_rules! line {
@@ -65,39 +64,7 @@ const TEXT: &str = "font-family=\"DejaVu Sans, sans-serif\" fill=\"#202020\"";
 /// # Errors
 /// Another ending, a file that cannot be written.
 pub(super) fn draw(mesh: &Mesh, name: &str, file: &Path) -> Result<(), Failure> {
-    let as_png = kind(file)?;
-    let svg = svg(mesh, name);
-    let failure = |reason: &str| Failure::Output { path: file.into(), reason: reason.into() };
-    let content = match as_png {
-        true => figures::png(&svg).ok_or_else(|| failure("the picture has no area"))?,
-        false => svg.into_bytes(),
-    };
-    let name = file.file_name().ok_or_else(|| failure("it names no file"))?;
-    // A bare name is in this folder, which has no name of its own.
-    let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
-    let opened = Output::open(folder.unwrap_or(Path::new(".")));
-    let mut output = opened.map_err(|error| match error {
-        Failure::Output { reason, .. } => failure(&reason),
-        other => other,
-    })?;
-    output.put(&name.to_string_lossy(), content);
-    output.commit()
-}
-
-/// Whether a file is to be a PNG.
-///
-/// # Errors
-/// It is neither PNG nor SVG.
-pub(super) fn kind(file: &Path) -> Result<bool, Failure> {
-    let ending = file.extension().map(|end| end.to_string_lossy().to_ascii_lowercase());
-    match ending.as_deref() {
-        Some("svg") => Ok(false),
-        Some("png") => Ok(true),
-        _ => Err(Failure::Argument {
-            message: format!("`{}` is neither an SVG nor a PNG file", file.display()),
-            help: format!("write `--picture {}`", file.with_extension("png").display()),
-        }),
-    }
+    picture_file::write(svg(mesh, name), file)
 }
 
 fn svg(mesh: &Mesh, name: &str) -> String {

@@ -72,6 +72,7 @@ fn body(kind: Kind) -> Body {
                 coordinates: coordinates(),
                 nodes,
                 measures: vec![section],
+                sections: Vec::new(),
                 centre_of_mass,
             };
             Body::standing("standing", support)
@@ -92,6 +93,7 @@ fn body(kind: Kind) -> Body {
                 coordinates: coordinates(),
                 nodes,
                 measures: vec![section],
+                sections: Vec::new(),
                 centre_of_mass,
             };
             let driven = Rotation::Prescribed { speed: 80.0, acceleration: 0.0 };

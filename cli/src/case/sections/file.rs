@@ -1,0 +1,163 @@
+//! A table of sections in a file: a line of names with their units, and a line for each row.
+
+use std::collections::BTreeMap;
+
+use whirl_codegen::diagnostic::{Code, Diagnostic, Located, suggest};
+use whirl_codegen::document::Table;
+use whirl_codegen::units::{Dimension, Unit};
+
+use super::row::{LENGTHS, RowDraft, TEXTS};
+use crate::case::columns;
+use crate::case::library::FileStore;
+
+const EXAMPLE: &str = "its first line names the columns, lengths with their units: \
+                       `length [mm], outer [mm], inner [mm], material`";
+/// Errors of one file that are shown.
+const MOST_ERRORS: usize = 8;
+
+/// What a column has.
+#[derive(Clone)]
+enum Column {
+    Length(&'static str, Unit),
+    Text(&'static str),
+}
+
+/// The rows of the file; none where it has none that can be read. What is wrong is noted.
+pub(super) fn read(store: FileStore, table: &Table, name: &Located) -> Option<Vec<RowDraft>> {
+    let source = match store.read_beside(name.source(), name.text()) {
+        Ok(source) => source,
+        Err(message) => {
+            let error = name.error_here(Code::BAD_VALUE, message);
+            table.push(error.help("paths are relative to the file that names them"));
+            return None;
+        }
+    };
+    let lines = match columns::lines(&source) {
+        Ok(lines) => lines,
+        Err(error) => {
+            table.push(*error);
+            return None;
+        }
+    };
+    let Some((heads, lines)) = lines.split_first() else {
+        let message = format!("`{}` is empty", name.text());
+        table.push(name.error_here(Code::TABLE, message).help(EXAMPLE));
+        return None;
+    };
+    let columns = columns_of(heads, table)?;
+    if lines.is_empty() {
+        let message = format!("`{}` has no row", name.text());
+        table.push(name.error_here(Code::TABLE, message).help("add a line for each section"));
+        return None;
+    }
+    let (mut rows, mut wrong) = (Vec::with_capacity(lines.len()), 0);
+    for line in lines {
+        match row(line, &columns) {
+            Ok(own) => rows.push(own),
+            Err(error) => {
+                table.push(*error);
+                wrong += 1;
+                if wrong == MOST_ERRORS {
+                    break;
+                }
+            }
+        }
+    }
+    (wrong == 0).then_some(rows)
+}
+
+/// The columns by their names; none if one is wrong.
+fn columns_of(heads: &[Located], table: &Table) -> Option<Vec<Column>> {
+    let before = table.errors();
+    let mut columns = Vec::with_capacity(heads.len());
+    let mut known: Vec<String> = Vec::new();
+    for head in heads {
+        match column(head) {
+            Ok((own, name)) => {
+                if known.contains(&name) {
+                    let message = format!("the column `{name}` stands twice");
+                    table.push(head.error_here(Code::TABLE, message).help("keep one of them"));
+                }
+                known.push(name);
+                columns.push(own);
+            }
+            Err(error) => table.push(*error),
+        }
+    }
+    (table.errors() == before).then_some(columns)
+}
+
+fn column(head: &Located) -> Result<(Column, String), Box<Diagnostic>> {
+    let (name, unit) = match head.text().split_once('[') {
+        Some((name, rest)) => (name.trim(), rest.split_once(']').map(|own| own.0)),
+        None => (head.text().trim(), None),
+    };
+    if let Some(text) = TEXTS.into_iter().find(|known| *known == name) {
+        return match head.text().contains('[') {
+            false => Ok((Column::Text(text), name.to_owned())),
+            true => {
+                let message = format!("the column `{name}` has names, which have no unit");
+                Err(Box::new(head.error_here(Code::TABLE, message).help(format!("write `{name}`"))))
+            }
+        };
+    }
+    let Some(length) = LENGTHS.into_iter().find(|known| *known == name) else {
+        let known: Vec<&str> = LENGTHS.into_iter().chain(TEXTS).collect();
+        let message = format!("a table of sections has no column `{}`", name.escape_debug());
+        let help = suggest(name, &known).unwrap_or_else(|| {
+            format!(
+                "columns are {}",
+                known.iter().map(|own| format!("`{own}`")).collect::<Vec<_>>().join(", ")
+            )
+        });
+        return Err(Box::new(head.error_here(Code::TABLE, message).help(help)));
+    };
+    let Some(inside) = unit else {
+        let message = format!("the column `{name}` has no unit in brackets");
+        return Err(Box::new(head.error_here(Code::TABLE, message).help(EXAMPLE)));
+    };
+    let start = head.span().start + (inside.as_ptr() as usize - head.text().as_ptr() as usize);
+    let unit = Unit::parse(inside).map_err(|error| error.at(head.source(), start))?;
+    if !unit.dimension().fits(&Dimension::LENGTH) {
+        let message = format!("the column `{name}` measures {}", unit.dimension());
+        let help = "all columns with units are lengths, such as `[mm]`";
+        return Err(Box::new(head.error_here(Code::WRONG_UNIT, message).help(help)));
+    }
+    Ok((Column::Length(length, unit), name.to_owned()))
+}
+
+fn row(line: &[Located], columns: &[Column]) -> Result<RowDraft, Box<Diagnostic>> {
+    if line.len() > columns.len() {
+        let message = format!("a row has {} cells, and this has {}", columns.len(), line.len());
+        let help =
+            "separate cells by a comma, a semicolon or a tab, and write numbers with a point";
+        return Err(Box::new(line[columns.len()].error_here(Code::TABLE, message).help(help)));
+    }
+    let mut own = RowDraft { place: whole(line), lengths: BTreeMap::new(), texts: BTreeMap::new() };
+    for (cell, column) in line.iter().zip(columns).filter(|(cell, _)| !cell.text().is_empty()) {
+        match column {
+            Column::Text(name) => {
+                own.texts.insert(name, cell.clone());
+            }
+            Column::Length(name, unit) => {
+                let number = cell.text().parse::<f64>().ok().filter(|number| number.is_finite());
+                let Some(number) = number else {
+                    let message =
+                        format!("expected a number, found `{}`", cell.text().escape_debug());
+                    let help = "write numbers with a point, such as `0.035` or `3.5e-2`";
+                    return Err(Box::new(cell.error_here(Code::TABLE, message).help(help)));
+                };
+                own.lengths.insert(name, (unit.to_si(number), cell.clone()));
+            }
+        }
+    }
+    Ok(own)
+}
+
+/// The whole line.
+fn whole(line: &[Located]) -> Located {
+    let (first, last) = (&line[0], &line[line.len() - 1]);
+    let span = first.span().start..last.span().end;
+    let text = first.source().text[span.clone()].to_owned();
+    Located::new(first.source(), span, text)
+}
