@@ -45,6 +45,8 @@ pub(crate) struct Analysis {
     pub(crate) margin: f64,
     /// Stiffnesses of the joints of a map (N/m), ascending; the usual ones where there are none.
     pub(crate) stiffness: Vec<f64>,
+    /// Of a response: the angle from x to the first of two probes at a right angle (rad), where figures show what they read.
+    pub(crate) probe_angle: Option<f64>,
     /// Of matrices.
     pub(crate) format: MatrixFormat,
     /// What standards ask for, of a lateral analysis.
@@ -89,6 +91,7 @@ impl Analysis {
             operation: Vec::new(),
             margin: MARGIN,
             stiffness: Vec::new(),
+            probe_angle: None,
             format: MatrixFormat::default(),
             lateral: None,
         }
@@ -178,10 +181,14 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
     let given = table.gives("margin");
     let margin = if given { table.number_or_middle("margin") } else { MARGIN };
     let format = table.optional_word("format").and_then(MatrixFormat::of);
+    let probe_angle = match kind {
+        Some(AnalysisKind::Response) => table.quantity("probe_angle"),
+        _ => None,
+    };
     let lateral = match kind {
         Some(AnalysisKind::Lateral) => Some(Box::new(lateral::read(table, joined)?)),
         _ => {
-            lateral::refuse(table);
+            lateral::refuse(table, kind);
             None
         }
     };
@@ -192,6 +199,7 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
         orders: if orders.is_empty() { kind.orders() } else { orders },
         mesh_orders: if mesh_orders.is_empty() { MESH_ORDERS.to_vec() } else { mesh_orders },
         margin,
+        probe_angle,
         format: format.unwrap_or_default(),
         lateral,
         ..Analysis::of_kind(kind)
