@@ -153,7 +153,7 @@ fn figure(
     let points = strokes.iter().flat_map(|own| &own.line.points);
     let highest = points.fold(0.0, |most: f64, own| most.max(own.1));
     let mut frequencies = Panel {
-        title: "frequencies; the wider, the more damped".to_owned(),
+        title: "frequencies (wider: ζ above 0.01, 0.05, 0.2)".to_owned(),
         x: x.clone(),
         y: "frequency (Hz)".to_owned(),
         strokes,
@@ -176,7 +176,14 @@ fn figure(
     for own in &all.criticals {
         let at = (words::rpm(own.speed), own.mode.hertz());
         frequencies.dots.push(Dot { at, name: "critical speeds".to_owned() });
-        frequencies.labels.push(Label { at, text: format!("{:.0}", words::rpm(own.speed)) });
+        let last = frequencies.labels.last();
+        let is_near = |own: &Label| {
+            (own.at.0 - at.0).abs() < NEAR * words::rpm(ends[1] - ends[0])
+                && (own.at.1 - at.1).abs() < NEAR * highest
+        };
+        if !last.is_some_and(is_near) {
+            frequencies.labels.push(Label { at, text: format!("{:.0}", at.0) });
+        }
     }
     let threshold = |grows: bool| {
         let own = all.thresholds.iter().filter(move |own| own.grows == grows);
@@ -191,7 +198,7 @@ fn figure(
         ..Panel::default()
     };
     for (grows, style, name) in [
-        (true, Style::Doubted, "unstable above"),
+        (true, Style::Fourth, "unstable above"),
         (false, Style::Third, "stable above"),
     ] {
         for (speed, mode) in threshold(grows) {
@@ -210,6 +217,8 @@ fn figure(
     }
 }
 
+/// Critical speeds nearer than this share of both axes have one label.
+const NEAR: f64 = 0.06;
 /// Of a line (pixels) that says nothing by its width.
 const THIN: f64 = 1.4;
 

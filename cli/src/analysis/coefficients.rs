@@ -125,8 +125,14 @@ fn figure(case: &Case, body: &str, all: &[(String, Vec<(f64, [f64; 8])>)]) -> Fi
             [(0, "stiffness", "K", "N/m"), (4, "damping", "C", "N s/m")]
         {
             let lines = ["xx", "xy", "yx", "yy"].into_iter().zip(styles).enumerate();
+            let own = values.iter().flat_map(|(_, own)| &own[first..first + 4]);
+            let power = power(own.fold(0.0, |most: f64, own| most.max(own.abs())));
+            let unit = if power == 0 { unit.to_owned() } else { format!("1e{power} {unit}") };
+            let scale = 10.0_f64.powi(-power);
             let lines = lines.map(|(place, (axes, style))| Line {
-                points: values.iter().map(|(speed, own)| (*speed, own[first + place])).collect(),
+                points: (values.iter())
+                    .map(|(speed, own)| (*speed, scale * own[first + place]))
+                    .collect(),
                 style,
                 name: axes.to_owned(),
             });
@@ -140,6 +146,11 @@ fn figure(case: &Case, body: &str, all: &[(String, Vec<(f64, [f64; 8])>)]) -> Fi
         }
     }
     Figure { title: format!("{}: {}", case.name, case.title), panels, columns: 2 }
+}
+
+/// The power of ten, a multiple of three, in which a number has one to three digits before its point.
+fn power(most: f64) -> i32 {
+    if most > 0.0 && most.is_finite() { 3 * (most.log10() / 3.0).floor() as i32 } else { 0 }
 }
 
 /// Columns of K and C of a law of the whole joint, called as the parameters of `linear-5x5` are.

@@ -12,9 +12,10 @@ const NAMED: usize = 5;
 pub(super) fn figure(name: &str, body: &str, all: &Campbell) -> Figure {
     let mut panel = Panel {
         title: "root locus".to_owned(),
-        x: "Re λ (1/s)".to_owned(),
+        x: "Re λ (1/s); right of 0 a motion grows".to_owned(),
         y: "Im λ (1/s)".to_owned(),
-        marks: vec![Mark { x: 0.0, name: "grows".to_owned() }],
+        marks: vec![Mark { x: 0.0, name: String::new() }],
+        is_loose: true,
         ..Panel::default()
     };
     for (number, branch) in all.branches.iter().enumerate() {
@@ -47,7 +48,8 @@ pub(super) fn figure(name: &str, body: &str, all: &Campbell) -> Figure {
         let style = Style::Shade(shade(place, last));
         panel.clouds.push(Cloud { points, style, radius: 2.5, name });
     }
-    Figure { title: format!("{name}: roots over the speed of {body}"), panels: vec![panel], columns: 1 }
+    let title = format!("{name}: roots over the speed of {body}");
+    Figure { title, panels: vec![panel], columns: 1 }
 }
 
 /// Where one of several stands on the scale of colours.

@@ -25,6 +25,8 @@ const OBLIQUE: f64 = 0.35;
 const ASPECT: f64 = 1.75;
 /// What is seen of an axis on which all stands in one place (m).
 const POINT: f64 = 0.1;
+/// Share of the motion below which it is along the axis or about it.
+const LATERAL: f64 = 0.01;
 /// Orbits below this share of the largest are points.
 const STILL: f64 = 2e-3;
 /// mm.
@@ -87,16 +89,20 @@ impl Seen {
         }).collect();
         let sizes = motions.iter().flatten().map(|own| own.orbit().major);
         let most = sizes.fold(0.0, f64::max);
+        let bodies = self.linear.machine().bodies.iter();
+        let mass: f64 = bodies.map(|own| own.centre_of_mass().mass).sum();
+        // Shapes are of unit modal mass: one that moves sideways does so by 1/√m at least.
+        let is_lateral = most * most * mass > LATERAL;
         let levels = || self.along.iter().flat_map(|own| own.stations.iter().map(|own| own.0));
         let first = levels().fold(f64::INFINITY, f64::min);
         let last = levels().fold(f64::NEG_INFINITY, f64::max);
         let length = if last - first > 0.0 { last - first } else { POINT };
-        let scale = if most > 0.0 { LARGEST * length / most } else { 0.0 };
+        let scale = if is_lateral { LARGEST * length / most } else { 0.0 };
         let seen = |z: f64, [x, y]: [f64; 2]| -> Place {
             (MM * (z - OBLIQUE * y), MM * (x - OBLIQUE * y))
         };
         let mut panel = Panel {
-            title: title(number, mode, of),
+            title: title(number, mode, of) + if is_lateral { "" } else { ", along or about z" },
             x: "z (mm); x up, y to the viewer".to_owned(),
             ..Panel::default()
         };
@@ -114,7 +120,7 @@ impl Seen {
             for (station, (z, own)) in stations().enumerate() {
                 let orbit = own.orbit();
                 let shown = motions.len() <= STATIONS / 2 || station % EVERY == 0 || station == last;
-                if !shown || orbit.major < STILL * most {
+                if !shown || !is_lateral || orbit.major < STILL * most {
                     continue;
                 }
                 let (style, name) = match orbit.whirl(speed) {
@@ -134,10 +140,21 @@ impl Seen {
                     name: "start of the orbit".to_owned(),
                 });
             }
+            let style = Style::Body(place as u8);
+            // One station is no line.
+            if let [own] = motions.as_slice() {
+                panel.clouds.push(Cloud {
+                    points: vec![moved(along.stations[0].0, own, 0.0)],
+                    style,
+                    radius: 4.0,
+                    name: name.to_owned(),
+                });
+                continue;
+            }
             panel.strokes.push(Stroke {
                 line: Line {
                     points: stations().map(|(z, own)| moved(z, own, 0.0)).collect(),
-                    style: Style::Body(place as u8),
+                    style,
                     name: name.to_owned(),
                 },
                 width: 2.0,

@@ -118,9 +118,8 @@ fn figure(
     }
     for own in &all.thresholds {
         let at = (words::rpm(own.speed), 0.0);
-        let what = if own.grows { "unstable" } else { "stable" };
         panel.dots.push(Dot { at, name: "thresholds".to_owned() });
-        panel.labels.push(Label { at, text: format!("{what} above {:.0} rpm", at.0) });
+        panel.labels.push(Label { at, text: format!("{:.0} rpm", at.0) });
     }
-    Figure { title: format!("{}: {}", case.name, case.title), panels: vec![panel], columns: 1 }
+    Figure { title: format!("{}: least stable mode", case.name), panels: vec![panel], columns: 1 }
 }

@@ -222,6 +222,9 @@ fn layout(panel: &Panel, plots: &[Plot]) -> Layout {
     if let Some((end, step)) = panel.x_scale {
         return layout.with_x_axis_min(0.0).with_x_axis_max(end).with_x_tick_step(step);
     }
+    if panel.is_loose {
+        return layout;
+    }
     let lines = panel.lines.iter().chain(panel.strokes.iter().map(|own| &own.line));
     let abscissae = lines.flat_map(|line| &line.points).map(|point| point.0);
     let (first, last) = abscissae

@@ -42,6 +42,8 @@ pub(crate) struct Panel {
     pub(crate) x_log: bool,
     /// Whether one unit has the same length on both axes.
     pub(crate) equal_axes: bool,
+    /// Whether the x axis goes on beyond the curves.
+    pub(crate) is_loose: bool,
     /// Ends of both axes of a view, which has no numbers on the y axis.
     pub(crate) view: Option<[(f64, f64); 2]>,
     /// End of the x axis and distance between its labels, where the reader expects certain ones.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use whirl_solver::linear::{LinearMachine, Peak, Point, Vibration};
+use whirl_solver::linear::{LinearMachine, Peak, Point, Vibration, Whirl};
 use whirl_text::rounded;
 
 use super::Source;
@@ -19,16 +19,14 @@ const ALIKE: f64 = 0.01;
 /// Peaks at most, the largest ones, that are drawn more finely and have labels.
 const PEAKS: usize = 6;
 /// Where a curve is drawn more finely: distances from a peak in half widths.
-const FINE: [f64; 13] =
-    [-4.0, -2.5, -1.5, -1.0, -0.6, -0.3, 0.0, 0.3, 0.6, 1.0, 1.5, 2.5, 4.0];
+const FINE: [f64; 12] = [0.12, 0.25, 0.4, 0.55, 0.75, 1.0, 1.3, 1.7, 2.3, 3.2, 4.6, 7.0];
 /// Half width over speed of a peak whose amplification is not known.
 const WIDE: f64 = 0.05;
-/// Speeds that a polar plot names.
+/// Speeds that a polar plot names, if they are apart by this share of the largest amplitude.
 const NAMED: usize = 6;
+const APART: f64 = 0.08;
 /// Points of an ellipse.
 const POINTS: usize = 72;
-/// µm.
-const MICRO: f64 = 1e6;
 
 /// What figures are drawn from.
 pub(super) struct Drawing<'a> {
@@ -41,6 +39,15 @@ pub(super) struct Drawing<'a> {
     pub(super) speeds: &'a [f64],
     /// Those that move anything.
     pub(super) sources: Vec<&'a Source>,
+}
+
+/// The unit in which amplitudes (m) up to one are read well, and how many make a metre.
+fn unit(most: f64) -> (f64, &'static str) {
+    match most {
+        own if own >= 1e-3 => (1e3, "mm"),
+        own if own >= 1e-7 || own == 0.0 => (1e6, "µm"),
+        _ => (1e9, "nm"),
+    }
 }
 
 /// The largest peaks over the points that are apart, by speed.
@@ -64,7 +71,8 @@ pub(super) fn beside(peaks: &[Vec<Peak>], range: [f64; 2]) -> Vec<f64> {
     for own in apart(peaks) {
         let share = own.amplification().filter(|own| *own > 0.0);
         let half = 0.5 * share.map_or(WIDE, |own| (1.0 / own).min(WIDE)) * own.speed;
-        all.extend(FINE.map(|part| own.speed + part * half));
+        all.push(own.speed);
+        all.extend(FINE.iter().flat_map(|part| [-part, *part].map(|part| own.speed + part * half)));
     }
     all.retain(|own| (range[0]..=range[1]).contains(own));
     all.sort_by(f64::total_cmp);
@@ -134,6 +142,10 @@ impl Drawing<'_> {
     /// Amplitudes over phases.
     fn bode(&self, source: &Source) -> [Panel; 2] {
         let all = self.over(source);
+        let most = all.iter().flat_map(|(_, own)| {
+            self.shown().map(|(place, reading, _)| reading.amplitude(&own[place]))
+        });
+        let (scale, unit) = unit(most.fold(0.0, f64::max));
         let curve = |value: &dyn Fn(Reading, &Vibration) -> f64| -> Vec<Line> {
             let line = |(place, reading, style): (usize, Reading, Style)| Line {
                 points: all
@@ -152,17 +164,22 @@ impl Drawing<'_> {
         let mut amplitude = Panel {
             title: self.what(source),
             x: self.axis(),
-            y: format!("{quantity} (µm, zero to peak)"),
-            lines: curve(&|reading, own| MICRO * reading.amplitude(own)),
+            y: format!("{quantity} ({unit}, zero to peak)"),
+            lines: curve(&|reading, own| scale * reading.amplitude(own)),
             ..Panel::default()
         };
+        let dots = match self.readings.as_slice() {
+            [Reading::Orbit] => "peaks",
+            _ => "at peaks of the major semi-axis",
+        };
         for (at, own) in self.peaks(source) {
+            let at = (at.0, scale * at.1);
             let speed = rounded(at.0, 5);
             let text = match own.amplification().filter(|own| own.is_finite()) {
                 Some(factor) if factor < 1e5 => format!("{speed} rpm, AF {}", rounded(factor, 3)),
                 _ => format!("{speed} rpm"),
             };
-            amplitude.dots.push(Dot { at, name: "peaks".to_owned() });
+            amplitude.dots.push(Dot { at, name: dots.to_owned() });
             amplitude.labels.push(Label { at, text });
         }
         let mut phases = curve(&|reading, own| reading.phase(own));
@@ -191,7 +208,7 @@ impl Drawing<'_> {
         apart(&of_drawn).into_iter().filter_map(|own| {
             let (_, motions) = self.nearest(source, own.speed)?;
             let sizes = self.shown().map(|(place, reading, _)| reading.amplitude(&motions[place]));
-            Some(((words::rpm(own.speed), MICRO * sizes.fold(0.0, f64::max)), own))
+            Some(((words::rpm(own.speed), sizes.fold(0.0, f64::max)), own))
         })
     }
 
@@ -211,9 +228,14 @@ impl Drawing<'_> {
         let peaks = apart(&source.peaks);
         let mut panels: Vec<Panel> = Vec::new();
         for (place, reading, _) in self.shown() {
+            let length = |own: &[Vibration]| {
+                let [re, im] = reading.vector(&own[place]);
+                re.hypot(im)
+            };
+            let (scale, unit) = unit(all.iter().map(|(_, own)| length(own)).fold(0.0, f64::max));
             let at = |own: &[Vibration]| {
                 let [re, im] = reading.vector(&own[place]);
-                (MICRO * re, MICRO * im)
+                (scale * re, scale * im)
             };
             let along = match reading {
                 Reading::Orbit => "x",
@@ -221,8 +243,8 @@ impl Drawing<'_> {
             };
             let mut panel = Panel {
                 title: format!("{}: {}", self.name(place, reading), self.what(source)),
-                x: format!("motion along {along} at θ = 0 (µm, zero to peak)"),
-                y: "a quarter turn before (µm)".to_owned(),
+                x: format!("motion along {along} at θ = 0 ({unit}, zero to peak)"),
+                y: format!("a quarter of a period before ({unit})"),
                 lines: vec![Line {
                     points: all.iter().map(|(_, own)| at(own)).collect(),
                     style: Style::First,
@@ -233,12 +255,18 @@ impl Drawing<'_> {
                 equal_axes: true,
                 ..Panel::default()
             };
+            let most = all.iter().map(|(_, own)| at(own)).map(|(re, im)| re.hypot(im));
+            let apart = APART * most.fold(0.0, f64::max);
             let mut marked = Vec::new();
+            for peak in &peaks {
+                let Some((_, own)) = self.nearest(source, peak.speed) else { continue };
+                panel.dots.push(Dot { at: at(own), name: "peaks (rpm)".to_owned() });
+                label(&mut panel, at(own), peak.speed, apart);
+            }
             for &speed in &named {
                 let Some((_, own)) = self.nearest(source, speed) else { continue };
                 marked.push(at(own));
-                let text = rounded(words::rpm(speed), 5).to_string();
-                panel.labels.push(Label { at: at(own), text });
+                label(&mut panel, at(own), speed, apart);
             }
             panel.clouds.push(Cloud {
                 points: marked,
@@ -246,12 +274,6 @@ impl Drawing<'_> {
                 radius: 2.5,
                 name: "speeds (rpm)".to_owned(),
             });
-            for peak in &peaks {
-                let Some((_, own)) = self.nearest(source, peak.speed) else { continue };
-                panel.dots.push(Dot { at: at(own), name: "peaks (rpm)".to_owned() });
-                let text = rounded(words::rpm(peak.speed), 5).to_string();
-                panel.labels.push(Label { at: at(own), text });
-            }
             panels.push(panel);
         }
         panels
@@ -274,10 +296,13 @@ impl Drawing<'_> {
         }
         let places = (0..self.points.len()).take(STYLES.len());
         let panel = |place: usize| {
+            let sizes = speeds.iter().filter_map(|own| self.nearest(source, *own));
+            let sizes = sizes.map(|(_, own)| own[place].orbit().major);
+            let (scale, unit) = unit(sizes.fold(0.0, f64::max));
             let mut panel = Panel {
                 title: format!("{}: {}", self.points[place].name, self.what(source)),
-                x: "y (µm)".to_owned(),
-                y: "x (µm)".to_owned(),
+                x: format!("y ({unit})"),
+                y: format!("x ({unit})"),
                 equal_axes: true,
                 ..Panel::default()
             };
@@ -286,12 +311,12 @@ impl Drawing<'_> {
                 let own = &own[place];
                 let at = |turn: f64| {
                     let [x, y] = own.at(turn);
-                    (MICRO * y, MICRO * x)
+                    (scale * y, scale * x)
                 };
                 let sense = match own.orbit().whirl(*speed) {
-                    whirl_solver::linear::Whirl::Forward => "forward",
-                    whirl_solver::linear::Whirl::Backward => "backward",
-                    whirl_solver::linear::Whirl::None => "in a plane",
+                    Whirl::Forward => "forward",
+                    Whirl::Backward => "backward",
+                    Whirl::None => "in a plane",
                 };
                 let rpm = rounded(words::rpm(*speed), 5);
                 panel.lines.push(Line {
@@ -305,6 +330,14 @@ impl Drawing<'_> {
             panel
         };
         places.map(panel).collect()
+    }
+}
+
+/// Names the speed (rad/s) at a point, unless another one is named so near.
+fn label(panel: &mut Panel, at: (f64, f64), speed: f64, apart: f64) {
+    let is_near = |own: &Label| (own.at.0 - at.0).hypot(own.at.1 - at.1) < apart;
+    if !panel.labels.iter().any(is_near) {
+        panel.labels.push(Label { at, text: rounded(words::rpm(speed), 5).to_string() });
     }
 }
 
