@@ -197,10 +197,9 @@ fn figure(
         levels: vec![Mark { x: 0.0, name: String::new() }],
         ..Panel::default()
     };
-    for (grows, style, name) in [
-        (true, Style::Fourth, "unstable above"),
-        (false, Style::Third, "stable above"),
-    ] {
+    for (grows, style, name) in
+        [(true, Style::Fourth, "unstable above"), (false, Style::Third, "stable above")]
+    {
         for (speed, mode) in threshold(grows) {
             for (panel, value) in [(&mut frequencies, mode.hertz()), (&mut decrements, 0.0)] {
                 let points = vec![(speed, value)];
@@ -233,11 +232,7 @@ fn width(ratio: f64) -> f64 {
 }
 
 /// Branches in pieces by how they whirl, how wide they are, and whether they grow.
-fn strokes(
-    all: &Campbell,
-    of: &dyn Fn(&Mode) -> f64,
-    wide: &dyn Fn(&Mode) -> f64,
-) -> Vec<Stroke> {
+fn strokes(all: &Campbell, of: &dyn Fn(&Mode) -> f64, wide: &dyn Fn(&Mode) -> f64) -> Vec<Stroke> {
     let kind = |mode: &Mode, speed: f64| match mode.whirl(speed) {
         _ if mode.grows() => (Style::Doubted, "unstable"),
         Whirl::Forward => (Style::First, "forward whirl"),

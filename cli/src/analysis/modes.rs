@@ -30,7 +30,11 @@ pub(super) fn found(
     let mut file = String::from(
         "speed_rpm,mode,frequency_hz,damping_ratio,log_decrement,whirl,sense,real_1_s,imaginary_1_s,beside_hz\n",
     );
-    let mut stood = Vec::new();
+    let seen = match figures {
+        Some(cache) if wanted.speeds.len() <= DRAWN => Some(Seen::new(case, linear, cache)?),
+        _ => None,
+    };
+    let mut drawings = Vec::new();
     let mut work = |speed: f64, at: &Standstill| -> Result<(), Failure> {
         let equations = linear.linearised(at)?;
         let modes = linear.modes(&equations, analysis.count)?;
@@ -77,7 +81,10 @@ pub(super) fn found(
         }
         text.push_str(&words::doubts(&linear.doubts(at, &equations, &modes.oscillating)?));
         text.push('\n');
-        stood.push(speed);
+        if let Some(seen) = &seen {
+            let listed = &modes.oscillating[..modes.oscillating.len().min(analysis.count)];
+            drawings.push(seen.figure(case, (at, listed), wanted.of.map(|of| (of, speed))));
+        }
         Ok(())
     };
     let Ended { lost, interrupted } =
@@ -85,19 +92,12 @@ pub(super) fn found(
     text.push_str(&lost);
     let name = &analysis.name;
     let mut files = vec![(format!("{name}.csv"), file.into_bytes())];
-    if let (Some(cache), true) = (figures, stood.len() <= DRAWN) {
-        let seen = Seen::new(case, cache)?;
-        for (place, &speed) in stood.iter().enumerate() {
-            let of = wanted.of.map(|of| (of, speed));
-            let speeds = of.map(|(of, speed)| linear.speeds(of, speed, &analysis.ratios));
-            let figure =
-                seen.figure(case, (&speeds.unwrap_or_default(), of), analysis.count)?;
-            let stem = match stood.len() {
-                1 => name.clone(),
-                _ => format!("{name}.{}", place + 1),
-            };
-            files.extend(drawn(&stem, &figure));
-        }
+    for (place, drawing) in drawings.iter().enumerate() {
+        let stem = match drawings.len() {
+            1 => name.clone(),
+            _ => format!("{name}.{}", place + 1),
+        };
+        files.extend(drawn(&stem, drawing));
     }
     Ok(Found { text, files, interrupted })
 }

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use whirl_solver::cache::Cache;
 use whirl_solver::linear::{LinearMachine, Mode, Standstill, Vibration, Whirl};
 
-use super::stations::{Along, machine_with_stations};
+use super::stations::{Along, stations_along};
 use super::words;
 use crate::case::Case;
 use crate::errors::Failure;
@@ -32,48 +32,47 @@ const STILL: f64 = 2e-3;
 /// mm.
 const MM: f64 = 1e3;
 
-/// Machines seen at their stations, which are built when the first figure is drawn.
-pub(super) struct Seen {
-    linear: LinearMachine,
+/// A machine seen at stations along its bodies. Its coordinates are the same with and without them, as outputs do not change how
+/// bodies are reduced.
+pub(super) struct Seen<'a> {
+    linear: &'a LinearMachine,
     along: Vec<Along>,
 }
 
 /// A place on the paper (mm, along z and up).
 type Place = (f64, f64);
 
-impl Seen {
+impl Seen<'_> {
     /// The machine of a case with its stations.
     ///
     /// # Errors
     /// As the machine's.
-    pub(super) fn new(case: &Case, cache: Option<&Cache>) -> Result<Seen, Failure> {
-        let (linear, along) = machine_with_stations(case, STATIONS, cache)?;
-        Ok(Seen { linear, along })
+    pub(super) fn new<'a>(
+        case: &Case,
+        linear: &'a LinearMachine,
+        cache: Option<&Cache>,
+    ) -> Result<Seen<'a>, Failure> {
+        Ok(Seen { linear, along: stations_along(case, STATIONS, cache)? })
     }
 
-    /// The shapes of the modes at speeds of the bodies, `of` the one whose speed is told.
-    ///
-    /// # Errors
-    /// As the state's and the modes'.
+    /// The shapes of modes in a state, `of` the body whose speed (rad/s) is told.
     pub(super) fn figure(
         &self,
         case: &Case,
-        (speeds, of): (&[Option<f64>], Option<(usize, f64)>),
-        count: usize,
-    ) -> Result<Figure, Failure> {
-        let at = self.linear.standing(speeds, None)?;
-        let modes = self.linear.modes(&self.linear.linearised(&at)?, count)?;
-        let modes = modes.oscillating.iter().take(count).enumerate();
-        let panels = modes.map(|(number, mode)| self.panel(&at, number, mode, of));
+        (at, modes): (&Standstill, &[Mode]),
+        of: Option<(usize, f64)>,
+    ) -> Figure {
+        let modes = modes.iter().enumerate();
+        let panels = modes.map(|(number, mode)| self.panel(at, number, mode, of));
         let named = of.map_or(String::new(), |(body, speed)| {
             let name = self.linear.machine().bodies[body].name();
             format!(" at {} rpm of {name}", words::speed(speed))
         });
-        Ok(Figure {
+        Figure {
             title: format!("{}: modes{named}", case.name),
             panels: panels.collect(),
             columns: 2,
-        })
+        }
     }
 
     fn panel(
@@ -83,10 +82,14 @@ impl Seen {
         mode: &Mode,
         of: Option<(usize, f64)>,
     ) -> Panel {
-        let motions: Vec<Vec<Vibration>> = self.along.iter().map(|own| {
-            let motion = |own: &(f64, _)| self.linear.motion_in(at, &own.1, mode);
-            own.stations.iter().map(motion).collect()
-        }).collect();
+        let motions: Vec<Vec<Vibration>> = self
+            .along
+            .iter()
+            .map(|own| {
+                let motion = |own: &(f64, _)| self.linear.motion_in(at, &own.1, mode);
+                own.stations.iter().map(motion).collect()
+            })
+            .collect();
         let sizes = motions.iter().flatten().map(|own| own.orbit().major);
         let most = sizes.fold(0.0, f64::max);
         let bodies = self.linear.machine().bodies.iter();
@@ -119,7 +122,8 @@ impl Seen {
             let last = motions.len() - 1;
             for (station, (z, own)) in stations().enumerate() {
                 let orbit = own.orbit();
-                let shown = motions.len() <= STATIONS / 2 || station % EVERY == 0 || station == last;
+                let shown =
+                    motions.len() <= STATIONS / 2 || station % EVERY == 0 || station == last;
                 if !shown || !is_lateral || orbit.major < STILL * most {
                     continue;
                 }

@@ -25,15 +25,15 @@ pub(super) struct Along {
     pub(super) stations: Vec<(f64, Point)>,
 }
 
-/// The machine of a case with stations along all bodies, `count` on one with a mesh.
+/// Stations along all bodies of a case, `count` on one with a mesh.
 ///
 /// # Errors
 /// As the machine's.
-pub(super) fn machine_with_stations(
+pub(super) fn stations_along(
     case: &Case,
     count: usize,
     cache: Option<&Cache>,
-) -> Result<(LinearMachine, Vec<Along>), Failure> {
+) -> Result<Vec<Along>, Failure> {
     let mut own = case.clone();
     own.outputs.clear();
     own.fields = None;
@@ -64,8 +64,7 @@ pub(super) fn machine_with_stations(
         axis: own.machine.bodies[body].axis,
         stations: levels.into_iter().zip(points.by_ref()).collect(),
     });
-    let along = along.collect();
-    Ok((linear, along))
+    Ok(along.collect())
 }
 
 /// z at which joints hold a body (m).

@@ -19,7 +19,8 @@ fn weight_is_unstable_above_its_threshold() {
     let files = ["campbell.svg", "stability.svg", "coefficients.svg", "response.probes.csv"];
     let (workbench, said) = analysed("weight", &files);
     assert!(said.contains("UNSTABLE above 6183.28 rpm"), "{said}");
-    for (file, place) in [("out/stability.thresholds.csv", 0), ("out/campbell.critical.csv", usize::MAX)]
+    for (file, place) in
+        [("out/stability.thresholds.csv", 0), ("out/campbell.critical.csv", usize::MAX)]
     {
         let what = column(&workbench, file, "what");
         let place = match place {
@@ -30,7 +31,8 @@ fn weight_is_unstable_above_its_threshold() {
         assert!((speed - 6183.28).abs() < 0.01, "{file}: {speed}");
     }
     // Each film carries half of the weight at every speed, against it along x.
-    let [x, y] = ["force_x_N", "force_y_N"].map(|own| numbers(&workbench, "out/coefficients.csv", own));
+    let [x, y] =
+        ["force_x_N", "force_y_N"].map(|own| numbers(&workbench, "out/coefficients.csv", own));
     for (x, y) in x.iter().zip(&y) {
         assert!((x - 0.5 * 60.0 * 9.81).abs() < 1e-3 && y.abs() < 1e-3, "{x} {y}");
     }
@@ -92,7 +94,8 @@ fn floating_rings_whirl_in_the_turbocharger() {
 /// Between springs without clearance the map has the critical speeds of both spools; their ratio is that of the case.
 #[test]
 fn the_two_spools_have_a_diagram_and_a_map() {
-    let (workbench, said) = analysed("two-spool", &["campbell.svg", "campbell.roots.svg", "map.svg"]);
+    let (workbench, said) =
+        analysed("two-spool", &["campbell.svg", "campbell.roots.svg", "map.svg"]);
     assert!(said.contains("speed of low"), "{said}");
     let whirl = column(&workbench, "out/map.csv", "whirl");
     let speeds = numbers(&workbench, "out/map.csv", "speed_rpm");

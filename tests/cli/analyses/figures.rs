@@ -59,8 +59,13 @@ impl Panel {
         let own = self.text.split("<path d=\"").skip(1);
         let own = own.filter(|own| own.split('>').next().is_some_and(|own| own.contains(colour)));
         let points = |own: &str| {
-            let values: Vec<f64> =
-                own.split('"').next().unwrap_or("").split(' ').filter_map(|own| own.parse().ok()).collect();
+            let values: Vec<f64> = own
+                .split('"')
+                .next()
+                .unwrap_or("")
+                .split(' ')
+                .filter_map(|own| own.parse().ok())
+                .collect();
             values.chunks(2).map(|own| (own[0], own[1])).collect()
         };
         own.map(points).collect()
@@ -140,7 +145,10 @@ fn campbell_diagrams_mark_what_their_files_have() {
 fn root_loci_go_through_the_eigenvalues() {
     let workbench = Workbench::new();
     ran(&workbench, &["analyse", "weight", "stability", "--out", "out"]);
-    ran(&workbench, &["campbell", "weight", "--speeds", "3000 rpm .. 9000 rpm, 25", "--out", "out"]);
+    ran(
+        &workbench,
+        &["campbell", "weight", "--speeds", "3000 rpm .. 9000 rpm, 25", "--out", "out"],
+    );
     let [re, im] =
         ["real_1_s", "imaginary_1_s"].map(|name| numbers(&workbench, "out/campbell.csv", name));
     for path in ["out/campbell.roots.svg", "out/stability.roots.svg"] {
@@ -248,9 +256,12 @@ fn probes_read_along_their_directions() {
         };
         let (re, im) = (part(f64::cos), part(f64::sin));
         assert!((amplitude[k] / re.hypot(im) - 1.0).abs() < 1e-9);
-        assert!((im.atan2(re).to_degrees() - phase[k]).rem_euclid(360.0).min(
-            (phase[k] - im.atan2(re).to_degrees()).rem_euclid(360.0)
-        ) < 1e-6);
+        assert!(
+            (im.atan2(re).to_degrees() - phase[k])
+                .rem_euclid(360.0)
+                .min((phase[k] - im.atan2(re).to_degrees()).rem_euclid(360.0))
+                < 1e-6
+        );
     }
     let all = panels(&workbench, "out/response.svg");
     assert!(all[0].has("probe (µm, zero to peak)"));
@@ -266,13 +277,19 @@ fn shapes_show_orbits_of_every_body() {
     let all = panels(&workbench, "out/modes.svg");
     assert_eq!(all.len(), 7);
     for (panel, whirl) in all.iter().zip(&whirl) {
-        let [forward, backward] = ["#1f4e9c", "#d9730d"].map(|own| panel.lines(own).len());
-        let starts = panel.circles(DOT).len();
+        // Where a shape has a node an orbit is small, and may go round otherwise.
+        let count = |colour: &str| panel.lines(colour).len();
+        let [forward, backward, flat] = ["#1f4e9c", "#d9730d", "#2a7f3f"].map(count);
+        assert_eq!(panel.circles(DOT).len(), forward + backward + flat);
         match whirl.as_str() {
-            "forward" => assert!(forward >= 8 && backward == 0 && starts == forward),
-            "backward" => assert!(backward >= 8 && forward == 0 && starts == backward),
+            "forward" => {
+                assert!(forward >= 6 && backward + flat <= 1, "{forward} {backward} {flat}")
+            }
+            "backward" => {
+                assert!(backward >= 6 && forward + flat <= 1, "{forward} {backward} {flat}")
+            }
             _ => {
-                assert!((forward, backward, starts) == (0, 0, 0));
+                assert_eq!((forward, backward, flat), (0, 0, 0));
                 assert!(panel.text.contains("along or about z"));
             }
         }

@@ -222,8 +222,7 @@ impl Drawing<'_> {
     fn polar(&self, source: &Source) -> Vec<Panel> {
         let all = self.over(source);
         let last = self.speeds.len() - 1;
-        let mut named: Vec<f64> =
-            (0..NAMED).map(|k| self.speeds[k * last / (NAMED - 1)]).collect();
+        let mut named: Vec<f64> = (0..NAMED).map(|k| self.speeds[k * last / (NAMED - 1)]).collect();
         named.dedup();
         let peaks = apart(&source.peaks);
         let mut panels: Vec<Panel> = Vec::new();

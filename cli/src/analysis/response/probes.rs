@@ -72,8 +72,7 @@ pub(super) fn rows(
     speeds: &[f64],
     sources: &[Source],
 ) -> String {
-    let mut text =
-        String::from("speed_rpm,body,order,point,probe_deg,amplitude_um,phase_deg\n");
+    let mut text = String::from("speed_rpm,body,order,point,probe_deg,amplitude_um,phase_deg\n");
     for source in sources {
         let body = linear.machine().bodies[source.body].name();
         for (speed, motions) in speeds.iter().zip(&source.motions) {
