@@ -188,7 +188,11 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
     let lateral = match kind {
         Some(AnalysisKind::Lateral) => Some(Box::new(lateral::read(table, joined)?)),
         _ => {
-            lateral::refuse(table, kind);
+            let both: &[&str] = match kind {
+                Some(AnalysisKind::Response) => &["probe_angle"],
+                _ => &[],
+            };
+            lateral::refuse(table, both);
             None
         }
     };

@@ -7,7 +7,7 @@ use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 use whirl_codegen::units::{Dimension, Quantity};
 
-use super::{AnalysisKind, JoinedMachine, names};
+use super::{JoinedMachine, names};
 
 /// Trip speed over the maximum continuous one where a case does not say it.
 const TRIP: f64 = 1.05;
@@ -121,11 +121,9 @@ const KEYS: [&str; 16] = [
     "variants",
 ];
 
-/// Notes keys of a lateral analysis in a table of another kind.
-pub(super) fn refuse(table: &Table, kind: Option<AnalysisKind>) {
-    // A response has probes at an angle, too.
-    let is_own = |key: &str| key == "probe_angle" && kind == Some(AnalysisKind::Response);
-    for key in KEYS.into_iter().filter(|key| table.has(key) && !is_own(key)) {
+/// Notes keys of a lateral analysis in a table of another kind, but for those that this one has as well.
+pub(super) fn refuse(table: &Table, but: &[&str]) {
+    for key in KEYS.into_iter().filter(|key| table.has(key) && !but.contains(key)) {
         let message = format!("`{key}` is of an analysis of the kind `lateral`");
         let help = "write `kind = \"lateral\"`, or leave it out";
         table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));

@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use whirl_solver::linear::{LinearMachine, Peak, Point, Vibration, Whirl};
 use whirl_text::rounded;
 
-use super::Source;
 use super::probes::Reading;
+use super::source::Source;
 use crate::analysis::words;
 use crate::figures::{Cloud, Dot, Figure, Label, Line, Mark, Panel, Style};
 

@@ -2,6 +2,7 @@
 
 mod figures;
 mod probes;
+mod source;
 
 use std::fmt::Write;
 
@@ -13,6 +14,7 @@ use whirl_text::{rounded, shown};
 
 use self::figures::{Drawing, beside};
 use self::probes::Reading;
+use self::source::Source;
 use super::found::{Found, drawn};
 use super::speeds::Wanted;
 use super::states::{Ended, at_each_speed};
@@ -29,18 +31,6 @@ const SAME: f64 = 1e-5;
 
 /// Share of the largest motion of all points below which one is rounding, and has no peaks.
 const STILL: f64 = 1e-9;
-
-/// A body and an order of its rotation, with what the points do at each speed.
-struct Source {
-    body: usize,
-    order: f64,
-    /// By speeds, by points.
-    motions: Vec<Vec<Vibration>>,
-    /// By points.
-    peaks: Vec<Vec<Peak>>,
-    /// Speeds beside the peaks with the motions of the points there, for figures.
-    near: Vec<(f64, Vec<Vibration>)>,
-}
 
 /// The response over the speeds.
 pub(super) fn found(

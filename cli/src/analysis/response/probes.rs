@@ -6,7 +6,7 @@ use std::fmt::Write;
 use whirl_solver::linear::{LinearMachine, Point, Vibration};
 use whirl_text::rounded;
 
-use super::Source;
+use super::source::Source;
 use crate::analysis::words;
 
 /// What figures show of a motion.
