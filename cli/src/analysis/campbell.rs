@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use whirl_solver::linear::{Campbell, LinearMachine, Mode, Whirl};
+use whirl_solver::linear::{Campbell, Critical, LinearMachine, Mode, Whirl};
 
 use super::found::{Found, drawn, followed};
 use super::speeds::Wanted;
@@ -173,15 +173,17 @@ fn figure(
             frequencies.labels.push(Label { at: at(last), text: format!("{order}X") });
         }
     }
-    for own in &all.criticals {
+    // Where several are near each other, unbalance excites the forward one.
+    let is_forward = |own: &Critical| own.mode.whirl(own.speed) == Whirl::Forward;
+    let (forward, others): (Vec<_>, Vec<_>) = all.criticals.iter().partition(|own| is_forward(own));
+    for own in forward.into_iter().chain(others) {
         let at = (words::rpm(own.speed), own.mode.hertz());
         frequencies.dots.push(Dot { at, name: "critical speeds".to_owned() });
-        let last = frequencies.labels.last();
         let is_near = |own: &Label| {
             (own.at.0 - at.0).abs() < NEAR * words::rpm(ends[1] - ends[0])
                 && (own.at.1 - at.1).abs() < NEAR * highest
         };
-        if !last.is_some_and(is_near) {
+        if !frequencies.labels.iter().any(is_near) {
             frequencies.labels.push(Label { at, text: format!("{:.0}", at.0) });
         }
     }
@@ -217,7 +219,7 @@ fn figure(
 }
 
 /// Critical speeds nearer than this share of both axes have one label.
-const NEAR: f64 = 0.06;
+const NEAR: f64 = 0.04;
 /// Of a line (pixels) that says nothing by its width.
 const THIN: f64 = 1.4;
 

@@ -96,6 +96,8 @@ impl Seen<'_> {
         let mass: f64 = bodies.map(|own| own.centre_of_mass().mass).sum();
         // Shapes are of unit modal mass: one that moves sideways does so by 1/√m at least.
         let is_lateral = most * most * mass > LATERAL;
+        let start =
+            motions.iter().flatten().find(|own| own.orbit().major == most).map_or(0.0, start);
         let levels = || self.along.iter().flat_map(|own| own.stations.iter().map(|own| own.0));
         let first = levels().fold(f64::INFINITY, f64::min);
         let last = levels().fold(f64::NEG_INFINITY, f64::max);
@@ -113,7 +115,7 @@ impl Seen<'_> {
         for (place, (along, motions)) in self.along.iter().zip(&motions).enumerate() {
             let name = self.linear.machine().bodies[along.body].name();
             let moved = |z: f64, own: &Vibration, turn: f64| {
-                let [x, y] = own.at(turn);
+                let [x, y] = own.at(start + turn);
                 seen(z, [along.axis[0] + scale * x, along.axis[1] + scale * y])
             };
             let stations = || along.stations.iter().map(|own| own.0).zip(motions);
@@ -167,6 +169,12 @@ impl Seen<'_> {
         panel.view = Some(view(&panel));
         panel
     }
+}
+
+/// The turn at which a motion is largest along x or y, whichever is larger: where the drawn orbits begin.
+fn start(own: &Vibration) -> f64 {
+    let [x, y] = own.amplitudes;
+    if x.norm() >= y.norm() { -x.arg() } else { -y.arg() }
 }
 
 /// What stands above a panel.
