@@ -47,10 +47,10 @@ impl Panel {
         (self.x.0 + self.x.1 * x, self.y.0 + self.y.1 * y)
     }
 
-    /// Centres of circles of a colour.
+    /// Centres of circles of a colour; those of the legend, behind the last panel, are larger.
     fn circles(&self, colour: &str) -> Vec<(f64, f64)> {
-        let own = self.text.split("<circle ").skip(1);
-        let own = own.filter(|own| own.split('>').next().is_some_and(|own| own.contains(colour)));
+        let own = self.text.split("<circle ").skip(1).filter_map(|own| own.split('>').next());
+        let own = own.filter(|own| own.contains(colour) && !own.contains("r=\"5\""));
         own.filter_map(|own| Some((attribute(own, "cx")?, attribute(own, "cy")?))).collect()
     }
 
