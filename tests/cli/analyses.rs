@@ -1,7 +1,9 @@
 //! `whirl modes`, `campbell` and `analyse`: against other programs and closed forms, from case files.
 
+mod built_in;
 mod closed_forms;
 mod coaxial;
+mod figures;
 mod forces;
 mod invariance;
 mod lateral;
@@ -401,7 +403,7 @@ fn what_has_no_modes_at_a_speed_is_refused() {
         (vec!["modes", "weight", "--speeds", "-1 m"], "speeds are angular speeds"),
         (vec!["modes", "weight", "--count", "0"], "no modes are asked for"),
         (vec!["response", "film.toml"], "no body of `film` has an unbalance"),
-        (vec!["analyse", "weight"], "`weight` has no analysis"),
+        (vec!["analyse", "sdnd101"], "`sdnd101` has no analysis"),
         (
             vec!["modes", "film.toml", "--speeds", "0 rpm"],
             "no equilibrium was found with rotor at 0 rpm",

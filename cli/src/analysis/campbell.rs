@@ -2,14 +2,14 @@
 
 use std::fmt::Write;
 
-use whirl_solver::linear::{Campbell, LinearMachine, Mode, Whirl};
+use whirl_solver::linear::{Campbell, Critical, LinearMachine, Mode, Whirl};
 
 use super::found::{Found, drawn, followed};
 use super::speeds::Wanted;
-use super::words;
+use super::{roots, words};
 use crate::case::{Analysis, Case};
 use crate::errors::Failure;
-use crate::figures::{Dot, Figure, Line, Panel, Style};
+use crate::figures::{Cloud, Dot, Figure, Label, Line, Mark, Panel, Stroke, Style};
 use crate::report::table;
 use crate::signals::Interruption;
 
@@ -30,6 +30,9 @@ pub(super) fn found(
     ];
     if figures {
         files.extend(drawn(name, &figure(case, linear, of, &all, &analysis.orders)));
+        let body = linear.machine().bodies[of].name();
+        let stem = format!("{name}.roots");
+        files.extend(drawn(&stem, &roots::figure(&case.name, body, &all)));
     }
     let mut text = text(case, linear, of, &all);
     text += &words::doubts(&all.doubts);
@@ -136,7 +139,7 @@ fn text(case: &Case, linear: &LinearMachine, of: usize, all: &Campbell) -> Strin
     text
 }
 
-/// Frequencies over speed above logarithmic decrements over speed.
+/// Frequencies over speed, the wider the more they are damped, beside logarithmic decrements over speed.
 fn figure(
     case: &Case,
     linear: &LinearMachine,
@@ -146,14 +149,14 @@ fn figure(
 ) -> Figure {
     let body = linear.machine().bodies[of].name();
     let x = format!("speed of {body} (rpm)");
-    let hertz = lines(all, &|mode| mode.hertz());
-    let highest =
-        hertz.iter().flat_map(|own| &own.points).fold(0.0, |most: f64, own| most.max(own.1));
+    let strokes = strokes(all, &|mode| mode.hertz(), &|mode| width(mode.damping_ratio()));
+    let points = strokes.iter().flat_map(|own| &own.line.points);
+    let highest = points.fold(0.0, |most: f64, own| most.max(own.1));
     let mut frequencies = Panel {
-        title: "frequencies".to_owned(),
+        title: "frequencies (wider: ζ above 0.01, 0.05, 0.2)".to_owned(),
         x: x.clone(),
         y: "frequency (Hz)".to_owned(),
-        lines: hertz,
+        strokes,
         ..Panel::default()
     };
     let ends =
@@ -167,19 +170,47 @@ fn figure(
                 style: Style::Limit,
                 name: "orders of the rotation".to_owned(),
             });
+            frequencies.labels.push(Label { at: at(last), text: format!("{order}X") });
         }
     }
-    for own in &all.criticals {
+    // Where several are near each other, unbalance excites the forward one.
+    let is_forward = |own: &Critical| own.mode.whirl(own.speed) == Whirl::Forward;
+    let (forward, others): (Vec<_>, Vec<_>) = all.criticals.iter().partition(|own| is_forward(own));
+    for own in forward.into_iter().chain(others) {
         let at = (words::rpm(own.speed), own.mode.hertz());
         frequencies.dots.push(Dot { at, name: "critical speeds".to_owned() });
+        let is_near = |own: &Label| {
+            (own.at.0 - at.0).abs() < NEAR * words::rpm(ends[1] - ends[0])
+                && (own.at.1 - at.1).abs() < NEAR * highest
+        };
+        if !frequencies.labels.iter().any(is_near) {
+            frequencies.labels.push(Label { at, text: format!("{:.0}", at.0) });
+        }
     }
-    let decrements = Panel {
+    let threshold = |grows: bool| {
+        let own = all.thresholds.iter().filter(move |own| own.grows == grows);
+        own.filter_map(|own| Some((words::rpm(own.speed), own.mode.as_ref()?)))
+    };
+    let mut decrements = Panel {
         title: "damping".to_owned(),
         x,
         y: "logarithmic decrement (1)".to_owned(),
-        lines: lines(all, &|mode| mode.log_decrement()),
+        strokes: self::strokes(all, &|mode| mode.log_decrement(), &|_| THIN),
+        levels: vec![Mark { x: 0.0, name: String::new() }],
         ..Panel::default()
     };
+    for (grows, style, name) in
+        [(true, Style::Fourth, "unstable above"), (false, Style::Third, "stable above")]
+    {
+        for (speed, mode) in threshold(grows) {
+            for (panel, value) in [(&mut frequencies, mode.hertz()), (&mut decrements, 0.0)] {
+                let points = vec![(speed, value)];
+                let name = name.to_owned();
+                panel.clouds.push(Cloud { points, style, radius: 4.5, name });
+            }
+            decrements.labels.push(Label { at: (speed, 0.0), text: format!("{speed:.0}") });
+        }
+    }
     Figure {
         title: format!("{}: {}", case.name, case.title),
         panels: vec![frequencies, decrements],
@@ -187,32 +218,53 @@ fn figure(
     }
 }
 
-/// Branches in pieces by how they whirl, and whether they grow.
-fn lines(all: &Campbell, of: &dyn Fn(&Mode) -> f64) -> Vec<Line> {
+/// Critical speeds nearer than this share of both axes have one label.
+const NEAR: f64 = 0.04;
+/// Of a line (pixels) that says nothing by its width.
+const THIN: f64 = 1.4;
+
+/// Of a line by a damping ratio: steps, so that a branch is a few lines and not one a speed.
+fn width(ratio: f64) -> f64 {
+    match ratio {
+        own if own < 0.01 => 0.9,
+        own if own < 0.05 => 1.7,
+        own if own < 0.2 => 2.7,
+        _ => 4.0,
+    }
+}
+
+/// Branches in pieces by how they whirl, how wide they are, and whether they grow.
+fn strokes(all: &Campbell, of: &dyn Fn(&Mode) -> f64, wide: &dyn Fn(&Mode) -> f64) -> Vec<Stroke> {
     let kind = |mode: &Mode, speed: f64| match mode.whirl(speed) {
         _ if mode.grows() => (Style::Doubted, "unstable"),
         Whirl::Forward => (Style::First, "forward whirl"),
         Whirl::Backward => (Style::Second, "backward whirl"),
         Whirl::None => (Style::Third, "neither"),
     };
-    let mut lines: Vec<Line> = Vec::new();
+    let mut strokes: Vec<Stroke> = Vec::new();
     for branch in &all.branches {
-        let mut last: Option<(Style, (f64, f64))> = None;
+        let mut last: Option<(Style, f64, (f64, f64))> = None;
+        let mut before: Option<&Mode> = None;
         for (mode, &speed) in branch.iter().zip(&all.speeds) {
-            let Some(mode) = mode else {
+            if !before.zip(mode.as_ref()).is_some_and(|(a, b)| roots::is_one(a, b)) {
                 last = None;
-                continue;
-            };
-            let ((style, name), point) = (kind(mode, speed), (words::rpm(speed), of(mode)));
-            match (&last, lines.last_mut()) {
-                (Some((own, _)), Some(line)) if *own == style => line.points.push(point),
+            }
+            before = mode.as_ref();
+            let Some(mode) = mode else { continue };
+            let ((style, name), width) = (kind(mode, speed), wide(mode));
+            let point = (words::rpm(speed), of(mode));
+            match (&last, strokes.last_mut()) {
+                (Some((own, as_wide, _)), Some(stroke)) if (*own, *as_wide) == (style, width) => {
+                    stroke.line.points.push(point);
+                }
                 (before, _) => {
-                    let points = before.iter().map(|own| own.1).chain([point]).collect();
-                    lines.push(Line { points, style, name: name.to_owned() });
+                    let points = before.iter().map(|own| own.2).chain([point]).collect();
+                    let line = Line { points, style, name: name.to_owned() };
+                    strokes.push(Stroke { line, width });
                 }
             }
-            last = Some((style, point));
+            last = Some((style, width, point));
         }
     }
-    lines
+    strokes
 }

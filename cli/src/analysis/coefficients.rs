@@ -5,12 +5,13 @@ use std::fmt::Write;
 use whirl_solver::linear::{JointCoefficients, LinearMachine, Standstill};
 use whirl_text::shown;
 
-use super::found::Found;
+use super::found::{Found, drawn};
 use super::speeds::Wanted;
 use super::states::{Ended, at_each_speed};
 use super::words;
 use crate::case::{Analysis, Case};
 use crate::errors::Failure;
+use crate::figures::{Figure, Line, Panel, Style};
 use crate::report::table;
 use crate::signals::Interruption;
 
@@ -23,12 +24,14 @@ pub(super) fn found(
     linear: &LinearMachine,
     (analysis, wanted): (&Analysis, &Wanted),
     interruption: &Interruption,
+    figures: bool,
 ) -> Result<Found, Failure> {
     let mut all = String::from(
         "speed_rpm,joint,eccentricity_ratio,e_x_um,e_y_um,force_x_N,force_y_N,k_xx_N_m,k_xy_N_m,k_yx_N_m,k_yy_N_m,c_xx_Ns_m,c_xy_Ns_m,c_yx_Ns_m,c_yy_Ns_m\n",
     );
     let mut single: Vec<(String, String)> = Vec::new();
     let mut whole = String::new();
+    let mut drawing: Vec<(String, Vec<(f64, [f64; 8])>)> = Vec::new();
     let head = [
         "joint",
         "speed (rpm)",
@@ -50,6 +53,10 @@ pub(super) fn found(
             let label = own.label.trim_start_matches('_').to_owned();
             let values = values(&own);
             let numbers = values.map(|value| value.to_string()).join(",");
+            match drawing.iter_mut().find(|(name, _)| *name == label) {
+                Some((_, all)) => all.push((words::rpm(speed), values)),
+                None => drawing.push((label.clone(), vec![(words::rpm(speed), values)])),
+            }
             let ratio = own.eccentricity.map_or(String::new(), |own| own.to_string());
             let [x, y] = own.displacement.map(|own| 1e6 * own);
             let rpm = words::rpm(speed);
@@ -88,6 +95,12 @@ pub(super) fn found(
     let alone =
         |(label, text): (String, String)| (format!("{name}.{label}.csv"), text.into_bytes());
     files.extend(single.into_iter().map(alone));
+    // One speed is no curve.
+    drawing.retain(|(_, all)| all.len() > 1);
+    if let (true, false, Some(of)) = (figures, drawing.is_empty(), wanted.of) {
+        let body = linear.machine().bodies[of].name();
+        files.extend(drawn(name, &figure(case, body, &drawing)));
+    }
     let mut text = format!("{}: {}\n\n{}{lost}", case.name, case.title, table(&rows));
     if !whole.is_empty() {
         let file = format!("{name}.5x5.csv");
@@ -101,6 +114,43 @@ pub(super) fn found(
 fn values(own: &JointCoefficients) -> [f64; 8] {
     let [k, c] = [own.stiffness, own.damping];
     [k[0][0], k[0][1], k[1][0], k[1][1], c[0][0], c[0][1], c[1][0], c[1][1]]
+}
+
+/// Stiffness beside damping over speed, a row of panels for each joint.
+fn figure(case: &Case, body: &str, all: &[(String, Vec<(f64, [f64; 8])>)]) -> Figure {
+    let styles = [Style::First, Style::Second, Style::Third, Style::Fourth];
+    let mut panels = Vec::new();
+    for (label, values) in all {
+        for (first, quantity, letter, unit) in
+            [(0, "stiffness", "K", "N/m"), (4, "damping", "C", "N s/m")]
+        {
+            let lines = ["xx", "xy", "yx", "yy"].into_iter().zip(styles).enumerate();
+            let own = values.iter().flat_map(|(_, own)| &own[first..first + 4]);
+            let power = power(own.fold(0.0, |most: f64, own| most.max(own.abs())));
+            let unit = if power == 0 { unit.to_owned() } else { format!("1e{power} {unit}") };
+            let scale = 10.0_f64.powi(-power);
+            let lines = lines.map(|(place, (axes, style))| Line {
+                points: (values.iter())
+                    .map(|(speed, own)| (*speed, scale * own[first + place]))
+                    .collect(),
+                style,
+                name: axes.to_owned(),
+            });
+            panels.push(Panel {
+                title: format!("{label}: {quantity}"),
+                x: format!("speed of {body} (rpm)"),
+                y: format!("{letter} ({unit})"),
+                lines: lines.collect(),
+                ..Panel::default()
+            });
+        }
+    }
+    Figure { title: format!("{}: {}", case.name, case.title), panels, columns: 2 }
+}
+
+/// The power of ten, a multiple of three, in which a number has one to three digits before its point.
+fn power(most: f64) -> i32 {
+    if most > 0.0 && most.is_finite() { 3 * (most.log10() / 3.0).floor() as i32 } else { 0 }
 }
 
 /// Columns of K and C of a law of the whole joint, called as the parameters of `linear-5x5` are.

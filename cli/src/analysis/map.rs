@@ -129,5 +129,5 @@ fn figure(case: &Case, linear: &LinearMachine, of: usize, all: &[(f64, Vec<Undam
         x_log: true,
         ..Panel::default()
     };
-    Figure { title: format!("{}: {}", case.name, case.title), panels: vec![panel], columns: 1 }
+    Figure { title: format!("{}: critical speed map", case.name), panels: vec![panel], columns: 1 }
 }

@@ -12,9 +12,12 @@ mod map;
 mod matrices;
 mod modes;
 mod response;
+mod roots;
+mod shapes;
 mod speeds;
 mod stability;
 mod states;
+mod stations;
 mod torsion;
 mod words;
 
@@ -229,7 +232,8 @@ fn run(
         let name = &analysis.name;
         let found = match &linear {
             Some(linear) if !alone(analysis.kind) => {
-                let (of, show) = ((case, linear), (show, !arguments.no_figures));
+                let figures = !arguments.no_figures && output.is_some();
+                let (of, show) = ((case, linear), (show, figures));
                 of_machine(of, analysis, cache.as_ref(), &interruption, show)?
             }
             _ => {
@@ -283,10 +287,15 @@ fn of_machine(
     let wanted = speeds::wanted(case, linear, analysis)?;
     let wanted = (analysis, &wanted);
     let work = || match analysis.kind {
-        AnalysisKind::Modes => modes::found(case, linear, wanted, interruption),
+        AnalysisKind::Modes => {
+            let figures = figures.then_some(cache);
+            modes::found(case, linear, wanted, interruption, figures)
+        }
         AnalysisKind::Campbell => campbell::found(case, linear, wanted, interruption, figures),
         AnalysisKind::Response => response::found(case, linear, wanted, interruption, figures),
-        AnalysisKind::Coefficients => coefficients::found(case, linear, wanted, interruption),
+        AnalysisKind::Coefficients => {
+            coefficients::found(case, linear, wanted, interruption, figures)
+        }
         AnalysisKind::Stability => stability::found(case, linear, wanted, interruption, figures),
         AnalysisKind::Map => map::found(case, linear, wanted, interruption, figures),
         AnalysisKind::Matrices => matrices::found(case, linear, wanted, interruption),

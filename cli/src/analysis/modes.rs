@@ -2,9 +2,11 @@
 
 use std::fmt::Write;
 
+use whirl_solver::cache::Cache;
 use whirl_solver::linear::{LinearMachine, Mode, Standstill};
 
-use super::found::Found;
+use super::found::{Found, drawn};
+use super::shapes::Seen;
 use super::speeds::Wanted;
 use super::states::{Ended, at_each_speed};
 use super::words;
@@ -13,17 +15,26 @@ use crate::errors::Failure;
 use crate::report::table;
 use crate::signals::Interruption;
 
-/// The modes at each speed, as a table and as a file.
+/// Speeds whose shapes are drawn at most.
+const DRAWN: usize = 12;
+
+/// The modes at each speed, as a table and as a file; with a cache of bodies, if any, where figures are wanted.
 pub(super) fn found(
     case: &Case,
     linear: &LinearMachine,
     (analysis, wanted): (&Analysis, &Wanted),
     interruption: &Interruption,
+    figures: Option<Option<&Cache>>,
 ) -> Result<Found, Failure> {
     let mut text = String::new();
     let mut file = String::from(
         "speed_rpm,mode,frequency_hz,damping_ratio,log_decrement,whirl,sense,real_1_s,imaginary_1_s,beside_hz\n",
     );
+    let seen = match figures {
+        Some(cache) if wanted.speeds.len() <= DRAWN => Some(Seen::new(case, linear, cache)?),
+        _ => None,
+    };
+    let mut drawings = Vec::new();
     let mut work = |speed: f64, at: &Standstill| -> Result<(), Failure> {
         let equations = linear.linearised(at)?;
         let modes = linear.modes(&equations, analysis.count)?;
@@ -70,12 +81,24 @@ pub(super) fn found(
         }
         text.push_str(&words::doubts(&linear.doubts(at, &equations, &modes.oscillating)?));
         text.push('\n');
+        if let Some(seen) = &seen {
+            let listed = &modes.oscillating[..modes.oscillating.len().min(analysis.count)];
+            drawings.push(seen.figure(case, (at, listed), wanted.of.map(|of| (of, speed))));
+        }
         Ok(())
     };
     let Ended { lost, interrupted } =
         at_each_speed(linear, (analysis, wanted), interruption, &mut work)?;
     text.push_str(&lost);
-    let files = vec![(format!("{}.csv", analysis.name), file.into_bytes())];
+    let name = &analysis.name;
+    let mut files = vec![(format!("{name}.csv"), file.into_bytes())];
+    for (place, drawing) in drawings.iter().enumerate() {
+        let stem = match drawings.len() {
+            1 => name.clone(),
+            _ => format!("{name}.{}", place + 1),
+        };
+        files.extend(drawn(&stem, drawing));
+    }
     Ok(Found { text, files, interrupted })
 }
 

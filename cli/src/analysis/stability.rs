@@ -6,10 +6,10 @@ use whirl_solver::linear::{Campbell, LinearMachine, Mode};
 
 use super::found::{Found, drawn, followed};
 use super::speeds::Wanted;
-use super::words;
+use super::{roots, words};
 use crate::case::{Analysis, Case};
 use crate::errors::Failure;
-use crate::figures::{Figure, Line, Panel, Style};
+use crate::figures::{Dot, Figure, Label, Line, Mark, Panel, Stroke, Style};
 use crate::report::table;
 use crate::signals::Interruption;
 
@@ -31,6 +31,9 @@ pub(super) fn found(
     ];
     if figures && all.speeds.len() > 1 {
         files.extend(drawn(name, &figure(case, linear, of, &all, &least)));
+        let body = linear.machine().bodies[of].name();
+        let stem = format!("{name}.roots");
+        files.extend(drawn(&stem, &roots::figure(&case.name, body, &all)));
     }
     let mut text = format!("{}: {}\n", case.name, case.title);
     let head = ["speed (rpm)", "least log decrement", "frequency (Hz)", "whirl", "moves", ""];
@@ -81,23 +84,42 @@ fn figure(
     all: &Campbell,
     least: &[Option<&Mode>],
 ) -> Figure {
-    let points = all
+    let body = linear.machine().bodies[of].name();
+    let mut panel = Panel {
+        title: "stability".to_owned(),
+        x: format!("speed of {body} (rpm)"),
+        y: "least logarithmic decrement (1)".to_owned(),
+        levels: vec![Mark { x: 0.0, name: String::new() }],
+        ..Panel::default()
+    };
+    let points: Vec<(f64, f64, bool)> = all
         .speeds
         .iter()
         .zip(least)
-        .filter_map(|(speed, mode)| Some((words::rpm(*speed), (*mode)?.log_decrement())));
-    let body = linear.machine().bodies[of].name();
-    let line = Line {
-        points: points.collect(),
-        style: Style::First,
-        name: "the least stable mode".to_owned(),
-    };
-    let panel = Panel {
-        title: "stability".to_owned(),
-        x: format!("speed of {body} (rpm)"),
-        y: "logarithmic decrement (1)".to_owned(),
-        lines: vec![line],
-        ..Panel::default()
-    };
-    Figure { title: format!("{}: {}", case.name, case.title), panels: vec![panel], columns: 1 }
+        .filter_map(|(speed, mode)| {
+            let mode = (*mode)?;
+            Some((words::rpm(*speed), mode.log_decrement(), mode.grows()))
+        })
+        .collect();
+    // A piece between two speeds is unstable if its end is.
+    for piece in points.windows(2) {
+        let [(x, y, _), (u, v, grows)] = [piece[0], piece[1]];
+        let (style, name) = match grows {
+            true => (Style::Doubted, "unstable"),
+            false => (Style::First, "the least stable mode"),
+        };
+        match panel.strokes.last_mut() {
+            Some(last) if last.line.style == style => last.line.points.push((u, v)),
+            _ => {
+                let line = Line { points: vec![(x, y), (u, v)], style, name: name.to_owned() };
+                panel.strokes.push(Stroke { line, width: 1.6 });
+            }
+        }
+    }
+    for own in &all.thresholds {
+        let at = (words::rpm(own.speed), 0.0);
+        panel.dots.push(Dot { at, name: "thresholds".to_owned() });
+        panel.labels.push(Label { at, text: format!("{:.0} rpm", at.0) });
+    }
+    Figure { title: format!("{}: least stable mode", case.name), panels: vec![panel], columns: 1 }
 }

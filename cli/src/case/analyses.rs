@@ -49,6 +49,8 @@ pub(crate) struct Analysis {
     pub(crate) stiffness: Vec<f64>,
     /// Planes along each body at which forces are wanted.
     pub(crate) stations: usize,
+    /// Of a response: the angle from x to the first of two probes at a right angle (rad), where figures show what they read.
+    pub(crate) probe_angle: Option<f64>,
     /// Of matrices.
     pub(crate) format: MatrixFormat,
     /// What standards ask for, of a lateral analysis.
@@ -96,6 +98,7 @@ impl Analysis {
             margin: MARGIN,
             stiffness: Vec::new(),
             stations: STATIONS,
+            probe_angle: None,
             format: MatrixFormat::default(),
             lateral: None,
         }
@@ -188,10 +191,18 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
     let margin = if given { table.number_or_middle("margin") } else { MARGIN };
     let stations = table.optional_count("stations").unwrap_or(STATIONS);
     let format = table.optional_word("format").and_then(MatrixFormat::of);
+    let probe_angle = match kind {
+        Some(AnalysisKind::Response) => table.quantity("probe_angle"),
+        _ => None,
+    };
     let lateral = match kind {
         Some(AnalysisKind::Lateral) => Some(Box::new(lateral::read(table, joined)?)),
         _ => {
-            lateral::refuse(table);
+            let both: &[&str] = match kind {
+                Some(AnalysisKind::Response) => &["probe_angle"],
+                _ => &[],
+            };
+            lateral::refuse(table, both);
             None
         }
     };
@@ -203,6 +214,7 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
         mesh_orders: if mesh_orders.is_empty() { MESH_ORDERS.to_vec() } else { mesh_orders },
         margin,
         stations,
+        probe_angle,
         format: format.unwrap_or_default(),
         lateral,
         ..Analysis::of_kind(kind)

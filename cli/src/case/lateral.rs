@@ -121,10 +121,14 @@ const KEYS: [&str; 16] = [
     "variants",
 ];
 
-/// Notes keys of a lateral analysis in a table of another kind.
-pub(super) fn refuse(table: &Table) {
-    for key in KEYS.into_iter().filter(|key| table.has(key)) {
-        let message = format!("`{key}` is of an analysis of the kind `lateral`");
+/// Notes keys of a lateral analysis in a table of another kind, but for those that this one has as well.
+pub(super) fn refuse(table: &Table, but: &[&str]) {
+    for key in KEYS.into_iter().filter(|key| table.has(key) && !but.contains(key)) {
+        let kinds = match key {
+            "probe_angle" => "of the kinds `lateral` and `response`",
+            _ => "of the kind `lateral`",
+        };
+        let message = format!("`{key}` is of an analysis {kinds}");
         let help = "write `kind = \"lateral\"`, or leave it out";
         table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
         table.pass_over(key);

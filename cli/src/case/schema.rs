@@ -375,7 +375,11 @@ const ANALYSIS: &[Key] = &[
         "points where vibration is measured; the journals of the body if left out",
     )
     .like("[\"joint.left\", \"joint.right\"]"),
-    key("probe_angle", ANGLE, "from x to the first of two probes; 45 deg if left out"),
+    key(
+        "probe_angle",
+        ANGLE,
+        "from x to the first of two probes, 90 deg apart; 45 deg if left out of a lateral analysis, none of a response",
+    ),
     key(
         "clearances",
         Named(&LENGTH),

@@ -12,7 +12,7 @@ use kuva::render::plots::Plot;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree, fontdb::Database};
 
-use super::figure::{Cells, Cloud, Dot, Figure, Line, Map, Panel, Style};
+use super::figure::{Cells, Cloud, Dot, Figure, Label, Line, Map, Panel, Stroke, Style};
 
 /// Pixels of a panel in the SVG.
 const PANEL: (f64, f64) = (460.0, 320.0);
@@ -88,9 +88,24 @@ fn fonts() -> Arc<Database> {
 fn plots(panel: &Panel) -> Vec<Plot> {
     let map = panel.map.iter().map(|map| Plot::Heatmap(cells(map)));
     let lines = panel.lines.iter().map(|line| Plot::Line(curve(line)));
+    let strokes = panel.strokes.iter().map(|own| {
+        let Stroke { line, width } = own;
+        Plot::Line(curve(line).with_stroke_width(*width))
+    });
     let clouds = panel.clouds.iter().map(|cloud| Plot::Scatter(points(cloud)));
     let dots = panel.dots.iter().map(|dot| Plot::Scatter(mark(dot)));
-    map.chain(lines).chain(clouds).chain(dots).collect()
+    let labels = (!panel.labels.is_empty()).then(|| Plot::Scatter(words(&panel.labels)));
+    map.chain(lines).chain(strokes).chain(clouds).chain(dots).chain(labels).collect()
+}
+
+/// Words at points that are not seen.
+fn words(labels: &[Label]) -> ScatterPlot {
+    ScatterPlot::new()
+        .with_data(labels.iter().map(|own| own.at))
+        .with_size(NO_SIZE)
+        .with_marker_opacity(0.0)
+        .with_labels(labels.iter().map(|own| own.text.clone()))
+        .with_repel_labels()
 }
 
 fn cells(map: &Map) -> Heatmap {
@@ -137,9 +152,21 @@ fn mark(dot: &Dot) -> ScatterPlot {
 
 const DOT: &str = "#d62728";
 const MARK: &str = "#707070";
+/// Of a point at which words stand, from which they keep off as from a dot.
+const NO_SIZE: f64 = 3.5;
+/// Of bodies that are told apart; after the last one they begin again.
+const BODIES: [&str; 6] = ["#222222", "#2a7f3f", "#8a3ea8", "#7a5230", "#0b8a8f", "#b03a6a"];
 
-fn stroke(style: Style) -> (&'static str, f64, LineStyle) {
-    match style {
+fn stroke(style: Style) -> (String, f64, LineStyle) {
+    let (colour, width, dash) = match style {
+        Style::Body(number) => {
+            let colour = BODIES[usize::from(number) % BODIES.len()];
+            return (colour.to_string(), 2.0, LineStyle::Solid);
+        }
+        Style::Shade(value) => {
+            let colour = ColorMap::Viridis.map(f64::from(value) / f64::from(u8::MAX));
+            return (colour, 1.6, LineStyle::Solid);
+        }
         Style::First => ("#1f4e9c", 1.6, LineStyle::Solid),
         Style::Second => ("#d9730d", 1.6, LineStyle::Custom("6 3".to_string())),
         Style::Third => ("#2a7f3f", 1.6, LineStyle::Custom("3 2".to_string())),
@@ -147,7 +174,8 @@ fn stroke(style: Style) -> (&'static str, f64, LineStyle) {
         Style::Thin => ("#1f4e9c", 0.8, LineStyle::Solid),
         Style::Limit => ("#707070", 1.0, LineStyle::Custom("2 3".to_string())),
         Style::Doubted => (DOT, 1.0, LineStyle::Solid),
-    }
+    };
+    (colour.to_string(), width, dash)
 }
 
 fn layout(panel: &Panel, plots: &[Plot]) -> Layout {
@@ -158,6 +186,7 @@ fn layout(panel: &Panel, plots: &[Plot]) -> Layout {
         .with_y_label(panel.y.clone())
         .with_label_size(13)
         .with_tick_size(11)
+        .with_body_size(10)
         .with_font_family(FONT)
         .with_ticks(6);
     let layout = panel.marks.iter().fold(layout, |layout, mark| {
@@ -165,6 +194,21 @@ fn layout(panel: &Panel, plots: &[Plot]) -> Layout {
             ReferenceLine::vertical(mark.x).with_color(MARK).with_label(mark.name.clone()),
         )
     });
+    let layout = panel.levels.iter().fold(layout, |layout, level| {
+        layout.with_reference_line(
+            ReferenceLine::horizontal(level.x).with_color(MARK).with_label(level.name.clone()),
+        )
+    });
+    if let Some([x, y]) = panel.view {
+        let mut layout = layout
+            .with_x_axis_min(x.0)
+            .with_x_axis_max(x.1)
+            .with_y_axis_min(y.0)
+            .with_y_axis_max(y.1)
+            .with_show_grid(false);
+        layout.suppress_y_ticks = true;
+        return layout;
+    }
     if let Some(map) = &panel.map {
         return over_cells(layout, map);
     }
@@ -178,7 +222,11 @@ fn layout(panel: &Panel, plots: &[Plot]) -> Layout {
     if let Some((end, step)) = panel.x_scale {
         return layout.with_x_axis_min(0.0).with_x_axis_max(end).with_x_tick_step(step);
     }
-    let abscissae = panel.lines.iter().flat_map(|line| &line.points).map(|point| point.0);
+    if panel.is_loose {
+        return layout;
+    }
+    let lines = panel.lines.iter().chain(panel.strokes.iter().map(|own| &own.line));
+    let abscissae = lines.flat_map(|line| &line.points).map(|point| point.0);
     let (first, last) = abscissae
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (x.min(least), x.max(most)));
     // A first step a little after zero is no reason to start there.
@@ -202,25 +250,28 @@ fn over_cells(layout: Layout, map: &Map) -> Layout {
     }
 }
 
-fn legend(figure: &Figure) -> Vec<LegendEntry> {
+fn legend<'a>(figure: &'a Figure) -> Vec<LegendEntry> {
     let mut named = BTreeSet::new();
     let mut entries = Vec::new();
-    for line in figure.panels.iter().flat_map(|panel| &panel.lines) {
+    let strokes = |panel: &'a Panel| panel.strokes.iter().map(|own| &own.line);
+    let lines = figure.panels.iter().flat_map(|panel| panel.lines.iter().chain(strokes(panel)));
+    for line in lines.filter(|own| !own.name.is_empty()) {
         if named.insert(line.name.as_str()) {
             let (colour, _, dash) = stroke(line.style);
             entries.push(LegendEntry {
                 label: line.name.clone(),
-                color: colour.to_string(),
+                color: colour,
                 shape: LegendShape::Line,
                 dasharray: dash.dasharray(),
             });
         }
     }
-    for cloud in figure.panels.iter().flat_map(|panel| &panel.clouds) {
+    let clouds = figure.panels.iter().flat_map(|panel| &panel.clouds);
+    for cloud in clouds.filter(|own| !own.name.is_empty()) {
         if named.insert(cloud.name.as_str()) {
             entries.push(LegendEntry {
                 label: cloud.name.clone(),
-                color: stroke(cloud.style).0.to_string(),
+                color: stroke(cloud.style).0,
                 shape: LegendShape::Circle,
                 dasharray: None,
             });

@@ -22,12 +22,18 @@ pub(crate) struct Panel {
     pub(crate) y: String,
     /// Curves, the later ones above.
     pub(crate) lines: Vec<Line>,
+    /// Curves with widths of their own, above the others.
+    pub(crate) strokes: Vec<Stroke>,
     /// Points marked by a dot.
     pub(crate) dots: Vec<Dot>,
     /// Points of one kind, above the curves.
     pub(crate) clouds: Vec<Cloud>,
+    /// Words beside points, moved off each other.
+    pub(crate) labels: Vec<Label>,
     /// Abscissae that are marked by a line from bottom to top.
     pub(crate) marks: Vec<Mark>,
+    /// Ordinates that are marked by a line from left to right.
+    pub(crate) levels: Vec<Mark>,
     /// Values over both axes, below all else.
     pub(crate) map: Option<Map>,
     /// What stands below the abscissae 1, 2, … where they are no numbers.
@@ -36,6 +42,10 @@ pub(crate) struct Panel {
     pub(crate) x_log: bool,
     /// Whether one unit has the same length on both axes.
     pub(crate) equal_axes: bool,
+    /// Whether the x axis goes on beyond the curves.
+    pub(crate) is_loose: bool,
+    /// Ends of both axes of a view, which has no numbers on the y axis.
+    pub(crate) view: Option<[(f64, f64); 2]>,
     /// End of the x axis and distance between its labels, where the reader expects certain ones.
     pub(crate) x_scale: Option<(f64, f64)>,
 }
@@ -49,6 +59,24 @@ pub(crate) struct Line {
     pub(crate) style: Style,
     /// Its name in the legend; the same name in several panels stands there once.
     pub(crate) name: String,
+}
+
+/// A curve whose width says something.
+#[derive(Debug, Clone)]
+pub(crate) struct Stroke {
+    /// The curve.
+    pub(crate) line: Line,
+    /// In pixels.
+    pub(crate) width: f64,
+}
+
+/// Words beside a point.
+#[derive(Debug, Clone)]
+pub(crate) struct Label {
+    /// x and y.
+    pub(crate) at: (f64, f64),
+    /// What stands there.
+    pub(crate) text: String,
 }
 
 /// Points without a curve through them.
@@ -84,7 +112,7 @@ pub(crate) enum Cells {
     Named(Vec<String>),
 }
 
-/// A marked abscissa.
+/// A marked abscissa or ordinate.
 #[derive(Debug, Clone)]
 pub(crate) struct Mark {
     /// Where.
@@ -119,4 +147,8 @@ pub(crate) enum Style {
     Limit,
     /// What is not to be believed.
     Doubted,
+    /// Of a body of several, by its number.
+    Body(u8),
+    /// By a value from least (0) to most (255): a place on the scale of colours.
+    Shade(u8),
 }

@@ -35,7 +35,9 @@ pub(crate) const NAMES: [&str; 8] = [
 ];
 
 pub(crate) use self::draw::{png, svg};
-pub(crate) use self::figure::{Cells, Cloud, Dot, Figure, Line, Map, Mark, Panel, Style};
+pub(crate) use self::figure::{
+    Cells, Cloud, Dot, Figure, Label, Line, Map, Mark, Panel, Stroke, Style,
+};
 pub use self::laws::{Curve, curves};
 pub(crate) use self::spectra::{Spectrum, last_spectra};
 pub(crate) use self::stack::{Stacked, stack};

@@ -108,6 +108,18 @@ impl Orbit {
         let (forward, backward) = (0.5 * (x + i * y).norm(), 0.5 * (x - i * y).norm());
         Orbit { major: forward + backward, minor: forward - backward }
     }
+
+    /// How it goes round, seen by a body that turns in the sense of `speed`.
+    pub fn whirl(&self, speed: f64) -> Whirl {
+        // Of circles a and b in both senses the share (a² − b²)/(a² + b²) is circular.
+        let share =
+            2.0 * self.major * self.minor / (self.major * self.major + self.minor * self.minor);
+        match if speed < 0.0 { -share } else { share } {
+            own if own > CIRCULAR => Whirl::Forward,
+            own if own < -CIRCULAR => Whirl::Backward,
+            _ => Whirl::None,
+        }
+    }
 }
 
 /// The modes at a state.

@@ -47,8 +47,18 @@ impl Vibration {
 
     /// Amplitude along a direction at an angle (rad) from x (m): of a probe that stands there.
     pub fn along(&self, angle: f64) -> f64 {
+        self.reading(angle).norm()
+    }
+
+    /// Complex amplitude of the same (m).
+    pub fn reading(&self, angle: f64) -> Complex64 {
         let (sin, cos) = angle.sin_cos();
-        (cos * self.amplitudes[0] + sin * self.amplitudes[1]).norm()
+        cos * self.amplitudes[0] + sin * self.amplitudes[1]
+    }
+
+    /// Displacement along x and y when ωt has a value (rad), in m.
+    pub fn at(&self, turn: f64) -> [f64; 2] {
+        self.amplitudes.map(|own| (own * Complex64::from_polar(1.0, turn)).re)
     }
 
     /// Whether it is on the other side of the axis than another one, by the mean over the motion.

@@ -4,11 +4,11 @@ use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::assembly::mass_above;
 use whirl_solver::cache::Cache;
 use whirl_solver::linear::{LinearMachine, Linearised, Point, Standstill};
-use whirl_solver::loads::Frame;
 use whirl_solver::model::AttachmentKind;
 use whirl_solver::output::{Motion, Wanted};
 
-use crate::case::{Analysis, Case, Form, JointKind, Lateral, NamedBody, Output, OutputPoint};
+use crate::analysis::stations;
+use crate::case::{Analysis, Case, JointKind, Lateral, NamedBody, Output};
 use crate::errors::Failure;
 use crate::machine::{self, PlannedBody};
 use crate::streams;
@@ -17,8 +17,6 @@ use crate::streams;
 const GRAVITY: f64 = 9.80665;
 /// Stations along a body with a mesh.
 const STATIONS: usize = 41;
-/// Nodes of matrices at most so many planes stand in.
-const PLANES: usize = 200;
 /// Loads of journals below this share of the weight are none.
 const NOTHING: f64 = 1e-6;
 
@@ -73,10 +71,6 @@ impl Model {
         own.outputs.retain(of_motion);
         own.fields = None;
         let plan = streams::warned(|_| machine::plan(&own, &mut Vec::new()))?;
-        let joint_z = |joint: usize| {
-            let z = plan.stations(joint);
-            z.iter().sum::<f64>() / z.len().max(1) as f64
-        };
         let mut journals = Vec::new();
         let mut clearances = Vec::new();
         for (place, joint) in own.machine.joints.iter().enumerate() {
@@ -92,7 +86,7 @@ impl Model {
                 journals.push(Journal {
                     joint: place,
                     name: joint.name.clone(),
-                    z: joint_z(place),
+                    z: stations::middle(&plan, place),
                     load: 0.0,
                 });
             }
@@ -111,7 +105,8 @@ impl Model {
         let ends = [first.z, last.z];
         let named = &own.machine.bodies[of];
         let overhung = overhung(named, &plan.bodies[of], ends)?;
-        let mut levels = levels(named, &plan.bodies[of], &journals);
+        let joints: Vec<f64> = journals.iter().map(|own| own.z).collect();
+        let mut levels = stations::levels(named, &plan.bodies[of], &joints, STATIONS);
         let stages = lateral.stages.iter().filter_map(|own| own.z);
         let planes = lateral.unbalance.iter().flat_map(|own| own.planes.iter().map(|own| own.z));
         // A body of matrices has its nodes only: of what nobody placed the nearest one is taken.
@@ -120,10 +115,8 @@ impl Model {
         levels.extend(stages.chain(planes).chain(lateral.cross_coupling_z.or(midway)));
         levels.sort_by(f64::total_cmp);
         levels.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
-        let meshed = matches!(named.form, Form::Meshed(_));
-        let place = own.machine.bodies[of].name.clone();
         for (number, z) in levels.iter().enumerate() {
-            own.outputs.push(station(of, *z, (meshed, &place), number));
+            own.outputs.push(stations::station(&own, of, *z, number));
         }
         if without_seals {
             let mut number = 0;
@@ -224,39 +217,6 @@ fn body(case: &Case, analysis: &Analysis) -> Result<usize, Failure> {
         message: format!("nothing turns in `{}`: it has no lateral analysis", case.name),
         help: "give a body `turns = \"prescribed\"` and a `speed`".to_owned(),
     })
-}
-
-/// The motion of a section as an output of the case, under a name that no user writes.
-fn station(body: usize, z: f64, (meshed, place): (bool, &Located), number: usize) -> Output {
-    let point = match meshed {
-        true => OutputPoint::Section(z, place.clone()),
-        false => OutputPoint::At(Some(z)),
-    };
-    let (motion, frame, components) = (Motion::Displacement, Frame::Space, vec![0, 1]);
-    let what = Wanted::Motion { body, point, motion, frame, components };
-    Output { name: format!("station {number}"), what }
-}
-
-/// Where shapes of modes are looked at (m).
-fn levels(body: &NamedBody, planned: &PlannedBody, journals: &[Journal]) -> Vec<f64> {
-    let carried = body.attached.iter().map(|own| own.z);
-    let Some(plan) = planned.meshed() else {
-        return journals.iter().map(|own| own.z).chain(carried).collect();
-    };
-    let mut all: Vec<f64> =
-        plan.mesh.nodes()[..plan.mesh.placed()].iter().map(|own| own[2]).collect();
-    all.sort_by(f64::total_cmp);
-    let (first, last) = (all[0], all[all.len() - 1]);
-    all.dedup_by(|a, b| (*a - *b).abs() <= 1e-6 * (last - first));
-    if plan.mesh.matrices().is_some() && all.len() <= PLANES {
-        return all;
-    }
-    let even = |k: usize| first + (last - first) * k as f64 / (STATIONS - 1) as f64;
-    // Ends of a mesh are planes of nodes, and sections between them are those of its cells.
-    match plan.mesh.matrices() {
-        Some(_) => all.iter().step_by(all.len().div_ceil(PLANES)).copied().collect(),
-        None => (0..STATIONS).map(even).collect(),
-    }
 }
 
 /// Mass beyond the outer journals (kg).

@@ -1,5 +1,9 @@
 //! Response to unbalance over speed: orbits of points, peaks and how sharp they are.
 
+mod figures;
+mod probes;
+mod source;
+
 use std::fmt::Write;
 
 use whirl_solver::Error;
@@ -8,36 +12,25 @@ use whirl_solver::linear::{
 };
 use whirl_text::{rounded, shown};
 
+use self::figures::{Drawing, beside};
+use self::probes::Reading;
+use self::source::Source;
 use super::found::{Found, drawn};
 use super::speeds::Wanted;
 use super::states::{Ended, at_each_speed};
 use super::words;
 use crate::case::{Analysis, Case};
 use crate::errors::Failure;
-use crate::figures::{Dot, Figure, Line, Panel, Style};
 use crate::report::table;
 use crate::signals::Interruption;
 
-/// Points that a figure shows.
-const SHOWN: usize = 4;
-/// Share of the largest amplitude from which on an order is shown to people, and how many of them figures show.
+/// Share of the largest amplitude from which on an order is shown to people.
 const MAIN: f64 = 0.01;
-const DRAWN: usize = 4;
 /// Peaks nearer than this share of their speed are one.
 const SAME: f64 = 1e-5;
 
 /// Share of the largest motion of all points below which one is rounding, and has no peaks.
 const STILL: f64 = 1e-9;
-
-/// A body and an order of its rotation, with what the points do at each speed.
-struct Source {
-    body: usize,
-    order: f64,
-    /// By speeds, by points.
-    motions: Vec<Vec<Vibration>>,
-    /// By points.
-    peaks: Vec<Vec<Peak>>,
-}
 
 /// The response over the speeds.
 pub(super) fn found(
@@ -68,7 +61,7 @@ pub(super) fn found(
                 let place = sources.iter().position(|own| own.body == body && own.order == order);
                 let place = place.unwrap_or_else(|| {
                     let (motions, peaks) = (Vec::new(), vec![Vec::new(); points.len()]);
-                    sources.push(Source { body, order, motions, peaks });
+                    sources.push(Source { body, order, motions, peaks, near: Vec::new() });
                     sources.len() - 1
                 });
                 let own = &mut sources[place];
@@ -128,6 +121,14 @@ pub(super) fn found(
             let moved: Vec<bool> = (0..points.len()).map(|own| size(own) > STILL * most).collect();
             let peaks_of = |place: usize| if moved[place] { own(place) } else { Ok(Vec::new()) };
             source.peaks = (0..points.len()).map(peaks_of).collect::<Result<_, Error>>()?;
+            let wanted = if figures { beside(&source.peaks, [*first, *last]) } else { Vec::new() };
+            for speed in wanted {
+                let here = at(speed, None)?;
+                let equations = linear.linearised(&here)?;
+                let all = linear.response((&here, &equations), source.body, &points)?;
+                let own = all.into_iter().find(|own| own.0 == source.order);
+                source.near.extend(own.map(|own| (speed, own.1)));
+            }
         }
     }
     let name = &analysis.name;
@@ -135,8 +136,23 @@ pub(super) fn found(
         (format!("{name}.csv"), rows(linear, &points, &speeds, &sources).into_bytes()),
         (format!("{name}.peaks.csv"), peak_rows(linear, &points, &sources).into_bytes()),
     ];
+    if let Some(angle) = analysis.probe_angle {
+        let rows = probes::rows(linear, (&points, angle), &speeds, &sources);
+        files.push((format!("{name}.probes.csv"), rows.into_bytes()));
+    }
     if figures {
-        files.extend(drawn(name, &figure(case, linear, (of, &points), &speeds, &sources)));
+        let drawing = Drawing {
+            case: &case.name,
+            linear,
+            of,
+            points: &points,
+            readings: Reading::all(analysis.probe_angle),
+            speeds: &speeds,
+            sources: main(&sources),
+        };
+        for (stem, figure) in drawing.figures(name) {
+            files.extend(drawn(&stem, &figure));
+        }
     }
     let text = text(case, linear, &points, (&speeds, &sources)) + &lost;
     Ok(Found { text, files, interrupted })
@@ -297,53 +313,4 @@ fn peak_table(points: &[Point], source: &Source) -> String {
         }
     }
     if rows.len() == 1 { "no peak in this range\n".to_owned() } else { table(&rows) }
-}
-
-/// Major semi-axes of the first points, and phases along x.
-fn figure(
-    case: &Case,
-    linear: &LinearMachine,
-    (of, points): (usize, &[Point]),
-    speeds: &[f64],
-    sources: &[Source],
-) -> Figure {
-    let x = format!("speed of {} (rpm)", linear.machine().bodies[of].name());
-    let styles = [Style::First, Style::Second, Style::Third, Style::Fourth];
-    let mut panels = Vec::new();
-    for source in main(sources).into_iter().take(DRAWN) {
-        let body = linear.machine().bodies[source.body].name();
-        let lines = |value: &dyn Fn(&Vibration) -> f64| -> Vec<Line> {
-            let shown = points.iter().enumerate().take(SHOWN).zip(styles);
-            let line = |((place, point), style): ((usize, &Point), Style)| Line {
-                points: speeds
-                    .iter()
-                    .zip(&source.motions)
-                    .map(|(speed, motions)| (words::rpm(*speed), value(&motions[place])))
-                    .collect(),
-                style,
-                name: point.name.clone(),
-            };
-            shown.map(line).collect()
-        };
-        let dots = source.peaks.iter().take(SHOWN).flatten().map(|own| Dot {
-            at: (words::rpm(own.speed), 1e6 * own.height),
-            name: "peaks".to_owned(),
-        });
-        panels.push(Panel {
-            title: format!("order {} of {body}", source.order),
-            x: x.clone(),
-            y: "major semi-axis (µm, zero to peak)".to_owned(),
-            lines: lines(&|own| 1e6 * own.orbit().major),
-            dots: dots.collect(),
-            ..Panel::default()
-        });
-        panels.push(Panel {
-            title: "phase along x".to_owned(),
-            x: x.clone(),
-            y: "phase (deg)".to_owned(),
-            lines: lines(&|own| own.amplitudes[0].arg().to_degrees()),
-            ..Panel::default()
-        });
-    }
-    Figure { title: format!("{}: {}", case.name, case.title), panels, columns: 2 }
 }
