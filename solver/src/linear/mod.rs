@@ -14,6 +14,7 @@
 mod applied;
 mod campbell;
 mod coefficients;
+mod dependent;
 mod doubts;
 mod frame;
 mod hill;
@@ -21,6 +22,7 @@ mod linearised;
 mod map;
 mod modes;
 mod motions;
+mod own_frequency;
 mod peaks;
 mod points;
 mod range;
