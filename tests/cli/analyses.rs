@@ -5,6 +5,7 @@ mod coaxial;
 mod invariance;
 mod lateral;
 mod matrices;
+mod over_frequency;
 
 use std::f64::consts::TAU;
 use std::fs::{File, read_to_string};

@@ -124,7 +124,7 @@ impl Case {
                 "the coefficients of `{}` depend on the frequency, which a motion in time does not have",
                 joint.name.text()
             );
-            let help = "use it in linear analyses; for a run give the coefficients over the speed alone, or a law with states that has the same response";
+            let help = "use it in linear analyses; for a run give the coefficients over the speed alone: `whirl coefficients` writes those at the frequency of the rotation";
             let error = place.error_here(Code::BAD_VALUE, message).help(help);
             return Err(Failure::Input(error.into()));
         }

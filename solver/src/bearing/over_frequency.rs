@@ -49,10 +49,9 @@ impl FrequencyTable {
         (over, columns): (OverWhat, Vec<f64>),
         values: Vec<Vec<Coefficients>>,
     ) -> Result<FrequencyTable, Error> {
-        let rises =
-            |own: &[f64]| own.len() >= 2 && own.windows(2).all(|pair| pair[0] < pair[1]);
-        let is_full = values.len() == columns.len()
-            && values.iter().all(|own| own.len() == speeds.len());
+        let rises = |own: &[f64]| own.len() >= 2 && own.windows(2).all(|pair| pair[0] < pair[1]);
+        let is_full =
+            values.len() == columns.len() && values.iter().all(|own| own.len() == speeds.len());
         let numbers = values.iter().flatten().flatten().chain(&speeds).chain(&columns);
         if !rises(&speeds) || !rises(&columns) || columns[0] < 0.0 || !is_full {
             let what = "a table over speed and frequency is no rising grid";
@@ -181,7 +180,8 @@ mod tests {
 
     fn table(over: OverWhat) -> FrequencyTable {
         let (speeds, columns) = (vec![100.0, 200.0, 400.0], vec![0.0, 1.0, 3.0]);
-        let value = |column: f64, speed: f64| std::array::from_fn(|k| speed + 10.0 * column + k as f64);
+        let value =
+            |column: f64, speed: f64| std::array::from_fn(|k| speed + 10.0 * column + k as f64);
         let values = columns.iter().map(|&own| speeds.iter().map(|&x| value(own, x)).collect());
         let values = values.collect();
         FrequencyTable::new(speeds, (over, columns), values).expect("a grid")

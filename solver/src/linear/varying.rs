@@ -134,16 +134,7 @@ impl LinearMachine {
         let [mass, damping, stiffness] = periodic.means.clone();
         let varying = Some(periodic);
         let dependent = Vec::new();
-        Ok(Linearised {
-            angles,
-            turning,
-            mass,
-            damping,
-            stiffness,
-            frame: 0.0,
-            varying,
-            dependent,
-        })
+        Ok(Linearised { angles, turning, mass, damping, stiffness, frame: 0.0, varying, dependent })
     }
 }
 

@@ -77,7 +77,8 @@ pub(super) fn read(
     let rings = if stations.is_empty() { 1 + 2 * usize::from(planes) } else { stations.len() };
     let (run_out, offset) = (run_out?, offset?);
     if let (Some(file), true) = (&parts.table, law.source.over_frequency().is_some() && rings > 1) {
-        let message = format!("`{}` is over the frequency, which is for joints in one plane", file.text());
+        let message =
+            format!("`{}` is over the frequency, which is for joints in one plane", file.text());
         let help = "name one set on each side, or write one joint for each plane";
         table.push(file.error_here(Code::BAD_VALUE, message).help(help));
         return None;

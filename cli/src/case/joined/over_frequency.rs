@@ -12,8 +12,7 @@ use whirl_solver::bearing::{Coefficients, FrequencyTable, OverWhat};
 const FREQUENCY: &str = "frequency";
 const RATIO: &str = "frequency_ratio";
 /// Coefficients, in the order of [`Coefficients`].
-const COEFFICIENTS: [&str; 8] =
-    ["k_xx", "k_xy", "k_yx", "k_yy", "c_xx", "c_xy", "c_yx", "c_yy"];
+const COEFFICIENTS: [&str; 8] = ["k_xx", "k_xy", "k_yx", "k_yy", "c_xx", "c_xy", "c_yx", "c_yy"];
 /// Most speeds, most rows and most bytes.
 const MOST_SPEEDS: usize = 128;
 const LIMITS: (usize, usize) = (16_384, 4 << 20);
@@ -128,7 +127,9 @@ fn grid(
     for (own, called) in [(&across, "speed"), (&along, called)] {
         if own.len() < 2 {
             let place = if called == "speed" { &speeds[0].1 } else { &seconds[0].1 };
-            let message = format!("a table over speed and frequency has two of each at least, and this has one `{called}`");
+            let message = format!(
+                "a table over speed and frequency has two of each at least, and this has one `{called}`"
+            );
             let help = match called {
                 "speed" => "give the rows of another speed, too",
                 _ => "give the rows of another one, too, or leave the column out",
@@ -137,7 +138,8 @@ fn grid(
         }
     }
     if across.len() > MOST_SPEEDS {
-        let message = format!("a table has at most {MOST_SPEEDS} speeds, this has {}", across.len());
+        let message =
+            format!("a table has at most {MOST_SPEEDS} speeds, this has {}", across.len());
         return Err(Diagnostic::new(file, Code::LIMIT, None, message).into());
     }
     let place_in = |axis: &[f64], value: f64| axis.partition_point(|own| *own < value);
@@ -168,13 +170,12 @@ fn grid(
         };
         return Err(refuse(at, message, help));
     }
-    let values: Vec<Vec<Coefficients>> = found
-        .iter()
-        .map(|column| column.iter().flatten().map(|own| row(*own)).collect())
-        .collect();
+    let values: Vec<Vec<Coefficients>> =
+        found.iter().map(|column| column.iter().flatten().map(|own| row(*own)).collect()).collect();
     let mut still = String::from("speed [rad/s]");
     for own in COEFFICIENTS {
-        still.push_str(&format!(", {own} [{}]", if own.starts_with('k') { "N/m" } else { "N*s/m" }));
+        still
+            .push_str(&format!(", {own} [{}]", if own.starts_with('k') { "N/m" } else { "N*s/m" }));
     }
     for (speed, own) in across.iter().zip(&values[0]) {
         still.push_str(&format!("\n{speed:?}"));
