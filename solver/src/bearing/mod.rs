@@ -3,6 +3,7 @@
 mod apart;
 mod bore;
 mod bores;
+mod frequency_law;
 mod gear;
 pub mod law;
 mod mark;
@@ -27,10 +28,11 @@ mod tied;
 mod valid;
 pub(crate) mod work;
 
+pub use frequency_law::FrequencyLaw;
 pub use gear::{Flank, Gear};
 pub use law::{SpringLaw, Validity};
 pub use other::{MotionKind, OtherMotion};
-pub use over_frequency::{Coefficients, FrequencyLaw, FrequencyTable, OverFrequency, OverWhat};
+pub use over_frequency::{Coefficients, FrequencyTable, OverFrequency, OverWhat};
 pub use spline::{periodic_spline, spline_passes};
 pub use springs::Springs;
 pub use state::SpringState;

@@ -1,7 +1,6 @@
 //! Stiffness and damping in the plane over the speed of a journal and the frequency with which it moves, as programs for seals
 //! print them.
 
-use super::law::SpringLaw;
 use crate::curve::Curve;
 use crate::error::Error;
 
@@ -123,54 +122,6 @@ impl OverFrequency {
         self.curves.is_none()
             || frequency < self.frequencies[0]
             || frequency > self.frequencies[self.frequencies.len() - 1]
-    }
-}
-
-/// A law of the coefficients of what stands still, with those over the frequency beside it.
-pub struct FrequencyLaw {
-    /// Force by displacement, rate and speed with the coefficients of the first column.
-    pub still: Box<dyn SpringLaw>,
-    /// All of them.
-    pub table: FrequencyTable,
-    /// A hash of both.
-    pub hash: String,
-}
-
-impl SpringLaw for FrequencyLaw {
-    fn name(&self) -> &str {
-        self.still.name()
-    }
-
-    fn hash(&self) -> &str {
-        &self.hash
-    }
-
-    fn inputs(&self) -> Vec<&str> {
-        self.still.inputs()
-    }
-
-    fn outputs(&self) -> Vec<&str> {
-        self.still.outputs()
-    }
-
-    fn workspace(&self) -> usize {
-        self.still.workspace()
-    }
-
-    fn evaluate(&self, springs: usize, inputs: &[f64], outputs: &mut [f64], workspace: &mut [f64]) {
-        self.still.evaluate(springs, inputs, outputs, workspace);
-    }
-
-    fn valid(&self) -> Vec<super::Validity> {
-        self.still.valid()
-    }
-
-    fn measure(&self, springs: usize, inputs: &[f64], measures: &mut [f64], workspace: &mut [f64]) {
-        self.still.measure(springs, inputs, measures, workspace);
-    }
-
-    fn over_frequency(&self) -> Option<&FrequencyTable> {
-        Some(&self.table)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::array;
 
+use super::dependent::Dependent;
 use super::linearised::Standstill;
 use super::round::LinearMachine;
 use crate::bearing::OnJournal;
@@ -78,6 +79,35 @@ impl LinearMachine {
 }
 
 impl LinearMachine {
+    /// The joints whose coefficients depend on the frequency, at a state.
+    pub(super) fn dependent(&self, at: &Standstill) -> Result<Vec<Dependent>, Error> {
+        let springs = &self.machine.springs;
+        let mut found = Vec::new();
+        for (joint, monitor) in self.machine.monitors.iter().enumerate() {
+            for &plane in &monitor.planes {
+                let plane = &springs.planes[plane];
+                let law = &springs.laws[plane.law].bound.law;
+                let Some(table) = law.over_frequency() else { continue };
+                let speed = plane.spin.unwrap_or(at.speeds[monitor.bodies[0]]);
+                let rows = self.rows(at, &self.journal(joint));
+                found.push(Dependent { joint, rows, over: table.at_speed(speed)? });
+            }
+        }
+        Ok(found)
+    }
+
+    /// Names of the joints whose coefficients depend on the frequency.
+    pub fn over_frequency(&self) -> Vec<&str> {
+        let springs = &self.machine.springs;
+        let depends = |plane: &usize| {
+            let law = &springs.laws[springs.planes[*plane].law].bound.law;
+            law.over_frequency().is_some()
+        };
+        let joints = self.machine.monitors.iter();
+        let joints = joints.filter(|own| own.planes.iter().any(depends));
+        joints.map(|own| own.name.as_str()).collect()
+    }
+
     /// The same at a frequency (rad/s), where they depend on it.
     ///
     /// # Errors

@@ -1,5 +1,7 @@
 //! The equations of small motions about a state that stands.
 
+use std::borrow::Cow;
+
 use super::dependent::Dependent;
 use super::round::LinearMachine;
 use crate::dynamics::{Standing, standing_at};
@@ -49,6 +51,23 @@ pub struct Linearised {
 }
 
 impl Linearised {
+    /// Whether coefficients of joints depend on the frequency of the motion.
+    pub fn depends_on_frequency(&self) -> bool {
+        !self.dependent.is_empty()
+    }
+
+    /// The equations with the coefficients that joints have at a frequency (rad/s): exact for motions of that frequency.
+    pub fn at_frequency(&self, frequency: f64) -> Cow<'_, Linearised> {
+        if !self.depends_on_frequency() {
+            return Cow::Borrowed(self);
+        }
+        let mut own = Linearised { dependent: Vec::new(), ..self.clone() };
+        for joint in &self.dependent {
+            joint.add(frequency, &mut own.damping, &mut own.stiffness);
+        }
+        Cow::Owned(own)
+    }
+
     /// Whether they are constant as space sees them.
     pub fn stands_in_space(&self) -> bool {
         self.frame == 0.0 && self.varying.is_none()
