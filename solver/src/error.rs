@@ -74,6 +74,17 @@ pub enum Error {
         /// What it lacks.
         lack: String,
     },
+    /// A joint whose coefficients depend on the frequency, beside a body that turns and is not round: one motion then has
+    /// several frequencies.
+    #[error(
+        "the coefficients of {joint} depend on the frequency, but {body} turns and is not round: its motions have several frequencies each. Make {body} round, or give the coefficients over the speed alone"
+    )]
+    FrequenciesNotRound {
+        /// The joint.
+        joint: String,
+        /// The body.
+        body: String,
+    },
     /// Two bodies that are not round and turn at different speeds.
     #[error(
         "{} and {} are not round and turn at different speeds: their equations have no common period. Make one of them round, or march the machine",

@@ -27,7 +27,7 @@ pub(super) fn found(
     figures: bool,
 ) -> Result<Found, Failure> {
     let mut all = String::from(
-        "speed_rpm,joint,eccentricity_ratio,e_x_um,e_y_um,force_x_N,force_y_N,k_xx_N_m,k_xy_N_m,k_yx_N_m,k_yy_N_m,c_xx_Ns_m,c_xy_Ns_m,c_yx_Ns_m,c_yy_Ns_m\n",
+        "speed_rpm,joint,eccentricity_ratio,attitude_deg,e_x_um,e_y_um,force_x_N,force_y_N,k_xx_N_m,k_xy_N_m,k_yx_N_m,k_yy_N_m,c_xx_Ns_m,c_xy_Ns_m,c_yx_Ns_m,c_yy_Ns_m\n",
     );
     let mut single: Vec<(String, String)> = Vec::new();
     let mut whole = String::new();
@@ -36,6 +36,7 @@ pub(super) fn found(
         "joint",
         "speed (rpm)",
         "e/c",
+        "attitude (°)",
         "F_x (N)",
         "F_y",
         "k_xx (N/m)",
@@ -49,7 +50,7 @@ pub(super) fn found(
     ];
     let mut rows = vec![head.map(str::to_owned).to_vec()];
     let mut work = |speed: f64, at: &Standstill| -> Result<(), Failure> {
-        for own in linear.coefficients(at) {
+        for own in linear.coefficients_at(at, speed)? {
             let label = own.label.trim_start_matches('_').to_owned();
             let values = values(&own);
             let numbers = values.map(|value| value.to_string()).join(",");
@@ -58,10 +59,11 @@ pub(super) fn found(
                 None => drawing.push((label.clone(), vec![(words::rpm(speed), values)])),
             }
             let ratio = own.eccentricity.map_or(String::new(), |own| own.to_string());
+            let attitude = own.attitude.map_or(String::new(), |own| own.to_degrees().to_string());
             let [x, y] = own.displacement.map(|own| 1e6 * own);
             let rpm = words::rpm(speed);
             let [f_x, f_y] = own.force;
-            writeln!(all, "{rpm},{label},{ratio},{x},{y},{f_x},{f_y},{numbers}")
+            writeln!(all, "{rpm},{label},{ratio},{attitude},{x},{y},{f_x},{f_y},{numbers}")
                 .expect("text can be written");
             if let Some(matrices) = &own.whole {
                 if whole.is_empty() {
@@ -75,6 +77,7 @@ pub(super) fn found(
                 label.clone(),
                 words::speed(speed),
                 own.eccentricity.map_or("-".to_owned(), |own| format!("{own:.4}")),
+                own.attitude.map_or("-".to_owned(), |own| format!("{:.2}", own.to_degrees())),
             ];
             cells.extend(own.force.map(|value| shown(value, 5, 1e-3..1e6)));
             cells.extend(values.map(|value| format!("{value:.4e}")));
@@ -102,6 +105,7 @@ pub(super) fn found(
         files.extend(drawn(name, &figure(case, body, &drawing)));
     }
     let mut text = format!("{}: {}\n\n{}{lost}", case.name, case.title, table(&rows));
+    text.push_str(&words::at_the_speed(linear));
     if !whole.is_empty() {
         let file = format!("{name}.5x5.csv");
         writeln!(text, "\nMoments, forces along z and what tilts do beside this: {file}")

@@ -73,6 +73,18 @@ pub(super) fn doubts(all: &[Doubt]) -> String {
     all.iter().map(|own| format!("note: {own}\n")).collect()
 }
 
+/// Which joints have coefficients over the frequency, and at which they are here, if there are any.
+pub(super) fn at_the_speed(linear: &LinearMachine) -> String {
+    let joints = linear.over_frequency();
+    if joints.is_empty() {
+        return String::new();
+    }
+    format!(
+        "note: coefficients of {} depend on the frequency: these are those at the frequency of the rotation\n",
+        joints.join(", ")
+    )
+}
+
 /// Where modes begin or end to grow, whether the machine is stable, and speeds at which it does not stand.
 pub(super) fn thresholds(all: &Campbell) -> String {
     let mut text = String::new();

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
 use whirl_codegen::document::Table;
 use whirl_codegen::kinds::law::{Acts, Given, LawSpec, Parameter};
-use whirl_solver::bearing::MotionKind;
+use whirl_solver::bearing::{FrequencyTable, MotionKind};
 use whirl_specs::{LAWS, Law, TABLES};
 
 use super::library::FileStore;
@@ -32,6 +32,17 @@ pub(crate) struct GivenLaw {
     pub(crate) given: Vec<Given>,
     /// What results call it: the law, and the values in parentheses.
     pub(crate) name: String,
+    /// Coefficients over the frequency of small motions, those of the law being of what stands still.
+    pub(crate) over_frequency: Option<FrequencyFile>,
+}
+
+/// A file of coefficients over speed and frequency.
+#[derive(Debug)]
+pub(crate) struct FrequencyFile {
+    /// What it says.
+    pub(crate) table: FrequencyTable,
+    /// The file.
+    pub(crate) file: Arc<Source>,
 }
 
 /// A law, and where the case names it.
@@ -50,6 +61,14 @@ impl LawSource {
             LawSource::BuiltIn(law) => law.origin.name.to_string(),
             LawSource::File(spec) => spec.file.path.display().to_string(),
             LawSource::Given(law) => law.name.clone(),
+        }
+    }
+
+    /// The file of its coefficients over the frequency of small motions, if it has one.
+    pub(crate) fn over_frequency(&self) -> Option<&FrequencyFile> {
+        match self {
+            LawSource::Given(law) => law.over_frequency.as_ref(),
+            LawSource::BuiltIn(_) | LawSource::File(_) => None,
         }
     }
 
@@ -180,7 +199,8 @@ impl LawSource {
         let spec =
             spec.map_err(|errors| errors.into_iter().map(named).fold(Diagnostics::new(), joined))?;
         let name = format!("{} ({values})", self.name());
-        Ok(LawSource::Given(Arc::new(GivenLaw { spec: Arc::new(spec), given, name })))
+        let spec = Arc::new(spec);
+        Ok(LawSource::Given(Arc::new(GivenLaw { spec, given, name, over_frequency: None })))
     }
 }
 

@@ -40,7 +40,7 @@ mod values;
 use std::path::Path;
 use std::sync::Arc;
 
-use whirl_codegen::diagnostic::Source;
+use whirl_codegen::diagnostic::{Code, Source};
 
 use crate::errors::Failure;
 
@@ -117,8 +117,19 @@ impl Case {
     /// How it is marched.
     ///
     /// # Errors
-    /// It is only analysed.
+    /// It is only analysed, or a joint has coefficients that no march knows.
     pub(crate) fn marched(&self) -> Result<&MarchSettings, Failure> {
+        let over_frequency = |own: &&Joint| own.bearing.law.source.over_frequency().is_some();
+        if let Some(joint) = self.machine.joints.iter().find(over_frequency) {
+            let place = joint.table.as_ref().unwrap_or(&joint.name);
+            let message = format!(
+                "the coefficients of `{}` depend on the frequency, which a motion in time does not have",
+                joint.name.text()
+            );
+            let help = "use it in linear analyses; for a run give the coefficients over the speed alone: `whirl coefficients` writes those at the frequency of the rotation";
+            let error = place.error_here(Code::BAD_VALUE, message).help(help);
+            return Err(Failure::Input(error.into()));
+        }
         self.march.as_ref().ok_or_else(|| Failure::Argument {
             message: format!("`{}` has no `[march]`: it can be analysed, not run", self.name),
             help: "add `[march]` with `time_step` and `duration`, or try `whirl analyse`"

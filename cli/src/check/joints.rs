@@ -116,6 +116,10 @@ fn values(joint: &Joint) -> String {
         _ => LINEAR,
     };
     let mut text = match &joint.table {
+        Some(file) if joint.bearing.law.source.over_frequency().is_some() => format!(
+            ", stiffness and damping over speed and frequency in {}, for linear analyses alone",
+            file.text()
+        ),
         Some(file) => format!(", stiffness and damping over speed in {}", file.text()),
         None => coefficients(&joint.bearing.parameters, "", units, false),
     };

@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 
 use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::Error;
-use whirl_solver::bearing::SpringLaw;
+use whirl_solver::bearing::{FrequencyLaw, SpringLaw};
+use whirl_solver::cache::Key;
 use whirl_specs::{CLEARANCES, Clearance};
 
 use crate::case::{Joint, LawSource};
@@ -31,7 +32,17 @@ impl Laws {
         self.laws.push(match law {
             LawSource::BuiltIn(law) => Box::new(*law),
             LawSource::File(spec) => Box::new(LawFile::new(spec, &[])?),
-            LawSource::Given(law) => Box::new(LawFile::new(&law.spec, &law.given)?),
+            LawSource::Given(law) => {
+                let own = LawFile::new(&law.spec, &law.given)?;
+                match &law.over_frequency {
+                    Some(over) => Box::new(FrequencyLaw {
+                        hash: Key::of(&format!("{}\0{}", own.hash(), over.file.text)).hex(),
+                        still: Box::new(own),
+                        table: over.table.clone(),
+                    }),
+                    None => Box::new(own),
+                }
+            }
         });
         self.used.push(law.clone());
         Ok(self.used.len() - 1)

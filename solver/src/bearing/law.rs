@@ -5,8 +5,10 @@ use std::sync::Arc;
 use whirl_specs::{Contact, ContactVariable, Law};
 use whirl_text::nearest_in_any_case;
 
-/// A law that can be evaluated over rows of springs, of rings, or of whole joints. Two kinds exist: compiled ones of the
-/// registry, and those of a law file, evaluated without a compiler.
+use super::over_frequency::FrequencyTable;
+
+/// A law that can be evaluated over rows of springs, of rings, or of whole joints. Kinds are compiled ones of the
+/// registry, those of a law file, evaluated without a compiler, and the latter with coefficients over the frequency beside them.
 pub trait SpringLaw: Send + Sync {
     /// Name, as the case says it.
     fn name(&self) -> &str;
@@ -28,6 +30,11 @@ pub trait SpringLaw: Send + Sync {
     /// Allocates nothing.
     fn measure(&self, springs: usize, inputs: &[f64], measures: &mut [f64], workspace: &mut [f64]) {
         let _ = (springs, inputs, measures, workspace);
+    }
+    /// Its coefficients over the frequency of small motions, if it has such: [`SpringLaw::evaluate`] then has those of what
+    /// stands still.
+    fn over_frequency(&self) -> Option<&FrequencyTable> {
+        None
     }
 }
 

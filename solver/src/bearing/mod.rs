@@ -3,6 +3,7 @@
 mod apart;
 mod bore;
 mod bores;
+mod frequency_law;
 mod gear;
 pub mod law;
 mod mark;
@@ -11,6 +12,7 @@ mod mirrors;
 mod observed;
 mod on_section;
 mod other;
+mod over_frequency;
 mod part;
 mod place;
 mod placed_law;
@@ -26,9 +28,11 @@ mod tied;
 mod valid;
 pub(crate) mod work;
 
+pub use frequency_law::FrequencyLaw;
 pub use gear::{Flank, Gear};
 pub use law::{SpringLaw, Validity};
 pub use other::{MotionKind, OtherMotion};
+pub use over_frequency::{Coefficients, FrequencyTable, OverFrequency, OverWhat};
 pub use spline::{periodic_spline, spline_passes};
 pub use springs::Springs;
 pub use state::SpringState;

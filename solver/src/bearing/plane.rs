@@ -26,7 +26,7 @@ pub(crate) struct Plane {
     /// ε0 in the plane (m).
     pub(super) run_out: [f64; 2],
     /// Speed with which the journal spins in its frame (rad/s), where it does.
-    pub(super) spin: Option<f64>,
+    pub(crate) spin: Option<f64>,
     /// Radial clearance c (m).
     pub(crate) clearance: f64,
     /// Radius of the journal (m); of no effect where no law needs it and none is known.

@@ -38,7 +38,8 @@ impl LinearMachine {
     ) -> Result<Vec<Vibration>, Error> {
         assert!(equations.stands_in_space(), "the equations are constant in space");
         let speed = at.speeds[body];
-        let Linearised { mass, damping, stiffness, .. } = equations;
+        let held = equations.at_frequency(speed);
+        let Linearised { mass, damping, stiffness, .. } = &*held;
         let mut force = vec![Complex64::ZERO; mass.rows];
         for own in unbalance {
             // (cos, sin)(Ωt + φ) is Re((1, −i) e^{iφ} e^{iΩt}).

@@ -2,9 +2,11 @@
 
 use std::array;
 
+use super::dependent::Dependent;
 use super::linearised::Standstill;
 use super::round::LinearMachine;
 use crate::bearing::OnJournal;
+use crate::error::Error;
 use crate::loads::Position;
 
 /// What a joint does against small motions of its journal, its bore at rest: −∂F/∂e and −∂F/∂ė of the force on the journal, row
@@ -25,13 +27,16 @@ pub struct JointCoefficients {
     pub force: [f64; 2],
     /// Eccentricity over clearance, where there is one.
     pub eccentricity: Option<f64>,
+    /// Attitude angle (rad, −π to π), where there is a clearance and the joint carries a load: from the direction of the load
+    /// to that of the eccentricity, in the sense in which the journal turns (from x to y at rest).
+    pub attitude: Option<f64>,
     /// Of a law of the whole joint K and C of forces and moments against displacements and tilts, in the order x, y, z, about
     /// x, about y (N, N·m; m, rad).
     pub whole: Option<[[[f64; 5]; 5]; 2]>,
 }
 
 impl LinearMachine {
-    /// Those of all joints. With ε = Aᵀe of a journal that turns with Ω, ε̇ = Aᵀ(ė − ΩJe): K = A (K_ε − Ω C_ε J) Aᵀ.
+    /// Those of all joints, of what stands still where they depend on a frequency. With ε = Aᵀe of a journal that turns with Ω, ε̇ = Aᵀ(ė − ΩJe): K = A (K_ε − Ω C_ε J) Aᵀ.
     pub fn coefficients(&self, at: &Standstill) -> Vec<JointCoefficients> {
         let found = &at.found;
         let joints = self.machine.monitors.iter().zip(&found.eccentricities);
@@ -63,6 +68,7 @@ impl LinearMachine {
                 displacement: *moved,
                 force: *force,
                 eccentricity: *ratio,
+                attitude: ratio.and_then(|_| attitude(*moved, *force, speed)),
                 whole: joint
                     .whole()
                     .map(|plane| whole(found.tangents.planes[plane], speed, position)),
@@ -70,6 +76,63 @@ impl LinearMachine {
         });
         joints.collect()
     }
+}
+
+impl LinearMachine {
+    /// The joints whose coefficients depend on the frequency, at a state.
+    pub(super) fn dependent(&self, at: &Standstill) -> Result<Vec<Dependent>, Error> {
+        let springs = &self.machine.springs;
+        let mut found = Vec::new();
+        for (joint, monitor) in self.machine.monitors.iter().enumerate() {
+            for &plane in &monitor.planes {
+                let plane = &springs.planes[plane];
+                let law = &springs.laws[plane.law].bound.law;
+                let Some(table) = law.over_frequency() else { continue };
+                let speed = plane.spin.unwrap_or(at.speeds[monitor.bodies[0]]);
+                let rows = self.rows(at, &self.journal(joint));
+                found.push(Dependent { joint, rows, over: table.at_speed(speed)? });
+            }
+        }
+        Ok(found)
+    }
+
+    /// Names of the joints whose coefficients depend on the frequency.
+    pub fn over_frequency(&self) -> Vec<&str> {
+        let springs = &self.machine.springs;
+        let depends = |plane: &usize| {
+            let law = &springs.laws[springs.planes[*plane].law].bound.law;
+            law.over_frequency().is_some()
+        };
+        let joints = self.machine.monitors.iter();
+        let joints = joints.filter(|own| own.planes.iter().any(depends));
+        joints.map(|own| own.name.as_str()).collect()
+    }
+
+    /// The same at a frequency (rad/s), where they depend on it.
+    ///
+    /// # Errors
+    /// None of a machine that was made.
+    pub fn coefficients_at(
+        &self,
+        at: &Standstill,
+        frequency: f64,
+    ) -> Result<Vec<JointCoefficients>, Error> {
+        let mut all = self.coefficients(at);
+        for own in self.dependent(at)? {
+            let [a, b, c, d, e, f, g, h] = own.over.at(frequency);
+            let joint = &mut all[own.joint];
+            (joint.stiffness, joint.damping) = ([[a, b], [c, d]], [[e, f], [g, h]]);
+        }
+        Ok(all)
+    }
+}
+
+/// From the load, against the force that carries it, to the eccentricity, as a journal turns.
+fn attitude(e: [f64; 2], force: [f64; 2], speed: f64) -> Option<f64> {
+    let load = force.map(|own| -own);
+    let (along, across) = (load[0] * e[0] + load[1] * e[1], load[0] * e[1] - load[1] * e[0]);
+    let sense = if speed < 0.0 { -1.0 } else { 1.0 };
+    ((along, across) != (0.0, 0.0)).then(|| (sense * across).atan2(along))
 }
 
 /// A X Aᵀ.

@@ -1,5 +1,6 @@
 //! What may be wrong with modes, and what would mend it.
 
+use std::f64::consts::TAU;
 use std::fmt;
 
 use whirl_text::rounded;
@@ -44,6 +45,15 @@ pub enum Doubt {
         /// The frequency of the first mode that is near it (Hz).
         first: f64,
     },
+    /// Modes slower or faster than the rows of a table over the frequency.
+    BeyondRows {
+        /// The joint.
+        joint: String,
+        /// Frequencies of its first and last row (Hz).
+        rows: [f64; 2],
+        /// How many modes are slower, and how many are faster.
+        modes: [usize; 2],
+    },
     /// Equations that vary with angles though all bodies are round: joints that are not.
     Varies {
         /// The largest share of an entry.
@@ -76,6 +86,18 @@ impl fmt::Display for Doubt {
                 hertz(*first),
                 hertz(*last)
             ),
+            Doubt::BeyondRows { joint, rows: [first, last], modes: [slower, faster] } => {
+                let of = |count: usize| if count == 1 { "mode is" } else { "modes are" };
+                let slower = (*slower > 0)
+                    .then(|| format!("{slower} {} below {} Hz", of(*slower), hertz(*first)));
+                let faster = (*faster > 0)
+                    .then(|| format!("{faster} {} above {} Hz", of(*faster), hertz(*last)));
+                let both = [slower, faster].into_iter().flatten().collect::<Vec<_>>().join(", ");
+                write!(
+                    f,
+                    "{both}, beyond the frequencies in the table of {joint}, and found with the coefficients of its nearest row"
+                )
+            }
             Doubt::Varies { share } => write!(
                 f,
                 "the equations vary with the angles of bodies by {} %, as joints are not alike all round: modes are those at the angle 0",
@@ -121,6 +143,17 @@ impl LinearMachine {
             let near = own().map(Mode::hertz).find(|hertz| TWICE * hertz > last);
             if let Some(first) = near {
                 doubts.push(Doubt::EndOfReduction { body: name(), last, first });
+            }
+        }
+        for joint in &equations.dependent {
+            let rows = joint.over.frequencies();
+            let rows = [rows[0], rows[rows.len() - 1]];
+            let count =
+                |is: &dyn Fn(f64) -> bool| modes.iter().filter(|own| is(own.value.im)).count();
+            let modes = [count(&|own| own < rows[0]), count(&|own| own > rows[1])];
+            if modes != [0; 2] {
+                let joint = self.machine.monitors[joint.joint].name.clone();
+                doubts.push(Doubt::BeyondRows { joint, rows: rows.map(|own| own / TAU), modes });
             }
         }
         if equations.frame == 0.0 && equations.varying.is_none() {

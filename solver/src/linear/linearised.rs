@@ -1,5 +1,8 @@
 //! The equations of small motions about a state that stands.
 
+use std::borrow::Cow;
+
+use super::dependent::Dependent;
 use super::round::LinearMachine;
 use crate::dynamics::{Standing, standing_at};
 use crate::error::Error;
@@ -43,9 +46,28 @@ pub struct Linearised {
     pub frame: f64,
     /// What varies with the angle of a body, M′, C′ and K′ being the means over its turns.
     pub(crate) varying: Option<Periodic>,
+    /// Joints whose coefficients depend on the frequency; C′ and K′ have those of what stands still.
+    pub(crate) dependent: Vec<Dependent>,
 }
 
 impl Linearised {
+    /// Whether coefficients of joints depend on the frequency of the motion.
+    pub fn depends_on_frequency(&self) -> bool {
+        !self.dependent.is_empty()
+    }
+
+    /// The equations with the coefficients that joints have at a frequency (rad/s): exact for motions of that frequency.
+    pub fn at_frequency(&self, frequency: f64) -> Cow<'_, Linearised> {
+        if !self.depends_on_frequency() {
+            return Cow::Borrowed(self);
+        }
+        let mut own = Linearised { dependent: Vec::new(), ..self.clone() };
+        for joint in &self.dependent {
+            joint.add(frequency, &mut own.damping, &mut own.stiffness);
+        }
+        Cow::Owned(own)
+    }
+
     /// Whether they are constant as space sees them.
     pub fn stands_in_space(&self) -> bool {
         self.frame == 0.0 && self.varying.is_none()
@@ -131,8 +153,9 @@ impl LinearMachine {
     /// if nothing varies there, or with what varies with its angle seen from space.
     ///
     /// # Errors
-    /// Several bodies that are not round at different speeds.
+    /// Several bodies that are not round at different speeds; one beside a joint whose coefficients depend on the frequency.
     pub fn linearised(&self, at: &Standstill) -> Result<Linearised, Error> {
+        let dependent = self.dependent(at)?;
         let Some((uneven, body)) = self.uneven_at(at)? else {
             let machine = self.uneven.as_ref().filter(|_| at.is_mean);
             let tangents = machine.map(|own| self.tangents(own, at, &|_| 0.0));
@@ -149,8 +172,15 @@ impl LinearMachine {
                 stiffness,
                 frame: 0.0,
                 varying,
+                dependent,
             });
         };
+        if let Some(joint) = dependent.first() {
+            return Err(Error::FrequenciesNotRound {
+                joint: self.machine.monitors[joint.joint].name.clone(),
+                body: self.machine.bodies[body].name().to_owned(),
+            });
+        }
         self.varying(at, uneven, body)
     }
 }

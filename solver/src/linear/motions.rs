@@ -3,6 +3,7 @@
 use num_complex::Complex64;
 
 use super::linearised::Linearised;
+use super::own_frequency;
 use super::round::LinearMachine;
 use super::shapes::{apply, inner};
 use crate::error::Error;
@@ -46,6 +47,13 @@ impl LinearMachine {
         }
         let Linearised { mass, damping, stiffness, .. } = equations;
         let (pairs, largest) = match basis {
+            _ if equations.depends_on_frequency() => {
+                let (mut pairs, largest) = own_frequency::motions(equations, basis, count)?;
+                if let Some(basis) = basis {
+                    pairs.iter_mut().for_each(|own| own.vector = apply(basis, &own.vector));
+                }
+                (pairs, largest)
+            }
             None => quadratic_eigen(mass, damping, stiffness)?,
             Some(basis) => {
                 let [mass, damping, stiffness] =

@@ -71,12 +71,7 @@ impl Vibration {
 impl LinearMachine {
     /// The points that can be watched: journals in their bores, then the displacements that the machine puts out.
     pub fn points(&self) -> Vec<Point> {
-        let joints = self.machine.monitors.iter().map(|joint| {
-            let minus = joint.bore.each_ref().map(|row| row.iter().map(|own| -own).collect());
-            let rows = vec![(joint.bodies[0], joint.journal.clone()), (joint.bodies[1], minus)];
-            let label = joint.label.trim_start_matches('_');
-            Point { name: format!("joint.{label}"), rows }
-        });
+        let joints = (0..self.machine.monitors.len()).map(|joint| self.journal(joint));
         let outputs = self.machine.outputs.iter().filter_map(|output| match &output.what {
             Wanted::Motion { body, point, motion: Motion::Displacement, .. } => {
                 let row = |axis: usize| {
@@ -88,6 +83,15 @@ impl LinearMachine {
             _ => None,
         });
         joints.chain(outputs).collect()
+    }
+
+    /// The journal of a joint in its bore.
+    pub(super) fn journal(&self, joint: usize) -> Point {
+        let joint = &self.machine.monitors[joint];
+        let minus = joint.bore.each_ref().map(|row| row.iter().map(|own| -own).collect());
+        let rows = vec![(joint.bodies[0], joint.journal.clone()), (joint.bodies[1], minus)];
+        let label = joint.label.trim_start_matches('_');
+        Point { name: format!("joint.{label}"), rows }
     }
 
     /// How points move by what turns with a body: its unbalance, loads that are fixed to it or go by its angle; and, of one
@@ -166,9 +170,10 @@ impl LinearMachine {
                 add(0, self.standing_at_coordinates(at, angles));
             }
         } else {
-            let Linearised { mass, damping, stiffness, .. } = equations;
             for (order, force) in &forces {
                 let omega = f64::from(*order) / HALVES * speed;
+                let held = equations.at_frequency(omega);
+                let Linearised { mass, damping, stiffness, .. } = &*held;
                 let entry =
                     |m: f64, c: f64, k: f64| Complex64::new(k - omega * omega * m, omega * c);
                 let entries = mass.data.iter().zip(&damping.data).zip(&stiffness.data);

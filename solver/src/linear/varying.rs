@@ -118,12 +118,23 @@ impl LinearMachine {
         if is_constant {
             let [mass, damping, stiffness] = first;
             let (frame, varying) = (speed, None);
-            return Ok(Linearised { angles, turning, mass, damping, stiffness, frame, varying });
+            let dependent = Vec::new();
+            return Ok(Linearised {
+                angles,
+                turning,
+                mass,
+                damping,
+                stiffness,
+                frame,
+                varying,
+                dependent,
+            });
         }
         let periodic = self.over_a_turn(at, machine, body);
         let [mass, damping, stiffness] = periodic.means.clone();
         let varying = Some(periodic);
-        Ok(Linearised { angles, turning, mass, damping, stiffness, frame: 0.0, varying })
+        let dependent = Vec::new();
+        Ok(Linearised { angles, turning, mass, damping, stiffness, frame: 0.0, varying, dependent })
     }
 }
 

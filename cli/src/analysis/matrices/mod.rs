@@ -45,6 +45,7 @@ pub(super) fn found(
                 help: "make it round, or ask for them at rest, `--speeds \"0 rpm\"`".to_owned(),
             });
         }
+        let equations = equations.at_frequency(speed);
         let size = equations.mass.rows;
         if size > MOST {
             return Err(Failure::Argument {
@@ -79,6 +80,7 @@ pub(super) fn found(
     if several {
         files.push((format!("{}.csv", analysis.name), index.into_bytes()));
     }
+    text.push_str(&words::at_the_speed(linear));
     text.push_str(&lost);
     Ok(Found { text, files, interrupted })
 }

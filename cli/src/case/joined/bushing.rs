@@ -8,9 +8,10 @@ use whirl_codegen::kinds::law::LawSpec;
 use whirl_codegen::units::Quantity;
 use whirl_solver::bearing::MotionKind;
 
+use super::over_frequency::{self, Read};
 use super::parts::Parts;
 use crate::case::joint::OtherLaw;
-use crate::case::law::{self, GivenLaw, LawSource, NamedLaw};
+use crate::case::law::{self, FrequencyFile, GivenLaw, LawSource, NamedLaw};
 use crate::case::library::FileStore;
 use crate::case::names;
 use crate::case::parameters::SetParameter;
@@ -146,11 +147,25 @@ fn over_speed(store: FileStore, table: &Table) -> Option<(Located, NamedLaw)> {
     if !has_columns(table, &name, &file) {
         return None;
     }
+    let mut rows = file.clone();
+    let mut frequencies = None;
+    if over_frequency::is_meant(&|wanted| has(&file, wanted)) {
+        match over_frequency::read(&file, &name) {
+            Ok(Read { table: own, still }) => {
+                rows = Source::new(&file.path, still);
+                frequencies = Some(FrequencyFile { table: own, file: file.clone() });
+            }
+            Err(errors) => {
+                errors.into_iter().for_each(|error| table.push(error));
+                return None;
+            }
+        }
+    }
     let shipped = shipped(table, OVER_SPEED.0)?;
     let law = shipped.source.spec().file.clone();
     let named = name.text().replace('\\', "\\\\").replace('"', "\\\"");
     let law = Source::new(&law.path, law.text.replace(OVER_SPEED.1, &named));
-    match LawSpec::read_with(&law, &|_| Ok(file.clone())) {
+    match LawSpec::read_with(&law, &|_| Ok(rows.clone())) {
         Ok(mut spec) => {
             for own in &mut spec.valid {
                 own.help = format!(
@@ -159,7 +174,8 @@ fn over_speed(store: FileStore, table: &Table) -> Option<(Located, NamedLaw)> {
                 );
             }
             let called = format!("{} ({})", OVER_SPEED.0, file.path.display());
-            let law = GivenLaw { spec: Arc::new(spec), given: Vec::new(), name: called };
+            let (spec, given) = (Arc::new(spec), Vec::new());
+            let law = GivenLaw { spec, given, name: called, over_frequency: frequencies };
             let source = LawSource::Given(Arc::new(law));
             Some((name, NamedLaw { source, name: shipped.name }))
         }
@@ -170,20 +186,22 @@ fn over_speed(store: FileStore, table: &Table) -> Option<(Located, NamedLaw)> {
     }
 }
 
-/// Whether the file has the columns of the law; those that it has not are noted.
-fn has_columns(table: &Table, name: &Located, file: &Source) -> bool {
+/// Whether the first line of a file names a column.
+fn has(file: &Source, wanted: &str) -> bool {
     let text = |line: &str| line.split('#').next().unwrap_or("").trim().to_owned();
     let heads = file.text.trim_start_matches('\u{feff}').lines().map(text);
     let heads = heads.into_iter().find(|line| !line.is_empty()).unwrap_or_default();
-    let has = |wanted: &str| {
-        heads.split(|c: char| !(c.is_alphanumeric() || c == '_')).any(|head| head == wanted)
-    };
+    heads.split(|c: char| !(c.is_alphanumeric() || c == '_')).any(|head| head == wanted)
+}
+
+/// Whether the file has the columns of the law; those that it has not are noted.
+fn has_columns(table: &Table, name: &Located, file: &Source) -> bool {
     let columns = ["k", "c"]
         .into_iter()
         .flat_map(|letter| DIRECTIONS.map(|direction| format!("{letter}_{direction}")));
     let columns: Vec<String> = std::iter::once("speed".to_owned()).chain(columns).collect();
     let missing: Vec<&str> =
-        columns.iter().map(String::as_str).filter(|column| !has(column)).collect();
+        columns.iter().map(String::as_str).filter(|column| !has(file, column)).collect();
     if missing.is_empty() {
         return true;
     }

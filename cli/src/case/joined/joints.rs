@@ -76,6 +76,13 @@ pub(super) fn read(
     let planes = [&journal, &bore].into_iter().any(|side| side.sets.len() == 3 || side.surface);
     let rings = if stations.is_empty() { 1 + 2 * usize::from(planes) } else { stations.len() };
     let (run_out, offset) = (run_out?, offset?);
+    if let (Some(file), true) = (&parts.table, law.source.over_frequency().is_some() && rings > 1) {
+        let message =
+            format!("`{}` is over the frequency, which is for joints in one plane", file.text());
+        let help = "name one set on each side, or write one joint for each plane";
+        table.push(file.error_here(Code::BAD_VALUE, message).help(help));
+        return None;
+    }
     let radius = facts.journal_radius.as_ref().map(nearest);
     for (key, places) in [("run_out", &run_out), ("offset", &offset)] {
         if places.len() == 3 && rings == 1 && !planes {

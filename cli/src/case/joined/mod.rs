@@ -11,6 +11,7 @@ mod forces;
 mod gear;
 mod joints;
 mod matrices;
+mod over_frequency;
 mod parts;
 pub(super) mod schema;
 

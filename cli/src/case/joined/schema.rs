@@ -278,7 +278,7 @@ pub(crate) const JOINT: &[Key] = &[
     key(
         "table",
         Text,
-        "of a bushing: a file of its stiffness and damping over the speed of the first side, in place of both",
+        "of a bushing: a file of its stiffness and damping over the speed of the first side, also over the frequency, in place of both",
     )
     .like("\"film.csv\""),
     key(

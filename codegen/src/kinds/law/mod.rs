@@ -63,7 +63,7 @@ pub(super) use schema::KIND;
 pub(crate) use spec::{Condition, Definition, Piece};
 pub use spec::{Given, LawInput, LawOutput, LawSpec, Parameter};
 use spec::{NameCode, Named, PieceCode, in_si};
-pub use table::{Extend, LawTable};
+pub use table::{Column, Columns, Extend, LawTable, Wanted, Which};
 pub use valid::Validity;
 
 use super::read::Beside;

@@ -18,7 +18,7 @@ const POINTS: &str =
 const MOST_ERRORS: usize = 8;
 
 /// A file of columns, split into cells.
-pub(super) struct Columns {
+pub struct Columns {
     source: Arc<Source>,
     heads: Option<Vec<Head>>,
     rows: Vec<Vec<Range<usize>>>,
@@ -32,33 +32,51 @@ struct Head {
     span: Range<usize>,
 }
 
-/// A column that a law names.
-pub(super) struct Wanted {
-    pub(super) column: Which,
-    /// Where the law names it.
-    pub(super) place: Located,
-    /// The unit that the law gives it.
-    pub(super) unit: Option<Unit>,
+/// A column that a law or a case names.
+pub struct Wanted {
+    /// Which.
+    pub column: Which,
+    /// Where it is named.
+    pub place: Located,
+    /// The unit that is named with it.
+    pub unit: Option<Unit>,
 }
 
-pub(super) enum Which {
+/// How a column is named.
+pub enum Which {
+    /// By what stands above it.
     Named(String),
     /// From 0.
     Numbered(usize),
 }
 
 /// A column that was read.
-pub(super) struct Column {
-    pub(super) unit: Unit,
+pub struct Column {
+    /// Its unit.
+    pub unit: Unit,
+    /// What stands above it, if anything does.
+    pub head: Option<Range<usize>>,
     /// Values with their places, in the unit of the column.
-    pub(super) values: Vec<(Rational, Range<usize>)>,
+    pub values: Vec<(Rational, Range<usize>)>,
 }
 
 impl Columns {
+    /// The file of a table of a law.
     pub(super) fn read(source: &Arc<Source>) -> Result<Self, Diagnostics> {
+        Columns::read_at_most(source, (MOST_ROWS, LONGEST))
+    }
+
+    /// A file of so many rows and bytes at most.
+    ///
+    /// # Errors
+    /// One that is longer, has fewer than two rows, or a line with more values than columns.
+    pub fn read_at_most(
+        source: &Arc<Source>,
+        (rows, longest): (usize, usize),
+    ) -> Result<Self, Diagnostics> {
         let refuse = |message: String| Diagnostic::new(source, Code::LIMIT, None, message);
-        if source.text.len() > LONGEST {
-            return Err(refuse(format!("a table is at most {LONGEST} bytes long")).into());
+        if source.text.len() > longest {
+            return Err(refuse(format!("a table is at most {longest} bytes long")).into());
         }
         let mut lines = Vec::new();
         let mut start = 0;
@@ -77,9 +95,9 @@ impl Columns {
             let first = lines.remove(0);
             first.into_iter().map(|span| Head::read(source, span)).collect()
         });
-        if !(2..=MOST_ROWS).contains(&lines.len()) {
+        if !(2..=rows).contains(&lines.len()) {
             let count = lines.len();
-            let message = format!("a table has 2 to {MOST_ROWS} rows of numbers, this has {count}");
+            let message = format!("a table has 2 to {rows} rows of numbers, this has {count}");
             return Err(refuse(message).into());
         }
         let columns = Columns { source: source.clone(), heads, rows: lines };
@@ -116,7 +134,16 @@ impl Columns {
         self.heads.is_none().then(|| self.rows.iter().map(Vec::len).max().unwrap_or(0))
     }
 
-    pub(super) fn column(&self, wanted: &Wanted) -> Result<Column, Diagnostics> {
+    /// Whether a column is called so.
+    pub fn has(&self, name: &str) -> bool {
+        self.heads.iter().flatten().any(|head| head.name == name)
+    }
+
+    /// A column with its values.
+    ///
+    /// # Errors
+    /// There is none; it has no unit; or a cell is no number.
+    pub fn column(&self, wanted: &Wanted) -> Result<Column, Diagnostics> {
         let place = self.place(wanted)?;
         let unit = self.unit(wanted, place)?;
         let mut errors = Diagnostics::new();
@@ -147,7 +174,9 @@ impl Columns {
                 break;
             }
         }
-        errors.into_result(Column { unit, values })
+        let head = self.heads.as_ref().and_then(|heads| heads.get(place));
+        let head = head.map(|head| head.span.clone());
+        errors.into_result(Column { unit, head, values })
     }
 
     fn place(&self, wanted: &Wanted) -> Result<usize, Diagnostics> {

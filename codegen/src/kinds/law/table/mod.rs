@@ -11,6 +11,7 @@ use std::sync::Arc;
 use crate::rational::{Rational, nearest};
 use num_traits::{One, Zero};
 
+pub use columns::{Column, Columns, Wanted, Which};
 pub(super) use draft::{TableDraft, read};
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source};
