@@ -2,7 +2,7 @@
 
 use whirl_solver::linear::Along;
 
-use super::values;
+use super::quantities::values;
 use crate::analysis::words;
 use crate::case::Case;
 use crate::figures::{Figure, Line, Panel, Style};

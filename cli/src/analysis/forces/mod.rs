@@ -2,6 +2,7 @@
 //! its modes.
 
 mod figure;
+mod quantities;
 
 use std::fmt::Write;
 
@@ -11,6 +12,7 @@ use whirl_solver::linear::{Along, LinearMachine, Standstill};
 use whirl_solver::section::planes;
 use whirl_text::shown;
 
+use self::quantities::{QUANTITIES, values};
 use super::found::{Found, drawn};
 use super::speeds::{self, Wanted};
 use super::states::{Ended, at_each_speed};
@@ -22,18 +24,6 @@ use crate::report::table;
 use crate::signals::Interruption;
 use crate::streams;
 
-/// What is seen at a section: the name of its columns, and their unit, and that in SI.
-const QUANTITIES: [(&str, &str, f64); 9] = [
-    ("ux", "um", 1e6),
-    ("uy", "um", 1e6),
-    ("uz", "um", 1e6),
-    ("shear_x", "N", 1.0),
-    ("shear_y", "N", 1.0),
-    ("axial", "N", 1.0),
-    ("moment_x", "Nm", 1.0),
-    ("moment_y", "Nm", 1.0),
-    ("torque", "Nm", 1.0),
-];
 /// Lines of the table for people: what, of which of the quantities, and its unit.
 const SHOWN: [(&str, &[usize], &str); 5] = [
     ("deflection", &[0, 1], "µm"),
@@ -213,12 +203,6 @@ fn head(case: &Case, linear: &LinearMachine, at: &Standstill) -> String {
     }
     text.push_str("as it stands, unbalance left out\n");
     text
-}
-
-/// The values of a section in the units of files.
-fn values(own: &Along) -> [Complex64; 9] {
-    let all = [own.displacement, own.force, own.moment].concat();
-    std::array::from_fn(|k| all[k] * QUANTITIES[k].2)
 }
 
 /// How much there is of some quantities together: of two that are at right angles the major semi-axis.
