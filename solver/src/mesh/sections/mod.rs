@@ -1,8 +1,8 @@
 //! Round bodies from tables of their sections: rows along the axis, with cones, steps, bores and layers.
 //!
-//! A [`SectionTable`] is cut into [`intervals`], in which rows neither begin nor end; layers of cells and the radii at their
-//! ends make a [`partition`]; [`strip`] joins the radii of two neighbouring planes by quadrilaterals and triangles, and
-//! [`solid`] turns these about the axis.
+//! A [`SectionTable`] is cut into `intervals`, in which rows neither begin nor end; layers of cells and the radii at their
+//! ends make a `partition`; `strip` joins the radii of two neighbouring planes by quadrilaterals and triangles, and
+//! `solid` turns these about the axis.
 
 mod intervals;
 mod partition;
