@@ -95,9 +95,7 @@ fn middle(mesh: &Mesh, cell: &[usize]) -> f64 {
 }
 
 fn cuts(mesh: &Mesh, wanted: &[f64]) -> Vec<Cut> {
-    let ends = mesh.nodes().iter().fold([f64::INFINITY, f64::NEG_INFINITY], |ends, node| {
-        [ends[0].min(node[2]), ends[1].max(node[2])]
-    });
+    let ends = mesh.ends();
     let ties = mesh.tie_rows();
     let mut found: Vec<Cut> = Vec::new();
     for &asked in wanted {

@@ -204,6 +204,13 @@ impl Mesh {
         &self.parts.nodes
     }
 
+    /// First and last z of the nodes (m).
+    pub fn ends(&self) -> [f64; 2] {
+        self.nodes().iter().fold([f64::INFINITY, f64::NEG_INFINITY], |ends, node| {
+            [ends[0].min(node[2]), ends[1].max(node[2])]
+        })
+    }
+
     /// Labels of the nodes in the source.
     pub fn labels(&self) -> &[u64] {
         &self.parts.labels

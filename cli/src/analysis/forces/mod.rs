@@ -98,9 +98,7 @@ fn cut(case: &Case, stations: usize, cache: Option<&Cache>) -> Result<Cut, Failu
     own.fields = None;
     let mut plan = streams::warned(|_| machine::plan(&own, &mut Vec::new()))?;
     for body in plan.meshed().filter(|body| !body.rigid) {
-        let levels = body.mesh.nodes().iter().map(|node| node[2]);
-        let ends = levels
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |ends, z| [ends[0].min(z), ends[1].max(z)]);
+        let ends = body.mesh.ends();
         let at = |k: usize| ends[0] + (ends[1] - ends[0]) * (k as f64 + 0.5) / stations as f64;
         let wanted: Vec<f64> = (0..stations).map(at).collect();
         body.spec.sections = planes(&body.mesh, &wanted);

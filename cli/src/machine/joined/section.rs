@@ -18,16 +18,9 @@ const FLAT: f64 = 1e-5;
 /// at most so far.
 const CLOSE: f64 = 1e-4;
 const NEAR: f64 = 0.01;
-/// First and last z of a mesh (m).
-pub(super) fn ends(mesh: &Mesh) -> [f64; 2] {
-    mesh.nodes().iter().fold([f64::INFINITY, f64::NEG_INFINITY], |ends, node| {
-        [ends[0].min(node[2]), ends[1].max(node[2])]
-    })
-}
-
 /// The nodes at `z` (m).
 pub(super) fn nodes_at(mesh: &Mesh, z: f64) -> Vec<usize> {
-    let [first, last] = ends(mesh);
+    let [first, last] = mesh.ends();
     let flat = |node: &usize| (mesh.nodes()[*node][2] - z).abs() <= FLAT * (last - first);
     (0..mesh.placed()).filter(flat).collect()
 }
@@ -111,7 +104,7 @@ pub(super) struct NoSection {
 /// The mean motion of the section nearest to `z` (m).
 pub(super) fn section_at(plan: &mut BodyPlan, z: f64) -> Result<usize, NoSection> {
     let nodes = plan.mesh.nodes();
-    let ends = ends(&plan.mesh);
+    let ends = plan.mesh.ends();
     let length = ends[1] - ends[0];
     let away = |node: &[f64; 3]| (node[2] - z).abs();
     let nearest = nodes.iter().min_by(|a, b| away(a).total_cmp(&away(b))).copied();
@@ -138,11 +131,11 @@ fn section_near(plan: &mut BodyPlan, z: f64, near: Option<f64>) -> Option<usize>
     const WHOLE: f64 = 0.98;
     let section = |z: f64| NodeSetMean::of_section(&plan.mesh, z).ok().flatten();
     let area = |own: &NodeSetMean| own.area().unwrap_or(0.0);
-    let close = CLOSE * (ends(&plan.mesh)[1] - ends(&plan.mesh)[0]);
+    let close = CLOSE * (plan.mesh.ends()[1] - plan.mesh.ends()[0]);
     let is_plane = |near: &f64| (near - z).abs() <= close || section(z).is_none();
     if let Some(near) = near.filter(is_plane) {
         let found = nodes_at(&plan.mesh, near);
-        let [first, last] = ends(&plan.mesh);
+        let [first, last] = plan.mesh.ends();
         let cut = section(near).or_else(|| section(near + NEAR * NEAR * (last - first)));
         let own = NodeSetMean::new(&plan.mesh, &found);
         // Matrices have no cells.
