@@ -142,7 +142,7 @@ impl Failure {
             ),
             Failure::Unfinished { kept, help, .. } => {
                 let note = kept.as_ref().map_or(String::new(), |kept| {
-                    format!(" = note: what was computed so far is in {}\n", kept.display())
+                    format!(" = note: the steps computed so far are in {}\n", kept.display())
                 });
                 let help = help.as_ref().map_or(String::new(), |help| format!(" = help: {help}\n"));
                 format!("error: {self}\n{note}{help}")

@@ -269,7 +269,8 @@ fn run(
     if interrupted {
         return Err(Failure::Unfinished {
             reason: "interrupted".to_owned(),
-            kept: folder.map(Path::to_path_buf),
+            // What is kept has been told of already.
+            kept: None,
             help: None,
         });
     }
