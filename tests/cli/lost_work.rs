@@ -83,7 +83,7 @@ pub(super) fn begin(bench: &Workbench, arguments: &[&str]) -> Running {
     wait_until("a checkpoint", || folder.join("checkpoint.bin").exists());
     let length = || fs::metadata(folder.join("history.csv")).map_or(0, |file| file.len());
     let first = length();
-    wait_until("rows after it", || length() > first + 100_000);
+    wait_until("rows after it", || length() > first + 400_000);
     running
 }
 
