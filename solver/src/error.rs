@@ -280,6 +280,20 @@ pub enum Error {
         /// As there.
         share: f64,
     },
+    /// A state in which the force of a joint jumps, so that small motions about it have no stiffness.
+    #[error(
+        "with {at} the force of {joint} jumps by {jump:.3e} N where the machine stands: nothing says what small motions \
+         do there. Let the law change over a short distance or speed in place of a jump (`smooth`), or take another \
+         speed or load"
+    )]
+    Jumps {
+        /// The bodies with their speeds.
+        at: String,
+        /// The joint.
+        joint: String,
+        /// By how much (N).
+        jump: f64,
+    },
     /// A balance at t = 0 that is none: nothing holds the machine in it.
     #[error(
         "the start at equilibrium is not determined: nothing holds the {}. An unloaded journal floats in its \
@@ -339,7 +353,7 @@ impl Error {
 
     /// Whether it says that the machine does not stand at a speed, as at others it may.
     pub fn is_of_balance(&self) -> bool {
-        matches!(self, Error::NotStanding { .. } | Error::NoForce { .. })
+        matches!(self, Error::NotStanding { .. } | Error::NoForce { .. } | Error::Jumps { .. })
     }
 
     /// The errors that it is made of: itself, or several.

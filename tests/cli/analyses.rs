@@ -8,6 +8,7 @@ mod forces;
 mod invariance;
 mod lateral;
 mod matrices;
+mod notes;
 mod over_frequency;
 mod sections;
 

@@ -91,7 +91,7 @@ pub(super) fn found(
         }
         Ok(())
     };
-    let Ended { lost, interrupted } =
+    let Ended { notes, interrupted } =
         at_each_speed(linear, (analysis, wanted), interruption, &mut work)?;
     let name = &analysis.name;
     let mut files = vec![(format!("{name}.csv"), all.into_bytes())];
@@ -104,7 +104,7 @@ pub(super) fn found(
         let body = linear.machine().bodies[of].name();
         files.extend(drawn(name, &figure(case, body, &drawing)));
     }
-    let mut text = format!("{}: {}\n\n{}{lost}", case.name, case.title, table(&rows));
+    let mut text = format!("{}: {}\n\n{}{notes}", case.name, case.title, table(&rows));
     text.push_str(&words::at_the_speed(linear));
     if !whole.is_empty() {
         let file = format!("{name}.5x5.csv");

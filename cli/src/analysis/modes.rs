@@ -87,9 +87,9 @@ pub(super) fn found(
         }
         Ok(())
     };
-    let Ended { lost, interrupted } =
+    let Ended { notes, interrupted } =
         at_each_speed(linear, (analysis, wanted), interruption, &mut work)?;
-    text.push_str(&lost);
+    text.push_str(&notes);
     let name = &analysis.name;
     let mut files = vec![(format!("{name}.csv"), file.into_bytes())];
     for (place, drawing) in drawings.iter().enumerate() {

@@ -44,7 +44,9 @@ pub(super) fn wanted(
         }
         return Err(Failure::Argument {
             message: format!("nothing turns in `{}`: it has no speeds", case.name),
-            help: "try `whirl modes` without `--speeds`".to_owned(),
+            help: "`whirl modes` and `whirl coefficients` without `--speeds` are of machines that stand; a body turns by \
+                   `turns = \"prescribed\"` and its `speed`"
+                .to_owned(),
         });
     };
     if !analysis.speeds.is_empty() {

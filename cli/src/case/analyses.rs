@@ -9,6 +9,8 @@ use whirl_codegen::units::{Dimension, Quantity};
 use super::{JoinedMachine, Lateral, lateral, names};
 use crate::values::range::{Range, is_range};
 
+/// Values of an analysis at most: more would fill the memory.
+const MOST: usize = 10_000;
 /// Speeds of a range that does not say how many.
 const SPEEDS: usize = 31;
 /// Modes, and orders of critical speeds, where none are asked for.
@@ -329,6 +331,10 @@ fn levels(
     let place = Place { source: text.source().clone(), span: text.span() };
     let range = Range::read(own, &place)?;
     let count = range.count.unwrap_or(SPEEDS);
+    if count > MOST {
+        let message = format!("an analysis goes through no more than {MOST} values");
+        return Err(text.error_here(Code::BAD_VALUE, message).help(help).into());
+    }
     let mut values = Vec::with_capacity(count);
     for k in 0..count {
         let level = range.even(k, count);

@@ -2,6 +2,8 @@ use std::ops::{Index, IndexMut, Range};
 
 use serde::{Deserialize, Serialize};
 
+use super::combination::add_product;
+
 /// A dense matrix, column after column.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Matrix {
@@ -86,11 +88,7 @@ impl Matrix {
     /// y = A x.
     pub fn apply(&self, x: &[f64]) -> Vec<f64> {
         let mut y = vec![0.0; self.rows];
-        for (j, &xj) in x.iter().enumerate() {
-            for (yi, &a) in y.iter_mut().zip(self.col(j)) {
-                *yi += a * xj;
-            }
-        }
+        add_product(&mut y, self, x);
         y
     }
 

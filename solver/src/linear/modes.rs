@@ -86,6 +86,11 @@ impl Mode {
     }
 }
 
+/// Whether a motion is listed.
+pub(super) fn is_listed(value: Complex64) -> bool {
+    value.im > 0.0 && -value.re < MOST_DAMPED * value.norm()
+}
+
 /// Re λ less what may be rounding of it.
 fn growth(value: Complex64) -> f64 {
     value.re - NEUTRAL * value.norm()
@@ -167,9 +172,8 @@ impl LinearMachine {
         count: usize,
     ) -> Result<Modes, Error> {
         let Linearised { turning, mass, .. } = equations;
-        let (mut moving, still): (Vec<_>, Vec<_>) = motions
-            .into_iter()
-            .partition(|own| own.value.im > 0.0 && -own.value.re < MOST_DAMPED * own.value.norm());
+        let (mut moving, still): (Vec<_>, Vec<_>) =
+            motions.into_iter().partition(|own| is_listed(own.value));
         let mut growing: Vec<f64> = still
             .iter()
             .filter(|own| own.value.im == 0.0 && own.value.re > 0.0)

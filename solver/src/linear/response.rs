@@ -7,7 +7,8 @@ use num_complex::Complex64;
 use super::linearised::{Linearised, Standstill};
 use super::modes::Orbit;
 use super::round::LinearMachine;
-use crate::equations::Equations;
+use super::standing_loads::mean;
+use crate::equations::{Equations, instant, placed};
 use crate::error::Error;
 use crate::linalg::{dot, solve_complex};
 use crate::output::{Motion, Wanted};
@@ -229,6 +230,17 @@ impl LinearMachine {
         let mut others = Equations::new(&self.loaded);
         others.release(&at.found.released);
         others.evaluate(0.0, &at.found.state);
+        // Of loads in space that go by the angle the mean stands, and is no part of the response.
+        let now = instant(&self.loaded, 0.0, &at.found.state);
+        for (load, released) in self.loaded.loads.iter().zip(&released) {
+            if load.time_function.follows().is_some_and(turns) {
+                let (place, position) = placed(&self.loaded, load, &at.found.state.q);
+                for (sign, own) in [(-1.0, load), (1.0, &mean(load))] {
+                    let factor = sign * own.factor(&now, *released);
+                    own.add_force(factor, &position, &at.found.state.q, place, &mut others.load);
+                }
+            }
+        }
         let mut still = self.residual(&others, &kept);
         let alone = self.residual(&standing, &kept);
         for own in self.turning().filter(|own| turns(*own)) {

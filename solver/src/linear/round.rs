@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::standing_loads::{Counted, begun, counted, mean, nothing, spins_with};
 use crate::bodies::{Body, Rotation};
 use crate::error::Error;
 use crate::linalg::{Matrix, multiply};
@@ -12,14 +13,14 @@ use crate::shaft::Shaft;
 /// Share of the inertia of a body below which its unbalance is rounding.
 const ROUNDING: f64 = 1e-10;
 
-/// A machine whose turning bodies have the means of their tensors over turns.
+/// A machine whose turning bodies have the means of their tensors over turns, in space the means of loads that go by an angle.
 pub struct LinearMachine {
     pub(super) machine: Machine,
     /// As it is: at rest nothing needs to be round.
     pub(super) still: Machine,
     /// With those bodies as they are that are not round, if there are any.
     pub(super) uneven: Option<Machine>,
-    /// The same with what turns with round bodies: unbalance.
+    /// The same with what turns with round bodies, unbalance, and loads as they go by an angle.
     pub(super) loaded: Machine,
     /// By body S and S², of one that turns.
     pub(super) generators: Vec<Option<[Matrix; 2]>>,
@@ -27,6 +28,8 @@ pub struct LinearMachine {
     pub(super) senses: Vec<Option<[Matrix; 2]>>,
     /// By body how round it was, of one that turns.
     pub(super) roundness: Vec<Option<Roundness>>,
+    /// Loads that vary, by their names, with how they count.
+    pub(super) counted: Vec<(String, Counted)>,
     /// Whether all bodies that turn freely swing about their speed, known or not.
     pub(super) all_swing: bool,
 }
@@ -37,6 +40,19 @@ impl LinearMachine {
     /// # Errors
     /// A body that turns of which nothing shows how.
     pub fn new(mut machine: Machine) -> Result<LinearMachine, Error> {
+        let mut all_counted = Vec::new();
+        for load in &mut machine.loads {
+            if spins_with(load, machine.bodies[load.body].rotation()) {
+                *load = nothing(load);
+                continue;
+            }
+            let name = match load.name.as_str() {
+                "" => format!("a load of {}", machine.bodies[load.body].name()),
+                name => name.to_owned(),
+            };
+            all_counted.extend(counted(load).map(|own| (name, own)));
+            *load = begun(load);
+        }
         let still = machine.clone();
         let mut uneven = Vec::new();
         let (mut generators, mut senses, mut all) = (Vec::new(), Vec::new(), Vec::new());
@@ -75,6 +91,9 @@ impl LinearMachine {
                 shaft.y0.iter_mut().zip(turning).for_each(|(sum, own)| *sum += own);
             }
         }
+        for load in &mut machine.loads {
+            *load = mean(load);
+        }
         let uneven = (!uneven.is_empty()).then(|| {
             let mut own = machine.clone();
             for place in uneven {
@@ -92,6 +111,7 @@ impl LinearMachine {
             generators,
             senses,
             roundness,
+            counted: all_counted,
             all_swing,
         })
     }

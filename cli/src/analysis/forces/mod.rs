@@ -78,9 +78,9 @@ pub(super) fn found(
         last = Some((speed, standing));
         Ok(())
     };
-    let Ended { lost, interrupted } =
+    let Ended { notes, interrupted } =
         at_each_speed(&linear, (analysis, &wanted), interruption, &mut work)?;
-    text.push_str(&lost);
+    text.push_str(&notes);
     for body in whole {
         let _ = writeln!(text, "note: {body} has no sections, as it is rigid or made of matrices");
     }

@@ -98,7 +98,7 @@ pub(super) fn found(
         text.push('\n');
         let own: Vec<&Line> = whole.iter().filter(|own| own.variant == done.name).collect();
         text += &lines::told(&own);
-        text += &done.responses.lost;
+        text += &done.responses.notes;
         text += &done.notes;
     }
     text.push('\n');

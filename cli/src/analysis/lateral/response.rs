@@ -58,7 +58,7 @@ pub(super) struct Responses {
     pub(super) speeds: Vec<f64>,
     pub(super) all: Vec<Response>,
     pub(super) lines: Vec<Line>,
-    pub(super) lost: String,
+    pub(super) notes: String,
     pub(super) interrupted: bool,
 }
 
@@ -111,7 +111,7 @@ pub(super) fn found(
         speeds.push(speed);
         Ok(())
     };
-    let Ended { lost, interrupted } =
+    let Ended { notes, interrupted } =
         at_each_speed(linear, (analysis, wanted), interruption, &mut work)?;
     let mut lines = Vec::new();
     if !interrupted {
@@ -152,7 +152,7 @@ pub(super) fn found(
             judge(&mut lines, response, lateral, &speeds, (probes, closes), &orbits);
         }
     }
-    Ok(Responses { speeds, all, lines, lost, interrupted })
+    Ok(Responses { speeds, all, lines, notes, interrupted })
 }
 
 /// N_c/(N₂ − N₁); of a peak that falls so far on one side only, by twice that side.

@@ -75,12 +75,12 @@ pub(super) fn found(
         });
         Ok(())
     };
-    let Ended { lost, interrupted } =
+    let Ended { notes, interrupted } =
         at_each_speed(linear, (analysis, wanted), interruption, &mut work)?;
     if several {
         files.push((format!("{}.csv", analysis.name), index.into_bytes()));
     }
     text.push_str(&words::at_the_speed(linear));
-    text.push_str(&lost);
+    text.push_str(&notes);
     Ok(Found { text, files, interrupted })
 }

@@ -1,6 +1,7 @@
 //! Response to unbalance over speed: orbits of points, peaks and how sharp they are.
 
 mod figures;
+mod large;
 mod probes;
 mod source;
 
@@ -13,6 +14,7 @@ use whirl_solver::linear::{
 use whirl_text::{rounded, shown};
 
 use self::figures::{Drawing, beside};
+use self::large::Large;
 use self::probes::Reading;
 use self::source::Source;
 use super::found::{Found, drawn};
@@ -54,8 +56,10 @@ pub(super) fn found(
     let mut speeds: Vec<f64> = Vec::new();
     let mut sources: Vec<Source> = Vec::new();
     let mut ratios = vec![0.0; linear.machine().bodies.len()];
+    let mut large = Large::default();
     let mut work = |speed: f64, here: &Standstill| -> Result<(), Failure> {
         let equations = linear.linearised(here)?;
+        let mut sums = vec![0.0; points.len()];
         for body in linear.turning() {
             for (order, motions) in linear.response((here, &equations), body, &points)? {
                 let place = sources.iter().position(|own| own.body == body && own.order == order);
@@ -64,6 +68,8 @@ pub(super) fn found(
                     sources.push(Source { body, order, motions, peaks, near: Vec::new() });
                     sources.len() - 1
                 });
+                let all = sums.iter_mut().zip(&motions);
+                all.filter(|_| order != 0.0).for_each(|(sum, own)| *sum += own.orbit().major);
                 let own = &mut sources[place];
                 own.motions.resize(speeds.len(), still(points.len()));
                 own.motions.push(motions);
@@ -73,9 +79,10 @@ pub(super) fn found(
             }
         }
         speeds.push(speed);
+        large.take(linear, (speed, here), &sums);
         Ok(())
     };
-    let Ended { lost, interrupted } =
+    let Ended { notes, interrupted } =
         at_each_speed(linear, (analysis, wanted), interruption, &mut work)?;
     if sources.is_empty() {
         return Err(Failure::Argument {
@@ -154,7 +161,8 @@ pub(super) fn found(
             files.extend(drawn(&stem, &figure));
         }
     }
-    let text = text(case, linear, &points, (&speeds, &sources)) + &lost;
+    let text =
+        text(case, linear, &points, (&speeds, &sources)) + &notes + &words::doubts(&large.told());
     Ok(Found { text, files, interrupted })
 }
 
