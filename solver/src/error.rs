@@ -268,8 +268,7 @@ pub enum Error {
         share: f64,
     },
     /// Constant speeds at which no state was found in which the machine stands.
-    #[error("no equilibrium was found with {at}: {}. Lower the loads to what the bearings carry at this speed, or \
-         start at a higher one", out_of_balance(.rows, .journals, *.share))]
+    #[error("no equilibrium was found with {at}: {}. {}", out_of_balance(.rows, .journals, *.share), remedy(.journals))]
     NotStanding {
         /// The bodies with their speeds.
         at: String,
@@ -382,6 +381,16 @@ fn no_equilibrium(rows: &[(String, f64)], journals: &[(String, f64)], share: f64
          they do, or start at rest",
         out_of_balance(rows, journals, share)
     )
+}
+
+/// What helps a machine to stand at a speed.
+fn remedy(journals: &[(String, f64)]) -> &'static str {
+    if journals.is_empty() {
+        return "Look for a law that jumps where the loads are balanced, and let it change over a short distance (`smooth`), or \
+                for loads that nothing carries";
+    }
+    "Lower the loads to what the bearings carry at this speed, or take a higher one; a law that jumps where the loads are \
+     balanced must change over a short distance (`smooth`)"
 }
 
 fn out_of_balance(rows: &[(String, f64)], journals: &[(String, f64)], share: f64) -> String {

@@ -178,7 +178,7 @@ fn described(
         of,
         speeds,
         count,
-        orders: if orders.is_empty() { kind.orders() } else { orders.to_vec() },
+        orders: if orders.is_empty() { kind.orders() } else { case::each_once(orders) },
         ..Analysis::of_kind(kind)
     })
 }
@@ -302,7 +302,7 @@ fn of_machine(
         AnalysisKind::Matrices => matrices::found(case, linear, wanted, interruption),
         AnalysisKind::Torsion => {
             let (train, released) = torsion::released((case, linear), wanted.1.of, cache)?;
-            torsion::found(case, &train, wanted, &released, interruption, figures)
+            torsion::found((case, linear), &train, wanted, &released, interruption, figures)
         }
         AnalysisKind::Forces | AnalysisKind::Lateral => {
             unreachable!("they have machines of their own")

@@ -1,5 +1,6 @@
 //! Over which speeds of which body an analysis is.
 
+use whirl_solver::bodies::Rotation;
 use whirl_solver::linear::LinearMachine;
 
 use crate::case::{Analysis, AnalysisKind, Case};
@@ -30,7 +31,12 @@ pub(super) fn wanted(
     analysis: &Analysis,
 ) -> Result<Wanted, Failure> {
     let top = |body: usize| case.machine.top_speed(body, case.run());
-    let fastest = linear.turning().max_by(|a, b| top(*a).total_cmp(&top(*b)).then(b.cmp(a)));
+    // Of equally fast ones the first whose speed is given, and not found.
+    let is_given = |body: usize| case.machine.bodies[body].rotation != Some(Rotation::Free);
+    let fastest = linear.turning().max_by(|&a, &b| {
+        let both = top(a).total_cmp(&top(b)).then(is_given(a).cmp(&is_given(b)));
+        both.then(b.cmp(&a))
+    });
     let at_one = matches!(
         analysis.kind,
         AnalysisKind::Modes

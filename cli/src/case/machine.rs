@@ -19,7 +19,7 @@ pub(super) use self::drive::{leads_to_its_target, needs_a_section, read_one as d
 pub(super) use self::materials::Materials;
 pub(super) use self::motion::{default_motion, motion};
 use self::places::SHAFT;
-pub(super) use self::speed::speed;
+pub(super) use self::speed::{MOST_SPEED, speed};
 use super::joined_machine::{Drive, InputForm, JoinedMachine, Load};
 use super::library::FileStore;
 use super::named_body::Form;

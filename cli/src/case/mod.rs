@@ -45,7 +45,7 @@ use whirl_codegen::diagnostic::{Code, Source};
 use crate::errors::Failure;
 
 pub(crate) use analyses::{
-    Analysis, AnalysisKind, MODES, MatrixFormat, speeds, stiffness, turning,
+    Analysis, AnalysisKind, MODES, MatrixFormat, each_once, speeds, stiffness, turning,
 };
 pub(crate) use columns::Columns;
 pub(crate) use cycle::TWO_REVOLUTIONS;

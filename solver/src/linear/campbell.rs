@@ -100,8 +100,11 @@ impl LinearMachine {
         let roots = Roots { machine: self, range, slow: slow.as_ref(), points: &points };
         let mut followed = Followed { roots: &roots, unclear: Vec::new() };
         let branches = followed.branches()?;
-        let criticals = followed.criticals(&branches)?;
-        let thresholds = followed.thresholds(&branches, &criticals)?;
+        let criticals = followed.criticals(&branches, &range.orders)?;
+        // Whirls lock to the rotation where they meet it, asked for or not.
+        let is_uneven = points.iter().any(|own| own.is_uneven);
+        let locks = followed.criticals(&branches, if is_uneven { &[1.0] } else { &[] })?;
+        let thresholds = followed.thresholds(&branches, &locks)?;
         let unclear = followed.unclear;
         let listed =
             |own: &Vec<Option<usize>>| own.iter().flatten().any(|place| *place < range.count);
@@ -216,9 +219,13 @@ impl Followed<'_> {
         })
     }
 
-    fn criticals(&self, branches: &[Vec<Option<usize>>]) -> Result<Vec<Critical>, Error> {
+    fn criticals(
+        &self,
+        branches: &[Vec<Option<usize>>],
+        orders: &[f64],
+    ) -> Result<Vec<Critical>, Error> {
         let mut found = Vec::new();
-        for &order in &self.roots.range.orders {
+        for &order in orders {
             let mut own = Vec::new();
             for (branch, places) in branches.iter().enumerate() {
                 let off = move |speed: f64, mode: &Mode| mode.value.im - order * speed.abs();
@@ -241,7 +248,7 @@ impl Followed<'_> {
     fn thresholds(
         &self,
         branches: &[Vec<Option<usize>>],
-        criticals: &[Critical],
+        locks: &[Critical],
     ) -> Result<Vec<Threshold>, Error> {
         let mut found = Vec::new();
         let is_uneven = self.roots.points.iter().any(|own| own.is_uneven);
@@ -269,16 +276,18 @@ impl Followed<'_> {
             }
             // What locks between two speeds may grow there.
             let mut locked: Vec<f64> =
-                criticals.iter().map(|own| own.speed).filter(|own| inside(*own)).collect();
-            locked.sort_by(f64::total_cmp);
-            let inner: Vec<f64> = match is_uneven {
-                true => locked.windows(2).map(|own| 0.5 * (own[0] + own[1])).collect(),
-                false => Vec::new(),
-            };
-            let Roots { machine, range, slow, .. } = self.roots;
-            let inner =
-                inner.iter().map(|speed| machine.point(range, *slow, *speed, Some(&pair[0].at)));
-            let inner: Vec<Point> = inner.collect::<Result<_, Error>>()?;
+                locks.iter().map(|own| own.speed).filter(|own| inside(*own)).collect();
+            let mut inner: Vec<Point> = Vec::new();
+            if is_uneven {
+                // A whirl that is locked at an end of the step is locked up to there.
+                let ends = pair.iter().filter(|own| own.locked().is_some()).map(|own| own.speed);
+                locked.extend(ends);
+                locked.sort_by(f64::total_cmp);
+                locked.dedup();
+                for own in locked.windows(2) {
+                    inner.push(self.roots.most_growing(&pair[0], [own[0], own[1]])?);
+                }
+            }
             let all: Vec<&Point> =
                 std::iter::once(&pair[0]).chain(&inner).chain(std::iter::once(&pair[1])).collect();
             for own in all.windows(2) {

@@ -139,13 +139,14 @@ impl LinearMachine {
     }
 
     /// Speeds of all bodies with body `of` at `speed` (rad/s): those of `ratios` by their ratio to it, others with a given
-    /// speed in the ratio in which the machine has them, where it has one; of those left the speed is to be found.
+    /// speed in the ratio in which the machine has them, where it has one (a body that turns freely in a train has that of the
+    /// train); of those left the speed is to be found.
     pub fn speeds(&self, of: usize, speed: f64, ratios: &[Option<f64>]) -> Vec<Option<f64>> {
         let given = |body: usize| {
             let rotation = self.machine.bodies[body].rotation()?;
             rotation.given(0.0, false).map(|own| own[1])
         };
-        let own = given(of).filter(|own| *own != 0.0);
+        let own = given(of).or_else(|| self.given_by_train(of)).filter(|own| *own != 0.0);
         let bodies = 0..self.machine.bodies.len();
         let speeds = bodies.map(|body| {
             self.machine.bodies[body].rotation().filter(|own| turns(own))?;
@@ -159,6 +160,17 @@ impl LinearMachine {
             }
         });
         speeds.collect()
+    }
+
+    /// The speed that a body of the same train whose rotation is given gives one that turns freely (rad/s).
+    fn given_by_train(&self, of: usize) -> Option<f64> {
+        let trains = self.machine.trains();
+        let others =
+            (0..self.machine.bodies.len()).filter(|own| trains.train(*own) == trains.train(of));
+        others.into_iter().find_map(|other| {
+            let speed = self.machine.bodies[other].rotation()?.given(0.0, false)?[1];
+            Some(speed * trains.ratio(of) / trains.ratio(other))
+        })
     }
 
     /// What turns with a body of its y0; none of one that stands.

@@ -99,7 +99,12 @@ fn cut(case: &Case, stations: usize, cache: Option<&Cache>) -> Result<Cut, Failu
     let mut plan = streams::warned(|_| machine::plan(&own, &mut Vec::new()))?;
     for body in plan.meshed().filter(|body| !body.rigid) {
         let ends = body.mesh.ends();
-        let at = |k: usize| ends[0] + (ends[1] - ends[0]) * (k as f64 + 0.5) / stations as f64;
+        let at = |k: usize| match stations {
+            1 => 0.5 * (ends[0] + ends[1]),
+            // The last one is the end itself, to the bit.
+            _ if k + 1 == stations => ends[1],
+            _ => ends[0] + (ends[1] - ends[0]) * k as f64 / (stations - 1) as f64,
+        };
         let wanted: Vec<f64> = (0..stations).map(at).collect();
         body.spec.sections = planes(&body.mesh, &wanted);
     }

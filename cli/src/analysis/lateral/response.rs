@@ -142,12 +142,12 @@ pub(super) fn found(
             };
             for (place, probe) in probes.iter().enumerate() {
                 let mut reading = |speed: f64| Ok(probe.reading(&at(speed, &probe.point)?));
-                response.peaks[place] = peaks(&seeds, ends, &mut reading)?;
+                response.peaks[place] = peaks(&seeds, ends, interruption, &mut reading)?;
             }
             let mut orbits = Vec::with_capacity(closes.len());
             for close in closes {
                 let mut orbit = |speed: f64| Ok(2e6 * at(speed, &close.point)?.orbit().major);
-                orbits.push(peaks(&seeds, ends, &mut orbit)?);
+                orbits.push(peaks(&seeds, ends, interruption, &mut orbit)?);
             }
             judge(&mut lines, response, lateral, &speeds, (probes, closes), &orbits);
         }
