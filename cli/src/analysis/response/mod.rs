@@ -1,6 +1,7 @@
 //! Response to unbalance over speed: orbits of points, peaks and how sharp they are.
 
 mod figures;
+mod numbers;
 mod probes;
 mod source;
 
@@ -155,7 +156,9 @@ pub(super) fn found(
         }
     }
     let text = text(case, linear, &points, (&speeds, &sources)) + &lost;
-    Ok(Found { text, files, interrupted })
+    let mut facts = numbers::facts(linear, &points, (&speeds, &sources));
+    facts.note(&lost);
+    Ok(Found { text, files, interrupted, facts })
 }
 
 /// Points that do not move.
