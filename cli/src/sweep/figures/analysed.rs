@@ -33,7 +33,7 @@ const COUNTED: usize = 4;
 pub(super) const KINDS: [Kind; 10] = [
     Kind {
         stem: "thresholds",
-        title: "Thresholds of stability (nothing where none is in the range)",
+        title: "Thresholds of stability",
         rules: &[Rule {
             quantity: "threshold",
             unit: "rpm",
@@ -42,7 +42,7 @@ pub(super) const KINDS: [Kind; 10] = [
     },
     Kind {
         stem: "decrements",
-        title: "Least logarithmic decrements of all modes and speeds",
+        title: "Least logarithmic decrements",
         rules: &[Rule {
             quantity: "logarithmic decrement",
             unit: "1",
@@ -51,7 +51,7 @@ pub(super) const KINDS: [Kind; 10] = [
     },
     Kind {
         stem: "critical-speeds",
-        title: "Critical speeds (nothing where none is in the range)",
+        title: "Critical speeds",
         rules: &[
             Rule {
                 quantity: "critical speed",
@@ -72,7 +72,7 @@ pub(super) const KINDS: [Kind; 10] = [
     },
     Kind {
         stem: "amplitudes",
-        title: "Largest amplitudes of the response, zero to peak",
+        title: "Largest amplitudes, zero to peak",
         rules: &[Rule {
             quantity: "amplitude",
             unit: "µm",
@@ -144,7 +144,7 @@ pub(super) const KINDS: [Kind; 10] = [
     },
     Kind {
         stem: "separations",
-        title: "Least separation of torsional modes from what excites them",
+        title: "Least torsional separations",
         rules: &[Rule {
             quantity: "separation",
             unit: "1",
@@ -153,7 +153,7 @@ pub(super) const KINDS: [Kind; 10] = [
     },
     Kind {
         stem: "moments",
-        title: "Largest bending moments in bodies as they stand",
+        title: "Largest bending moments",
         rules: &[Rule {
             quantity: "bending moment",
             unit: "N·m",
