@@ -46,6 +46,7 @@ use whirl_codegen::kinds::list::Spec;
 use whirl_solver::cache::{Cache, Key};
 use whirl_solver::machine::MachineParts;
 
+pub use analysis::{Analysed, Asked, Described};
 pub use case::{Case, CaseText};
 pub use figures::{Curve, curves};
 pub use history::HistoryTable;
@@ -106,6 +107,22 @@ pub fn read(case: &str, warnings: &mut Vec<String>) -> Result<Case, Failure> {
 /// As [`read`].
 pub fn read_text(text: &CaseText, warnings: &mut Vec<String>) -> Result<Case, Failure> {
     machine::read_text(text, warnings)
+}
+
+/// As [`read`], of a case that need not be marched.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_to_analyse(case: &str, warnings: &mut Vec<String>) -> Result<Case, Failure> {
+    machine::read_to_analyse(case, warnings)
+}
+
+/// As [`read_to_analyse`], of a text.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_text_to_analyse(text: &CaseText, warnings: &mut Vec<String>) -> Result<Case, Failure> {
+    machine::read_text_to_analyse(text, warnings)
 }
 
 /// What `whirl check` says of a case.

@@ -45,6 +45,7 @@ mod stability_map;
 mod standing;
 mod starts;
 mod streams;
+mod sweep_analyses;
 mod sweep_chains;
 mod sweep_figures;
 mod sweeps;

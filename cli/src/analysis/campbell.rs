@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use whirl_solver::linear::{Campbell, Critical, LinearMachine, Mode, Whirl};
 
+use super::facts::Facts;
 use super::found::{Found, drawn, followed};
 use super::speeds::Wanted;
 use super::{roots, words};
@@ -36,7 +37,8 @@ pub(super) fn found(
     }
     let mut text = text(case, linear, of, &all);
     text += &words::doubts(&all.doubts);
-    Ok(Found { text, files, interrupted })
+    let facts = Facts::of_campbell(&all);
+    Ok(Found { text, files, interrupted, facts })
 }
 
 /// Every mode at every speed.

@@ -2,6 +2,7 @@
 
 use whirl_solver::linear::{Campbell, LinearMachine, Range};
 
+use super::facts::Facts;
 use super::speeds::Wanted;
 use crate::case::Analysis;
 use crate::errors::Failure;
@@ -22,6 +23,8 @@ pub(super) struct Found {
     pub(super) files: Vec<(String, Vec<u8>)>,
     /// Whether it was interrupted before its end.
     pub(super) interrupted: bool,
+    /// For programs.
+    pub(super) facts: Facts,
 }
 
 /// A figure as files: SVG, and PNG where it can be made.

@@ -3,8 +3,11 @@
 //!
 //! A case → its machine → bodies made round ([`LinearMachine`]) → each analysis over its speeds → a text, tables and figures.
 
+mod asked;
+mod at_points;
 mod campbell;
 mod coefficients;
+mod facts;
 mod forces;
 mod found;
 mod lateral;
@@ -18,20 +21,23 @@ mod speeds;
 mod stability;
 mod states;
 mod stations;
+mod subject;
 mod torsion;
 mod words;
 
 use std::path::{Path, PathBuf};
 
 use whirl_codegen::diagnostic::{Diagnostics, Located, suggest};
-use whirl_solver::cache::Cache;
 use whirl_solver::linear::LinearMachine;
 
+pub use self::asked::{Analysed, Asked, Described};
+pub(crate) use self::at_points::{AtPoint, named, need_machine};
+use self::subject::Subject;
 use crate::arguments::{
     AnalyseArguments, AnalysisOutput, LateralArguments, MapArguments, MatricesArguments,
     ModesArguments,
 };
-use crate::case::{self, Analysis, AnalysisKind, Case};
+use crate::case::{self, Analysis, AnalysisKind, Case, CaseText};
 use crate::errors::Failure;
 use crate::output::Output;
 use crate::progress::{self, ProgressMode};
@@ -218,35 +224,32 @@ fn run(
     let cache = arguments.cache.open();
     let build =
         || streams::warned(|warnings| machine::build_planned(case, cache.as_ref(), warnings));
-    // Some build machines of their own, with what they look at.
-    let alone = |kind: AnalysisKind| matches!(kind, AnalysisKind::Lateral | AnalysisKind::Forces);
-    let linear = match analyses.iter().any(|own| !alone(own.kind)) {
+    let linear = match analyses.iter().any(|own| !Subject::is_alone(own.kind)) {
         true => {
             let built = progress::during(show, case.reducing(), build)?;
             Some(LinearMachine::new(built.machine)?)
         }
         false => None,
     };
+    // Variants of a case are read anew.
+    let text = match analyses.iter().any(|own| own.kind == AnalysisKind::Lateral) {
+        true => Some(CaseText::find(file, None)?),
+        false => None,
+    };
+    let subject = Subject {
+        case,
+        text: text.as_ref(),
+        linear: linear.as_ref(),
+        cache: cache.as_ref(),
+        interruption: &interruption,
+        figures: !arguments.no_figures && output.is_some(),
+    };
     let mut interrupted = false;
     for analysis in analyses {
         let name = &analysis.name;
-        let found = match &linear {
-            Some(linear) if !alone(analysis.kind) => {
-                let figures = !arguments.no_figures && output.is_some();
-                let (of, show) = ((case, linear), (show, figures));
-                of_machine(of, analysis, cache.as_ref(), &interruption, show)?
-            }
-            _ => {
-                let figures = !arguments.no_figures;
-                let (of, cache) = ((case, file), cache.as_ref());
-                let work = || match analysis.kind {
-                    AnalysisKind::Forces => {
-                        forces::found(case, analysis, cache, &interruption, figures)
-                    }
-                    _ => lateral::found(of, analysis, cache, &interruption, figures),
-                };
-                progress::during(show, "analysing", work)?
-            }
+        let found = {
+            let work = || streams::warned(|warnings| subject.found(analysis, warnings));
+            progress::during(show, "analysing", work)?
         };
         if !arguments.quiet {
             say(&found.text)?;
@@ -275,38 +278,4 @@ fn run(
         });
     }
     Ok(())
-}
-
-/// An analysis of the machine of a case.
-fn of_machine(
-    (case, linear): (&Case, &LinearMachine),
-    analysis: &Analysis,
-    cache: Option<&Cache>,
-    interruption: &Interruption,
-    (show, figures): (ProgressMode, bool),
-) -> Result<found::Found, Failure> {
-    let wanted = speeds::wanted(case, linear, analysis)?;
-    let wanted = (analysis, &wanted);
-    let work = || match analysis.kind {
-        AnalysisKind::Modes => {
-            let figures = figures.then_some(cache);
-            modes::found(case, linear, wanted, interruption, figures)
-        }
-        AnalysisKind::Campbell => campbell::found(case, linear, wanted, interruption, figures),
-        AnalysisKind::Response => response::found(case, linear, wanted, interruption, figures),
-        AnalysisKind::Coefficients => {
-            coefficients::found(case, linear, wanted, interruption, figures)
-        }
-        AnalysisKind::Stability => stability::found(case, linear, wanted, interruption, figures),
-        AnalysisKind::Map => map::found(case, linear, wanted, interruption, figures),
-        AnalysisKind::Matrices => matrices::found(case, linear, wanted, interruption),
-        AnalysisKind::Torsion => {
-            let (train, released) = torsion::released((case, linear), wanted.1.of, cache)?;
-            torsion::found((case, linear), &train, wanted, &released, interruption, figures)
-        }
-        AnalysisKind::Forces | AnalysisKind::Lateral => {
-            unreachable!("they have machines of their own")
-        }
-    };
-    progress::during(show, "analysing", work)
 }

@@ -157,6 +157,11 @@ impl AnalysisKind {
         AnalysisKind::Lateral,
     ];
 
+    /// The kind that a case names so.
+    pub(crate) fn of(word: &str) -> Option<Self> {
+        AnalysisKind::ALL.into_iter().find(|own| own.word() == word)
+    }
+
     /// Orders where none are asked for.
     pub(crate) fn orders(self) -> Vec<f64> {
         if self == AnalysisKind::Torsion { TORSION.to_vec() } else { ORDERS.to_vec() }

@@ -157,6 +157,11 @@ impl Case {
         self.sources.iter().map(|source| (source.path.as_path(), source.text.as_str()))
     }
 
+    /// Whether it says how it is marched.
+    pub fn is_marched(&self) -> bool {
+        self.march.is_some()
+    }
+
     /// Steps that are asked for; rows where the program chooses the steps.
     pub fn steps(&self) -> usize {
         self.march.as_ref().map_or(0, |own| own.steps)

@@ -89,7 +89,9 @@ impl LinearMachine {
         // The same parts on any number of processors, so that the numbers are the same to the bit.
         let parts: Vec<&[f64]> = range.speeds.chunks(TOGETHER).collect();
         let (mut points, mut lost) = (Vec::with_capacity(range.speeds.len()), Vec::new());
-        for (own, speeds) in beside(&parts, &|speeds| work(speeds)).into_iter().zip(&parts) {
+        for (own, speeds) in
+            beside(self.threads, &parts, &|speeds| work(speeds)).into_iter().zip(&parts)
+        {
             let own = own?;
             let whole = own.len() == speeds.len();
             for (speed, point) in own {

@@ -1,6 +1,8 @@
 //! A machine as linear analyses take it: its bodies exactly round.
 
+use std::num::NonZero;
 use std::ops::Range;
+use std::thread;
 
 use super::standing_loads::{Counted, begun, counted, mean, nothing, spins_with};
 use crate::bodies::{Body, Rotation};
@@ -32,6 +34,8 @@ pub struct LinearMachine {
     pub(super) counted: Vec<(String, Counted)>,
     /// Whether all bodies that turn freely swing about their speed, known or not.
     pub(super) all_swing: bool,
+    /// On which speeds are looked at side by side; the numbers do not depend on it.
+    pub(super) threads: usize,
 }
 
 impl LinearMachine {
@@ -102,6 +106,7 @@ impl LinearMachine {
             own
         });
         let all_swing = false;
+        let threads = thread::available_parallelism().map_or(1, NonZero::get);
         let roundness = all;
         Ok(LinearMachine {
             machine,
@@ -113,12 +118,18 @@ impl LinearMachine {
             roundness,
             counted: all_counted,
             all_swing,
+            threads,
         })
     }
 
     /// The same with angles of all bodies that turn freely among its small motions, also at speeds that are told.
     pub fn with_swinging_bodies(self) -> LinearMachine {
         LinearMachine { all_swing: true, ..self }
+    }
+
+    /// The same at work on so many threads at most in place of one a processor.
+    pub fn on_threads(self, threads: NonZero<usize>) -> LinearMachine {
+        LinearMachine { threads: threads.get(), ..self }
     }
 
     /// The machine with its round bodies.

@@ -91,7 +91,8 @@ impl Slow {
             }
             Ok(None)
         };
-        let mut ends = beside(&[true, false], &|forward| search(*forward)).into_iter();
+        let mut ends =
+            beside(machine.threads, &[true, false], &|forward| search(*forward)).into_iter();
         let (Some(a), Some(b)) = (ends.next().expect("two")?, ends.next().expect("two")?) else {
             return Ok(None);
         };

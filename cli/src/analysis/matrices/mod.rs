@@ -10,6 +10,7 @@ use std::fmt::Write;
 use content::Content;
 use whirl_solver::linear::{LinearMachine, Standstill};
 
+use super::facts::Facts;
 use super::found::Found;
 use super::speeds::Wanted;
 use super::states::{Ended, at_each_speed};
@@ -82,5 +83,7 @@ pub(super) fn found(
     }
     text.push_str(&words::at_the_speed(linear));
     text.push_str(&notes);
-    Ok(Found { text, files, interrupted })
+    let mut facts = Facts::default();
+    facts.lines(&(words::at_the_speed(linear) + &notes));
+    Ok(Found { text, files, interrupted, facts })
 }

@@ -2,6 +2,7 @@
 
 mod figures;
 mod large;
+mod numbers;
 mod probes;
 mod source;
 
@@ -182,9 +183,11 @@ pub(super) fn found(
             files.extend(drawn(&stem, &figure));
         }
     }
-    let text =
-        text(case, linear, &points, (&speeds, &sources)) + &notes + &words::doubts(&large.told());
-    Ok(Found { text, files, interrupted })
+    let notes = notes + &words::doubts(&large.told());
+    let text = text(case, linear, &points, (&speeds, &sources)) + &notes;
+    let mut facts = numbers::facts(linear, &points, (&speeds, &sources));
+    facts.lines(&notes);
+    Ok(Found { text, files, interrupted, facts })
 }
 
 /// Points that do not move.

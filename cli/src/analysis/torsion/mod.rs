@@ -129,6 +129,8 @@ pub(super) fn found(
         files.extend(drawn(name, &train.figure()));
     }
     let mut text = train.text(&torques);
+    let before = text.len();
+    let mut facts = train.facts();
     for body in released {
         let name = linear.machine().bodies[*body].name();
         let _ = writeln!(
@@ -136,8 +138,10 @@ pub(super) fn found(
             "note: {name} turns freely in these modes, though its speed is prescribed: a drive holds no end of a train"
         );
     }
+    facts.lines(&text[before..]);
     text += &words::doubts(&campbell.doubts);
-    Ok(Found { text, files, interrupted })
+    facts.doubts(&campbell.doubts);
+    Ok(Found { text, files, interrupted, facts })
 }
 
 /// The speed that a case gives a body (rad/s), with its sign.
