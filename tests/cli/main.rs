@@ -16,6 +16,7 @@ mod figures;
 mod first_law;
 mod gears;
 mod good_runs;
+mod ground_motion;
 mod hostile;
 mod in_memory;
 mod judged;

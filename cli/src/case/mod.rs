@@ -8,6 +8,7 @@ mod embedded;
 mod fields;
 mod gears;
 mod gravity;
+mod ground;
 mod joined;
 mod joined_machine;
 mod joint;
@@ -53,6 +54,7 @@ pub(crate) use dimensions::Dimensions;
 pub(crate) use embedded::embedded_cases;
 pub(crate) use fields::Fields;
 pub(crate) use gravity::Gravity;
+pub(crate) use ground::GroundMotion;
 pub(crate) use joined::axes_apart;
 pub(crate) use joined_machine::{
     Drive as JoinedDrive, InputForm, JoinedMachine, Load as JoinedLoad,

@@ -213,6 +213,7 @@ fn machine(store: FileStore, file: &Table, start: Option<&StartDraft>) -> Option
         );
         file.pass_over("material");
         file.pass_over("gravity");
+        file.pass_over("ground_motion");
         return None;
     }
     if !file.gives("mass") {

@@ -54,7 +54,8 @@ impl LinearMachine {
                 "" => format!("a load of {}", machine.bodies[load.body].name()),
                 name => name.to_owned(),
             };
-            all_counted.extend(counted(load).map(|own| (name, own)));
+            let own = counted(load).map(|own| (name, own));
+            all_counted.extend(own.filter(|own| !all_counted.contains(own)));
             *load = begun(load);
         }
         let still = machine.clone();

@@ -74,7 +74,7 @@ pub(super) fn found(
     let wanted = speeds::wanted(case, &linear, analysis)?;
     let mut files = Files::new();
     let mut text = String::new();
-    let gravity = case.machine.gravity.as_ref().map_or([0.0; 3], |own| own.acceleration);
+    let gravity = case.machine.field_at_start();
     let mut last: Option<(f64, Bodies)> = None;
     let mut work = |speed: f64, at: &Standstill| -> Result<(), Failure> {
         let standing = bodies(&linear, |body| linear.standing_along(at, body, gravity));
