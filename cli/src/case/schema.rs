@@ -190,7 +190,8 @@ const LOAD: &[Key] = &[needed("sets", NAMES, "node sets").like("[\"LOAD1\"]")];
 const GROUND_MOTION: &[Key] = &[
     needed("table", Text, "accelerations over time: `time [s], x [g], y [m/s^2]`")
         .like("\"quake.csv\""),
-    key("factor", Number, "by which they are multiplied; 1 if left out").like("0.5"),
+    key("factor", Between(-1000.0, 1000.0), "by which they are multiplied; 1 if left out")
+        .like("0.5"),
     key("x", Text, "the column along x; `x` if left out").like("\"NS\""),
     key("y", Text, "the column along y; `y` if left out").like("\"EW\""),
     key("z", Text, "the column along z; `z` if left out").like("\"UD\""),

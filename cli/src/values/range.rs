@@ -12,9 +12,6 @@ use super::level::{Level, digits, in_unit_of};
 /// Digits of values between the ends: fewer than rounding disturbs.
 const DIGITS: usize = 12;
 
-/// Values of one range at most: more are slips of the pen.
-const MOST: usize = 1_000_000;
-
 /// A range as it is written.
 #[derive(Debug, Clone)]
 pub(crate) struct Range {
@@ -175,10 +172,6 @@ fn options(text: &str, from: usize, place: &Place) -> Result<(Option<usize>, boo
                         "both ends are among them: write 2 at least, or one value without `..`";
                     return Err(error(format!("a range has no {} values", digits(number as f64)))
                         .help(help));
-                }
-                if number > MOST {
-                    let message = format!("a range has no more than {MOST} values");
-                    return Err(error(message).help("write fewer of them, or several ranges"));
                 }
                 count = Some(number);
             }
