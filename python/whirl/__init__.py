@@ -23,6 +23,7 @@ from .errors import (
 from .history import Column, History
 from .law import Curve, Law, LawInput, LawOutput, Parameter, explain
 from .results import Finding, Results, Summary, Verdict
+from .ross import from_ross
 from .sweep import Sweep, SweepPoint, sweep
 
 __all__ = [
@@ -50,6 +51,7 @@ __all__ = [
     "cases",
     "explain",
     "forget_bodies",
+    "from_ross",
     "keep_bodies",
     "shared_bodies",
     "sweep",
