@@ -295,9 +295,12 @@ pub(crate) struct ExplainArguments {
 pub(crate) struct NewArguments {
     /// What to create
     pub(crate) kind: NewKind,
-    /// Name of the file, without .toml [default for a case from meshes: case]
-    #[arg(value_name = "NAME", required_unless_present = "shaft")]
+    /// Name of the file, without .toml [default for a case from other files: case]
+    #[arg(value_name = "NAME", required_unless_present_any = ["shaft", "from"])]
     pub(crate) name: Option<String>,
+    /// A rotor that ROSS saved (.toml or .json): write a case with it, solid, on its bearings and supports
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["shaft", "support", "units"])]
+    pub(crate) from: Option<PathBuf>,
     /// Mesh of a shaft: write a case with it and the mesh of its support, with bearings where both meet
     #[arg(long, value_name = "FILE", requires = "support")]
     pub(crate) shaft: Option<PathBuf>,

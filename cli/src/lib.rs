@@ -37,6 +37,7 @@ mod values;
 mod version;
 mod watch;
 
+use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 
@@ -51,6 +52,7 @@ pub use case::{Case, CaseText};
 pub use figures::{Curve, curves};
 pub use history::HistoryTable;
 pub use machine::Built;
+pub use new::FromRotor;
 
 use arguments::{Arguments, Command};
 use case::AnalysisKind;
@@ -184,6 +186,15 @@ pub fn law_of(source: &Arc<Source>) -> Result<LawSpec, Failure> {
 /// Names of the built-in cases.
 pub fn built_in_cases() -> impl Iterator<Item = &'static str> {
     case::embedded_cases()
+}
+
+/// A case from a rotor that ROSS saved as `file`, as `whirl new case --from` writes it; it and the files beside it will be called
+/// `name`.
+///
+/// # Errors
+/// A file that is none of a rotor, and everything in it that no rotor has.
+pub fn case_of_rotor(file: &Path, name: &str) -> Result<FromRotor, Failure> {
+    new::rotor(file, name)
 }
 
 /// Builds the machine of a case, which may be run many times, by several threads at once. Bodies that `cache` has are not

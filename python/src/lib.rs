@@ -13,6 +13,9 @@ use pyo3::prelude::*;
 
 #[pymodule]
 mod _whirl {
+    use std::collections::BTreeMap;
+    use std::path::PathBuf;
+
     use numpy::PyReadonlyArray2;
     use pyo3::prelude::*;
     use whirl_cli::{HistoryTable, built_in_cases};
@@ -47,6 +50,18 @@ mod _whirl {
     #[pyfunction]
     fn csv(names: Vec<String>, values: PyReadonlyArray2<'_, f64>) -> PyResult<String> {
         Ok(HistoryTable::from_values(names, values.as_slice()?.to_vec()).csv())
+    }
+
+    /// The text of a case called `name` from a rotor that ROSS saved, the files beside it, and what differs.
+    #[pyfunction]
+    fn case_of_rotor(
+        py: Python<'_>,
+        path: PathBuf,
+        name: &str,
+    ) -> PyResult<(String, BTreeMap<String, String>, Vec<String>)> {
+        let made = py.detach(|| whirl_cli::case_of_rotor(&path, name));
+        let made = made.map_err(|failure| raised(py, &failure))?;
+        Ok((made.text, made.files.into_iter().collect(), made.notes))
     }
 
     /// Names of the built-in cases.

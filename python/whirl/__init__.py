@@ -38,6 +38,7 @@ from .linear import (
     Thresholds,
 )
 from .results import Finding, Results, Summary, Verdict
+from .ross import from_ross
 from .sweep import Sweep, SweepPoint, sweep
 
 __all__ = [
@@ -78,6 +79,7 @@ __all__ = [
     "cases",
     "explain",
     "forget_bodies",
+    "from_ross",
     "keep_bodies",
     "shared_bodies",
     "sweep",

@@ -31,6 +31,7 @@ mod messages;
 mod mutants;
 mod new;
 mod new_from_meshes;
+mod new_from_rotor;
 #[cfg(unix)]
 mod other_runs;
 mod outputs;

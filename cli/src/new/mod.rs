@@ -1,6 +1,7 @@
 //! `whirl new`: a commented file to start from.
 
 mod from_meshes;
+mod from_rotor;
 
 use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
@@ -11,6 +12,9 @@ use whirl_codegen::diagnostic::{Code, Diagnostic, Source};
 use crate::arguments::{NewArguments, NewKind};
 use crate::created::CreatedFolders;
 use crate::errors::Failure;
+use crate::text_file;
+
+pub use self::from_rotor::FromRotor;
 
 /// Stands in the templates where the name belongs.
 const NAME: &str = "@NAME@";
@@ -35,14 +39,18 @@ pub(crate) fn new(arguments: &NewArguments) -> Result<String, Failure> {
     let file = format!("{name}.toml");
     // Shown without the folder where there is none.
     let path = if dir == Path::new(".") { PathBuf::from(file) } else { dir.join(file) };
+    let made_from = arguments.shaft.is_some() || arguments.from.is_some();
+    if made_from && *kind != NewKind::Case {
+        return Err(Failure::Argument {
+            message: "`--from`, `--shaft` and `--support` are of `whirl new case`".to_owned(),
+            help: "leave them out, or write `whirl new case --from FILE`, or `--shaft FILE --support FILE`"
+                .to_owned(),
+        });
+    }
+    if let Some(from) = &arguments.from {
+        return of_rotor(from, (name, &path, dir));
+    }
     let (text, decided) = match (&arguments.shaft, &arguments.support) {
-        (Some(_), Some(_)) if *kind != NewKind::Case => {
-            return Err(Failure::Argument {
-                message: "`--shaft` and `--support` are of `whirl new case`".to_owned(),
-                help: "leave them out, or write `whirl new case --shaft FILE --support FILE`"
-                    .to_owned(),
-            });
-        }
         (Some(shaft), Some(support)) => {
             // What is there already is said before meshes are read.
             if path.exists() {
@@ -52,24 +60,65 @@ pub(crate) fn new(arguments: &NewArguments) -> Result<String, Failure> {
         }
         _ => (template(*kind).replace(NAME, name), String::new()),
     };
-    write(&path, dir, &text)?;
+    write(dir, &[(&path, &text)])?;
     Ok(format!("{}\n{decided}{}", path.display(), next(*kind, &path)))
 }
 
-/// Writes a file that is not there yet, all of it or nothing.
-fn write(path: &Path, dir: &Path, text: &str) -> Result<(), Failure> {
-    let failure = |reason: String| Failure::Output { path: path.to_path_buf(), reason };
+/// A case from a rotor that another program saved, with files beside it for tables over the speed.
+fn of_rotor(from: &Path, (name, path, dir): (&str, &Path, &Path)) -> Result<String, Failure> {
+    // What is there already is said before anything is read.
+    if path.exists() {
+        return Err(taken(path));
+    }
+    let made = rotor(from, name)?;
+    let beside: Vec<PathBuf> = made.files.iter().map(|own| path.with_file_name(&own.0)).collect();
+    let texts = beside.iter().zip(made.files.iter().map(|own| own.1.as_str()));
+    let mut all: Vec<(&Path, &str)> = texts.map(|(path, text)| (path.as_path(), text)).collect();
+    all.push((path, &made.text));
+    write(dir, &all)?;
+    let mut said = format!("{}\n", path.display());
+    beside.iter().for_each(|own| said += &format!("{}\n", own.display()));
+    made.notes.iter().for_each(|own| said += &format!("{own}\n"));
+    let path = path.display();
+    Ok(format!("{said}edit it, then: whirl check {path}, whirl analyse {path}\n"))
+}
+
+/// What [`of_rotor`] writes, for a case that will be called `name`.
+///
+/// # Errors
+/// A file that is none of a rotor, and everything in it that no rotor has.
+pub(crate) fn rotor(from: &Path, name: &str) -> Result<FromRotor, Failure> {
+    let text = text_file::read(from).map_err(|message| Failure::Argument {
+        message,
+        help: "name a file that `rotor.save(\"rotor.toml\")` or `rotor.save(\"rotor.json\")` wrote"
+            .to_owned(),
+    })?;
+    from_rotor::case(&Source::new(from, text), name)
+}
+
+/// Writes files that are not there yet, all of them or nothing.
+fn write(dir: &Path, files: &[(&Path, &str)]) -> Result<(), Failure> {
+    let first = files.first().map_or(dir, |own| own.0);
+    let failure =
+        |path: &Path, reason: String| Failure::Output { path: path.to_path_buf(), reason };
     let mut created = CreatedFolders::missing(dir);
-    std::fs::create_dir_all(dir).map_err(|error| failure(error.to_string()))?;
-    // Made anew or not at all: an older file is never written over, not even by two commands at once.
-    let mut file = match OpenOptions::new().write(true).create_new(true).open(path) {
-        Ok(file) => file,
-        Err(error) if error.kind() == ErrorKind::AlreadyExists => return Err(taken(path)),
-        Err(error) => return Err(failure(error.to_string())),
-    };
-    if let Err(error) = file.write_all(text.as_bytes()) {
-        let _ = std::fs::remove_file(path);
-        return Err(failure(error.to_string()));
+    std::fs::create_dir_all(dir).map_err(|error| failure(first, error.to_string()))?;
+    let mut written: Vec<&Path> = Vec::with_capacity(files.len());
+    for (path, text) in files {
+        // Made anew or not at all: an older file is never written over, not even by two commands at once.
+        let file = OpenOptions::new().write(true).create_new(true).open(path);
+        let done = match file {
+            Ok(mut file) => {
+                written.push(path);
+                file.write_all(text.as_bytes()).map_err(|error| failure(path, error.to_string()))
+            }
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => Err(taken(path)),
+            Err(error) => Err(failure(path, error.to_string())),
+        };
+        if let Err(error) = done {
+            written.iter().for_each(|own| drop(std::fs::remove_file(own)));
+            return Err(error);
+        }
     }
     created.keep();
     Ok(())
