@@ -324,19 +324,29 @@ impl LinearMachine {
 
     /// Bodies that have unbalance, by their places.
     pub(super) fn unbalanced(&self) -> impl Iterator<Item = usize> {
-        self.turning().filter(|&body| self.unbalance(body).iter().any(|own| *own != 0.0))
+        self.turning().filter(|&body| self.unbalance(body)[0].iter().any(|own| *own != 0.0))
     }
 
-    /// f of the unbalance of a body, Ω² (y + iSᵀy), over the coordinates of [`Linearised`].
+    /// f of the unbalance of a body, Ω² (y + iSᵀy), over the coordinates of [`Linearised`]; on its angle the couple of that force
+    /// about the axis beside which the body stands.
     pub(super) fn unbalance_force(&self, at: &Standstill, body: usize) -> Vec<Complex64> {
         let mut force = vec![Complex64::ZERO; self.kept(at).len()];
-        let load = self.unbalance(body);
-        let Some([once, _]) = &self.generators[body] else { return force };
+        let [load, twisting] = self.unbalance(body);
+        let Some([once, twice]) = &self.generators[body] else { return force };
         let square = at.speeds[body] * at.speeds[body];
         let across = once.apply_transpose(&load);
         let own = self.block(at.angles.len(), body);
         for (own, (along, across)) in force[own].iter_mut().zip(load.iter().zip(&across)) {
             *own = square * Complex64::new(*along, *across);
+        }
+        let place = &self.machine.places()[body];
+        if let Some(angle) = at.angles.iter().position(|own| Some(*own) == place.rotation) {
+            // −d/dt (2 y0ᵀq θ̇ + g0ᵀq̇) of q that stands in space.
+            let stands = self.in_space(at, body, &at.found.state.q[place.flexible.clone()]);
+            let [once, twice] = [once, twice].map(|own| own.apply(&stands));
+            let along = 2.0 * dot(&load, &once) - dot(&twisting, &twice);
+            let across = 2.0 * dot(&load, &twice) + dot(&twisting, &once);
+            force[angle] = square * Complex64::new(along, across);
         }
         force
     }

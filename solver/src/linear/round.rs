@@ -92,8 +92,9 @@ impl LinearMachine {
             } else if let (Body::Turning { shaft, .. }, Some([_, square]), Some(own)) =
                 (body, &generators[place], still.bodies[place].shaft())
             {
-                let turning = unbalance(own, square);
-                shaft.y0.iter_mut().zip(turning).for_each(|(sum, own)| *sum += own);
+                let [along, across] = unbalance(own, square);
+                shaft.y0.iter_mut().zip(along).for_each(|(sum, own)| *sum += own);
+                shaft.g0.iter_mut().zip(across).for_each(|(sum, own)| *sum += own);
             }
         }
         for load in &mut machine.loads {
@@ -185,11 +186,11 @@ impl LinearMachine {
         })
     }
 
-    /// What turns with a body of its y0; none of one that stands.
-    pub(super) fn unbalance(&self, body: usize) -> Vec<f64> {
+    /// What turns with a body of its y0 and g0; none of one that stands.
+    pub(super) fn unbalance(&self, body: usize) -> [Vec<f64>; 2] {
         match (self.still.bodies[body].shaft(), &self.generators[body]) {
             (Some(shaft), Some([_, square])) => unbalance(shaft, square),
-            _ => Vec::new(),
+            _ => [Vec::new(), Vec::new()],
         }
     }
 
@@ -206,11 +207,14 @@ impl LinearMachine {
     }
 }
 
-/// What turns with a body of its y0: −(Sᵀ)² y0. What is so small beside its inertia, √(J0 Y_jj), is rounding of its mesh.
-fn unbalance(shaft: &Shaft, square: &Matrix) -> Vec<f64> {
+/// What turns with a body of its y0 and g0: −(Sᵀ)² y0 and −(Sᵀ)² g0. What is so small beside its inertia, √(J0 Y_jj), is rounding
+/// of its mesh.
+fn unbalance(shaft: &Shaft, square: &Matrix) -> [Vec<f64>; 2] {
     let bound = |j: usize| ROUNDING * (shaft.j0 * shaft.spin_inertia[(j, j)]).sqrt();
-    let turns = square.apply_transpose(&shaft.y0).into_iter().enumerate();
-    turns.map(|(j, own)| if own.abs() <= bound(j) { 0.0 } else { -own }).collect()
+    [&shaft.y0, &shaft.g0].map(|own| {
+        let turns = square.apply_transpose(own).into_iter().enumerate();
+        turns.map(|(j, own)| if own.abs() <= bound(j) { 0.0 } else { -own }).collect()
+    })
 }
 
 /// S and S².

@@ -20,12 +20,14 @@ fn fan(couple: f64, turns: &str) -> Workbench {
          [joint.c]\nkind = \"coupling\"\nfirst = {{ body = \"motor\" }}\nsecond = {{ body = \"fan\" }}\n\
          stiffness = \"200 N*m/rad\"\ndamping = \"1 N*m*s/rad\"\n\
          [loads.fan]\nbody = \"fan\"\ncouple = \"{couple} N*m\"\n\
+         [loads.belt]\nbody = \"fan\"\nforce = \"5000 N\"\n\
          [output.f]\nquantity = \"displacement\"\nbody = \"fan\"\n"
     );
     Workbench::new().file("case.toml", &case)
 }
 
-/// m e Ω²/(k − mΩ² + icΩ), counted from the angle of the fan itself, which lags by half a radian.
+/// m e Ω²/(k − mΩ² + icΩ), counted from the angle of the fan itself, which lags by half a radian; a belt pulls it off the axis, of
+/// which the motion in space knows nothing.
 #[test]
 fn a_fan_that_lags_moves_along_the_axes_of_space() {
     let workbench = fan(-100.0, "");
