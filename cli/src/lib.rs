@@ -1,5 +1,6 @@
 //! The `whirl` command: case files, progress, results, figures.
 
+mod analyse;
 mod analysis;
 mod archive;
 pub mod arguments;
@@ -65,19 +66,17 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
     let done = match &arguments.command {
         Command::Run(arguments) => run::run(arguments),
         Command::Sweep(arguments) => sweep::sweep(&arguments.order()),
-        Command::Analyse(arguments) => analysis::analyse(arguments),
-        Command::Modes(arguments) => analysis::of_kind(AnalysisKind::Modes, arguments),
-        Command::Campbell(arguments) => analysis::of_kind(AnalysisKind::Campbell, arguments),
-        Command::Response(arguments) => analysis::of_kind(AnalysisKind::Response, arguments),
-        Command::Coefficients(arguments) => {
-            analysis::of_kind(AnalysisKind::Coefficients, arguments)
-        }
-        Command::Stability(arguments) => analysis::of_kind(AnalysisKind::Stability, arguments),
-        Command::Torsion(arguments) => analysis::of_kind(AnalysisKind::Torsion, arguments),
-        Command::Forces(arguments) => analysis::of_kind(AnalysisKind::Forces, arguments),
-        Command::Map(arguments) => analysis::map_of(arguments),
-        Command::Lateral(arguments) => analysis::lateral_of(arguments),
-        Command::Matrices(arguments) => analysis::matrices(arguments),
+        Command::Analyse(arguments) => analyse::analyse(arguments),
+        Command::Modes(arguments) => analyse::of_kind(AnalysisKind::Modes, arguments),
+        Command::Campbell(arguments) => analyse::of_kind(AnalysisKind::Campbell, arguments),
+        Command::Response(arguments) => analyse::of_kind(AnalysisKind::Response, arguments),
+        Command::Coefficients(arguments) => analyse::of_kind(AnalysisKind::Coefficients, arguments),
+        Command::Stability(arguments) => analyse::of_kind(AnalysisKind::Stability, arguments),
+        Command::Torsion(arguments) => analyse::of_kind(AnalysisKind::Torsion, arguments),
+        Command::Forces(arguments) => analyse::of_kind(AnalysisKind::Forces, arguments),
+        Command::Map(arguments) => analyse::map_of(arguments),
+        Command::Lateral(arguments) => analyse::lateral_of(arguments),
+        Command::Matrices(arguments) => analyse::matrices(arguments),
         Command::Check(arguments) => check::check(arguments).and_then(|text| say(&text)),
         Command::Explain(arguments) => explain::explain(arguments).and_then(|text| say(&text)),
         Command::New(arguments) => new::new(arguments).and_then(|text| say(&text)),

@@ -16,13 +16,13 @@ pub(super) fn nothing() -> Failure {
 }
 
 /// A text, and files.
-pub(super) struct Found {
+pub(crate) struct Found {
     /// For people.
-    pub(super) text: String,
+    pub(crate) text: String,
     /// Files by their names.
-    pub(super) files: Vec<(String, Vec<u8>)>,
+    pub(crate) files: Vec<(String, Vec<u8>)>,
     /// Whether it was interrupted before its end.
-    pub(super) interrupted: bool,
+    pub(crate) interrupted: bool,
     /// For programs.
     pub(super) facts: Facts,
 }

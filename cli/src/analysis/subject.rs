@@ -13,21 +13,21 @@ use crate::errors::Failure;
 use crate::signals::Interruption;
 
 /// A case with all that its analyses take.
-pub(super) struct Subject<'a> {
-    pub(super) case: &'a Case,
+pub(crate) struct Subject<'a> {
+    pub(crate) case: &'a Case,
     /// Its text, for the variants of a lateral analysis; without it there are none.
-    pub(super) text: Option<&'a CaseText>,
+    pub(crate) text: Option<&'a CaseText>,
     /// Its machine, for all that have no machine of their own.
-    pub(super) linear: Option<&'a LinearMachine>,
-    pub(super) cache: Option<&'a Cache>,
-    pub(super) interruption: &'a Interruption,
+    pub(crate) linear: Option<&'a LinearMachine>,
+    pub(crate) cache: Option<&'a Cache>,
+    pub(crate) interruption: &'a Interruption,
     /// Whether figures are wanted.
-    pub(super) figures: bool,
+    pub(crate) figures: bool,
 }
 
 impl Subject<'_> {
     /// Whether an analysis builds a machine of its own, with what it looks at.
-    pub(super) fn is_alone(kind: AnalysisKind) -> bool {
+    pub(crate) fn is_alone(kind: AnalysisKind) -> bool {
         matches!(kind, AnalysisKind::Lateral | AnalysisKind::Forces)
     }
 
@@ -35,7 +35,7 @@ impl Subject<'_> {
     ///
     /// # Errors
     /// As of the analysis; that it was interrupted before anything was done.
-    pub(super) fn found(
+    pub(crate) fn found(
         &self,
         analysis: &Analysis,
         warnings: &mut Vec<String>,

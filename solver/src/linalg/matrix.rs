@@ -1,8 +1,7 @@
 use std::ops::{Index, IndexMut, Range};
 
 use serde::{Deserialize, Serialize};
-
-use super::combination::add_product;
+use whirl_specs::columns;
 
 /// A dense matrix, column after column.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -88,7 +87,7 @@ impl Matrix {
     /// y = A x.
     pub fn apply(&self, x: &[f64]) -> Vec<f64> {
         let mut y = vec![0.0; self.rows];
-        add_product(&mut y, self, x);
+        columns::add_matrix(&mut y, &self.data, x);
         y
     }
 

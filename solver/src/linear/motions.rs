@@ -3,7 +3,6 @@
 use num_complex::Complex64;
 
 use super::linearised::Linearised;
-use super::modes::is_listed;
 use super::own_frequency;
 use super::round::LinearMachine;
 use super::shapes::{apply, inner};
@@ -13,6 +12,9 @@ use crate::linalg::{
     transpose_multiply,
 };
 
+/// Motions with a larger damping ratio are not listed: those that creep in the frame of a body that turns are seen from space
+/// at its speed.
+const MOST_DAMPED: f64 = 0.9;
 /// Share of the largest part from which another one is named.
 const NAMED: f64 = 0.05;
 /// Share of Im λ by which motions of one λ may differ in it.
@@ -102,6 +104,11 @@ impl LinearMachine {
             [(value.im + speed, sum(1.0)), (value.im - speed, sum(-1.0)), (value.im, still)];
         largest(value.re, &equations.mass, parts.to_vec()).0
     }
+}
+
+/// Whether a motion is listed.
+pub(super) fn is_listed(value: Complex64) -> bool {
+    value.im > 0.0 && -value.re < MOST_DAMPED * value.norm()
 }
 
 /// Im λ up to which motions are among the `count` slowest that are listed, or equal one of these.
