@@ -141,9 +141,9 @@ fn motions_along_the_axes_add_up() {
     for (k, (name, whole)) in all.iter().enumerate() {
         let peak = whole.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
         moving += usize::from(peak > 1e-3);
-        for row in 0..whole.len() {
+        for (row, own) in whole.iter().enumerate() {
             let sum = x[k].1[row] + y[k].1[row] + z[k].1[row];
-            assert!((whole[row] - sum).abs() < 1e-7 * peak + 1e-9, "{name}, row {row}");
+            assert!((own - sum).abs() < 1e-7 * peak + 1e-9, "{name}, row {row}");
         }
     }
     assert!(moving >= 8, "hardly anything moves");
