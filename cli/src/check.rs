@@ -59,7 +59,7 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     if sweep::is_sweep(name) {
         return sweep::check(Path::new(name), cache);
     }
-    let case = streams::warned(|warnings| machine::read(name, warnings))?;
+    let case = streams::warned(|warnings| machine::read_to_check(name, warnings))?;
     let drawn =
         arguments.picture.as_deref().map(|file| Ok::<_, Failure>((picture::figure(&case)?, file)));
     let drawn = drawn.transpose()?;
@@ -107,8 +107,13 @@ pub(crate) fn of_case(
     if let Some(words) = start::described(case, &built)? {
         line!(text, "\nStart\n{words}");
     }
-    if case.march.is_some() {
-        say_march(&mut text, case);
+    match &case.march {
+        Some(_) => say_march(&mut text, case),
+        None if case.analyses.is_empty() => line!(
+            text,
+            "\nTime\nno `[march]`, which `whirl run` needs; `whirl modes`, `campbell`, `response`, … do not"
+        ),
+        None => {}
     }
     if !machine.is_mass() {
         meshes::say(&mut text, machine, &plan, &built)?;

@@ -92,7 +92,8 @@ pub(super) fn ran(workbench: &Workbench, arguments: &[&str]) -> Outcome {
 /// The modes of a case at a speed: frequencies (Hz) and damping ratios.
 fn modes(case: &str, speed: &str) -> Vec<[f64; 2]> {
     let workbench = Workbench::new().file("case.toml", case);
-    ran(&workbench, &["modes", "case.toml", "--speeds", speed, "--count", "16", "--out", "out"]);
+    let arguments = ["--speeds", speed, "--count", "16", "--out", "out", "--no-figures"];
+    ran(&workbench, &[&["modes", "case.toml"][..], &arguments].concat());
     let frequencies = numbers(&workbench, "out/modes.csv", "frequency_hz");
     let ratios = numbers(&workbench, "out/modes.csv", "damping_ratio");
     frequencies.into_iter().zip(ratios).map(|(hertz, ratio)| [hertz, ratio]).collect()
@@ -156,7 +157,10 @@ fn critical_speeds_are_those_of_other_programs() {
     ] {
         let case = CASES.iter().find(|own| own.0 == name).expect("a case").1;
         let workbench = Workbench::new().file("case.toml", case);
-        ran(&workbench, &["campbell", "case.toml", "--speeds", speeds, "--out", "out"]);
+        ran(
+            &workbench,
+            &["campbell", "case.toml", "--speeds", speeds, "--out", "out", "--no-figures"],
+        );
         let found = numbers(&workbench, "out/campbell.critical.csv", "speed_rpm");
         let known = |own: &&Known| own.case == name && own.quantity.starts_with("critical speed");
         let mut next = 0;
@@ -276,7 +280,10 @@ fn peaks_of_unbalance_are_those_of_other_programs() {
         ),
     ] {
         let workbench = Workbench::new().file("case.toml", case);
-        ran(&workbench, &["response", "case.toml", "--speeds", speeds, "--out", "out"]);
+        ran(
+            &workbench,
+            &["response", "case.toml", "--speeds", speeds, "--out", "out", "--no-figures"],
+        );
         assert!(workbench.path("out/response.svg").is_file());
         let points = column(&workbench, "out/response.peaks.csv", "point");
         let of_disc = |name: &str| -> Vec<f64> {
@@ -388,6 +395,8 @@ fn tables_of_a_case_are_analyses() {
     let one = ran(&workbench, &["analyse", "case.toml", "at_speed"]).stdout;
     assert!(one.contains("mode") && !one.contains("critical"), "{one}");
     // Without either it is for analyses only.
+    let checked = ran(&workbench, &["check", "bare.toml"]).stdout;
+    assert!(checked.contains("no `[march]`, which `whirl run` needs"), "{checked}");
     let run = workbench.whirl(&["run", "bare.toml"]);
     assert!(run.status == 2 && run.stderr.contains("`[march]` is missing"), "{}", run.stderr);
     let run = workbench.whirl(&["run", "case.toml"]);

@@ -84,7 +84,8 @@ fn compare(bench: &Workbench, bounds: &Bounds) -> usize {
     speeds.dedup();
     for speed in &speeds {
         let at = format!("{speed:?} rad/s");
-        ran(bench, &["modes", "case.toml", "--speeds", &at, "--count", "24", "--out", "out"]);
+        let arguments = ["--speeds", &at, "--count", "24", "--out", "out", "--no-figures"];
+        ran(bench, &[&["modes", "case.toml"][..], &arguments].concat());
         let hertz = numbers(bench, "out/modes.csv", "frequency_hz");
         let ratios = numbers(bench, "out/modes.csv", "damping_ratio");
         let mut next = 0;

@@ -22,6 +22,8 @@ pub(crate) enum Purpose {
     March,
     /// For analyses: it needs no `[march]`.
     Analysis,
+    /// To be described: as for analyses where its machine is whole, else as to be marched.
+    Check,
 }
 
 /// Reads the case that the user called `name`: the path of a file, or a built-in case.
@@ -158,7 +160,12 @@ fn assemble(
         start::check(file, start, known);
     }
     let goes_on = start.as_ref().is_some_and(StartDraft::goes_on);
-    if purpose == Purpose::March && !file.gives("analysis") {
+    let is_marched = match purpose {
+        Purpose::March => true,
+        Purpose::Analysis => false,
+        Purpose::Check => known.is_none(),
+    };
+    if is_marched && !file.gives("analysis") {
         // In the order in which the file would have them.
         file.demand("title");
         file.demand("march");

@@ -44,6 +44,14 @@ pub(crate) fn read_to_analyse(name: &str, warnings: &mut Vec<String>) -> Result<
     checked(case::draft(name, Purpose::Analysis)?, warnings)
 }
 
+/// As [`read`], of a case that is described.
+///
+/// # Errors
+/// As [`read`].
+pub(crate) fn read_to_check(name: &str, warnings: &mut Vec<String>) -> Result<Case, Failure> {
+    checked(case::draft(name, Purpose::Check)?, warnings)
+}
+
 /// As [`read`], of a text.
 ///
 /// # Errors

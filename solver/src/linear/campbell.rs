@@ -8,6 +8,7 @@ use super::roots::{Root, Roots};
 use super::round::LinearMachine;
 use super::shapes::{apply, inner};
 use super::state_doubts::StateDoubts;
+use super::stood::beside;
 use super::track::{Matched, mac, matched};
 use crate::error::Error;
 
@@ -162,13 +163,17 @@ impl Followed<'_> {
         let Some(first) = self.roots.points.first() else { return Ok(Vec::new()) };
         let mut branches: Vec<Vec<Option<usize>>> =
             (0..first.modes.oscillating.len()).map(|place| vec![Some(place)]).collect();
-        for (step, pair) in self.roots.points.windows(2).enumerate() {
+        let pairs: Vec<&[Point]> = self.roots.points.windows(2).collect();
+        let all = beside(self.roots.machine.threads, &pairs, &|pair| {
             let halvings = match &pair[0] {
                 own if own.is_costly => 0,
                 own if own.is_uneven => FEW_HALVINGS,
                 _ => HALVINGS,
             };
-            let (to, is_sure) = self.between(&pair[0], &pair[1], halvings)?;
+            self.between(&pair[0], &pair[1], halvings)
+        });
+        for (step, (pair, own)) in pairs.into_iter().zip(all).enumerate() {
+            let (to, is_sure) = own?;
             if !is_sure {
                 self.unclear.push(step);
             }

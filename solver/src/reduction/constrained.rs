@@ -10,7 +10,7 @@ use std::borrow::Cow;
 use crate::error::ReductionError;
 use crate::linalg::{
     LinearAlgebraError, LowerTriangle, Lu, Matrix, MemoryLimit, SparseCholesky, SparseLdlt,
-    symmetric_eigen, transpose_multiply,
+    add_columns, symmetric_eigen, transpose_multiply,
 };
 
 use crate::sparse::Row;
@@ -247,17 +247,30 @@ impl ConstrainedCholesky {
         last.data.iter_mut().zip(&taken.data).for_each(|(value, taken)| *value -= taken);
         self.sparse.solve_in_place(&mut inner.data);
         let mut multipliers = Matrix::zeros(last.rows - k, columns);
-        for (c, rhs) in rhs.chunks_exact_mut(self.size).enumerate() {
-            let y = self.small.apply(last.col(c));
-            for (j, &part) in y.iter().enumerate() {
-                let own = inner.col_mut(c).iter_mut().zip(self.solved.col(j));
-                own.for_each(|(value, column)| *value -= part * column);
-            }
+        let all: Vec<Vec<f64>> = (0..columns).map(|c| self.small.apply(last.col(c))).collect();
+        self.subtract_solved(&mut inner, &all);
+        for ((c, rhs), y) in rhs.chunks_exact_mut(self.size).enumerate().zip(&all) {
             self.free.iter().zip(inner.col(c)).for_each(|(&place, value)| rhs[place] = *value);
-            self.pins.iter().zip(&y).for_each(|(&place, value)| rhs[place] = *value);
+            self.pins.iter().zip(y).for_each(|(&place, value)| rhs[place] = *value);
             (k..y.len()).for_each(|i| multipliers[(i - k, c)] = -y[i]);
         }
         multipliers
+    }
+
+    /// Subtracts A⁻¹E y from every column, by blocks of rows that a cache holds for all of them.
+    fn subtract_solved(&self, inner: &mut Matrix, all: &[Vec<f64>]) {
+        /// Numbers of a block.
+        const BLOCK: usize = 1 << 15;
+        let (n, k) = (self.solved.rows, self.solved.cols);
+        let step = (BLOCK / k.max(1)).max(64);
+        for first in (0..n).step_by(step) {
+            let rows = first..n.min(first + step);
+            for (c, y) in all.iter().enumerate() {
+                let columns = y.iter().enumerate();
+                let columns = columns.map(|(j, own)| (&self.solved.col(j)[rows.clone()], -own));
+                add_columns(&mut inner.col_mut(c)[rows.clone()], columns);
+            }
+        }
     }
 }
 

@@ -81,7 +81,7 @@ fn maxwell(speed: f64, frequency: f64) -> Row {
 /// λ of the modes of a case at one speed (rad/s), and how they whirl.
 fn modes(workbench: &Workbench, case: &str, speed: f64) -> Vec<(Complex64, String)> {
     let speeds = format!("{speed:?} rad/s");
-    ran(workbench, &["modes", case, "--speeds", &speeds, "--out", "modes"]);
+    ran(workbench, &["modes", case, "--speeds", &speeds, "--out", "modes", "--no-figures"]);
     let of = |name: &str| numbers(workbench, "modes/modes.csv", name);
     let values = of("real_1_s").into_iter().zip(of("imaginary_1_s"));
     let values = values.map(|(re, im)| Complex64::new(re, im));

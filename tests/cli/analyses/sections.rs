@@ -85,7 +85,7 @@ fn shear(ratio: f64) -> f64 {
 #[test]
 fn a_pipe_bends_twists_and_stretches_as_closed_forms_do() {
     let workbench = Workbench::new().file("case.toml", &pipe(""));
-    ran(&workbench, &["modes", "case.toml", "--count", "11", "--out", "out"]);
+    ran(&workbench, &["modes", "case.toml", "--count", "11", "--out", "out", "--no-figures"]);
     let found = numbers(&workbench, "out/modes.csv", "frequency_hz");
     let (e, nu, rho, length): (f64, f64, f64, f64) = (210e9, 0.3, 7800.0, 1.0);
     let (outer, inner): (f64, f64) = (0.03, 0.02);
@@ -150,7 +150,7 @@ fn stepped(cells: &str) -> Vec<f64> {
     let table =
         format!("{sleeve}\n{}185, 110, 90, 90, 70, bronze, SLEEVE\n", rows.collect::<String>());
     let workbench = Workbench::new().file("rotor.csv", &table).file("case.toml", &case);
-    ran(&workbench, &["modes", "case.toml", "--count", "10", "--out", "out"]);
+    ran(&workbench, &["modes", "case.toml", "--count", "10", "--out", "out", "--no-figures"]);
     let whirls = column(&workbench, "out/modes.csv", "whirl");
     let hertz = numbers(&workbench, "out/modes.csv", "frequency_hz");
     // What neither whirls forward nor backward twists or stretches.
@@ -198,7 +198,7 @@ fn layers_of_one_material_are_one_row() {
     assert!(whole.contains(row));
     let [whole, layered] = [whole.clone(), whole.replace(row, layers)].map(|case| {
         let workbench = Workbench::new().file("case.toml", &case);
-        ran(&workbench, &["modes", "case.toml", "--count", "8", "--out", "out"]);
+        ran(&workbench, &["modes", "case.toml", "--count", "8", "--out", "out", "--no-figures"]);
         numbers(&workbench, "out/modes.csv", "frequency_hz")
     });
     for (whole, layered) in whole.iter().zip(&layered) {

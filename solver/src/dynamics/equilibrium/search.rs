@@ -19,6 +19,8 @@ const SPEEDS: [f64; 4] = [1.0, 0.5, 2.0, 0.25];
 /// First and least step of the share of the loads.
 const SHARE: f64 = 0.25;
 const LEAST_SHARE: f64 = 1e-3;
+/// A tangent serves again where the step after it is below this share of its own.
+const KEPT: f64 = 0.1;
 /// Multiples of n · eps of the stiffest row over its inertia below which a motion is held by nothing.
 const FLOATS: f64 = 16.0;
 
@@ -47,10 +49,12 @@ pub(super) fn search(
     let mut search = Search::new(balance)?;
     let middle = balance.unknowns();
     let mut nearest = Nearest { z: middle.clone(), worst: f64::INFINITY, share: 0.0 };
-    if let Some(from) = from
-        && let Some(found) = search.newton(balance, from, &mut nearest)?
-    {
-        return Ok(Ok(found));
+    if let Some(from) = from {
+        search.kept = KEPT;
+        if let Some(found) = search.newton(balance, from, &mut nearest)? {
+            return Ok(Ok(found));
+        }
+        search.kept = 0.0;
     }
     if let Some(found) = search.newton(balance, &middle, &mut nearest)? {
         return Ok(Ok(found));
@@ -76,6 +80,9 @@ pub(super) fn search(
 
 struct Search {
     lu: Lu,
+    /// Share of a step below which the next one must be for the tangent to serve again: most of the search from nearby is
+    /// tangents.
+    kept: f64,
     inertias: Vec<f64>,
     iterations: usize,
 }
@@ -83,7 +90,7 @@ struct Search {
 impl Search {
     fn new(balance: &Balance) -> Result<Self, Error> {
         let inertias = balance.inertias();
-        Ok(Search { lu: Lu::new(inertias.len()), inertias, iterations: 0 })
+        Ok(Search { lu: Lu::new(inertias.len()), kept: 0.0, inertias, iterations: 0 })
     }
 
     /// √Σ M_ii Δz_i².
@@ -163,13 +170,13 @@ impl Search {
         if balance.set(&z).is_err() {
             return Ok(None);
         }
+        let mut serves = false;
         for _ in 0..NEWTON {
             let worst = balance.worst();
             if balance.share == 1.0 && !balance.held && worst < nearest.worst {
                 (nearest.z, nearest.worst) = (z.clone(), worst);
             }
-            let tangent = balance.tangent();
-            if self.lu.factor(&tangent.data).is_err() {
+            if !serves && self.lu.factor(&balance.tangent().data).is_err() {
                 // Of what is balanced it is asked afterwards whether anything holds it.
                 let balanced = worst <= 1.0;
                 return Ok(balanced.then_some(Found { iterations: self.iterations }));
@@ -189,6 +196,7 @@ impl Search {
                     // Solved rows have rounding left, which need not fall.
                     let solved = worst <= 1.0 && balance.worst() <= 1.0;
                     if next <= (1.0 - 0.25 * length) * norm || solved {
+                        serves = length == 1.0 && next <= self.kept * norm;
                         break Some(trial);
                     }
                 }
@@ -198,6 +206,11 @@ impl Search {
                 }
             };
             let Some(trial) = taken else {
+                if serves {
+                    serves = false;
+                    balance.set(&z)?;
+                    continue;
+                }
                 if worst <= 1.0 {
                     balance.set(&z)?;
                     return Ok(Some(Found { iterations: self.iterations }));
