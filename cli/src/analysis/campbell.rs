@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use whirl_solver::linear::{Campbell, Critical, LinearMachine, Mode, Whirl};
+use whirl_solver::linear::{Branch, Campbell, Critical, LinearMachine, Mode, Whirl};
 
 use super::facts::Facts;
 use super::found::{Found, drawn, followed};
@@ -151,11 +151,20 @@ fn figure(
 ) -> Figure {
     let body = linear.machine().bodies[of].name();
     let x = format!("speed of {body} (rpm)");
-    let strokes = strokes(all, &|mode| mode.hertz(), &|mode| width(mode.damping_ratio()));
+    let mut strokes = strokes(all, &|mode| mode.hertz(), &|mode| width(mode.damping_ratio()));
+    let (ceiling, above) = ceiling(all, orders);
+    for own in &mut strokes {
+        own.line.points.retain(|point| point.1 <= ceiling);
+    }
+    strokes.retain(|own| !own.line.points.is_empty());
     let points = strokes.iter().flat_map(|own| &own.line.points);
     let highest = points.fold(0.0, |most: f64, own| most.max(own.1));
+    let more = match above {
+        0 => String::new(),
+        own => format!("; {own} more above"),
+    };
     let mut frequencies = Panel {
-        title: "frequencies (wider: ζ above 0.01, 0.05, 0.2)".to_owned(),
+        title: format!("frequencies (wider: ζ above 0.01, 0.05, 0.2){more}"),
         x: x.clone(),
         y: "frequency (Hz)".to_owned(),
         strokes,
@@ -218,6 +227,29 @@ fn figure(
         panels: vec![frequencies, decrements],
         columns: 2,
     }
+}
+
+/// Modes that are drawn in any case, lowest first.
+const DRAWN: usize = 5;
+/// Multiples of the highest order at the last speed up to which modes are drawn in any case.
+const ORDERS: f64 = 5.0;
+/// Modes above are left out where they would leave those below less than this share of the panel.
+const SQUEEZED: f64 = 0.5;
+
+/// The frequency (Hz) up to which modes are drawn, and how many are above at all speeds.
+fn ceiling(all: &Campbell, orders: &[f64]) -> (f64, usize) {
+    let highest = |own: &Branch| own.iter().flatten().map(Mode::hertz).fold(0.0, f64::max);
+    let mut tops: Vec<f64> = all.branches.iter().map(highest).collect();
+    tops.sort_by(f64::total_cmp);
+    let order = orders.iter().copied().fold(1.0, f64::max);
+    let fastest = all.speeds.iter().map(|own| own.abs()).fold(0.0, f64::max);
+    let low = tops.get(DRAWN - 1).copied().unwrap_or(f64::INFINITY);
+    let ceiling = low.max(ORDERS * order * fastest / std::f64::consts::TAU);
+    if tops.last().is_none_or(|top| SQUEEZED * top <= ceiling) {
+        return (f64::INFINITY, 0);
+    }
+    let lowest = |own: &Branch| own.iter().flatten().map(Mode::hertz).fold(f64::INFINITY, f64::min);
+    (ceiling, all.branches.iter().filter(|own| lowest(own) > ceiling).count())
 }
 
 /// Critical speeds nearer than this share of both axes have one label.

@@ -169,7 +169,9 @@ impl ConstrainedCholesky {
             }
             other => other,
         })?;
-        ConstrainedCholesky::of(split, Sparse::Definite(sparse), constraints.pins, matrix.size)
+        let solved = split.solved(|columns| sparse.solve_in_place(columns));
+        let factors = (Sparse::Definite(sparse), solved);
+        ConstrainedCholesky::of(split, factors, constraints.pins, matrix.size)
     }
 
     /// The same of a matrix that may have negative eigenvalues, with the number of these on the motions that constraints
@@ -187,19 +189,21 @@ impl ConstrainedCholesky {
         let Some(sparse) = SparseLdlt::new(&split.sparse, &split.order, limit)? else {
             return Ok(None);
         };
-        let Some(negative) = split.negative(&sparse, constraints)? else { return Ok(None) };
-        let sparse = Sparse::Indefinite(sparse);
-        let factor = ConstrainedCholesky::of(split, sparse, constraints.pins, matrix.size)?;
+        let solved = split.solved(|columns| sparse.solve_in_place(columns));
+        let Some(negative) = split.negative(&sparse, &solved, constraints)? else {
+            return Ok(None);
+        };
+        let factors = (Sparse::Indefinite(sparse), solved);
+        let factor = ConstrainedCholesky::of(split, factors, constraints.pins, matrix.size)?;
         Ok(Some((factor, negative)))
     }
 
     fn of(
         split: Split,
-        sparse: Sparse,
+        (sparse, solved): (Sparse, Matrix),
         pins: &[usize],
         size: usize,
     ) -> Result<Self, ReductionError> {
-        let solved = split.solved(|columns| sparse.solve_in_place(columns));
         let (complement, scale) = split.complement(pins.len(), &solved);
         let mut small = Matrix::identity(complement.rows);
         if small.rows > 0 {
@@ -283,6 +287,7 @@ impl Split<'_> {
     fn negative(
         &self,
         sparse: &SparseLdlt,
+        solved: &Matrix,
         constraints: Constraints,
     ) -> Result<Option<usize>, LinearAlgebraError> {
         /// An eigenvalue below this part of the largest has no sign that could be trusted.
@@ -290,8 +295,7 @@ impl Split<'_> {
         if self.coupling.is_empty() {
             return Ok(Some(sparse.inertia().negative));
         }
-        let solved = self.solved(|columns| sparse.solve_in_place(columns));
-        let (complement, _) = self.complement(constraints.pins.len(), &solved);
+        let (complement, _) = self.complement(constraints.pins.len(), solved);
         let eigen = symmetric_eigen(&complement)?;
         let largest = eigen.values.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
         if eigen.values.iter().any(|own| own.abs() <= ROUNDING * largest) {
@@ -315,7 +319,10 @@ pub(super) fn negative(
 ) -> Result<Option<usize>, LinearAlgebraError> {
     let split = Split::new(matrix, order, constraints);
     match SparseLdlt::new(&split.sparse, &split.order, limit)? {
-        Some(sparse) => split.negative(&sparse, constraints),
+        Some(sparse) => {
+            let solved = split.solved(|columns| sparse.solve_in_place(columns));
+            split.negative(&sparse, &solved, constraints)
+        }
         None => Ok(None),
     }
 }

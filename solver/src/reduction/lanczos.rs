@@ -25,6 +25,9 @@ const STRIDE: usize = 4;
 /// A Ritz pair has converged when its residual is below this part of θ: the eigenvalue is then right to
 /// the square of this part over the relative gap, the vector to this part over the relative gap.
 const RESIDUAL: f64 = 1e-10;
+/// Residuals below this part of θ, all of them, that a restart no longer halves are rounding of the solves: a body that many
+/// constraints hold is soft where only its pins do, and its solves lose the digits by which it is softer.
+const STALLED: f64 = 1e-8;
 /// What is left of a vector after orthogonalisation is noise below this part of it.
 const NOISE: f64 = 1e-14;
 const RESTARTS: usize = 60;
@@ -95,6 +98,8 @@ struct Ritz {
     vectors: Matrix,
     /// How many of the first have converged.
     converged: usize,
+    /// The largest residual of the wanted ones, as a part of θ.
+    worst: f64,
 }
 
 impl<'a> Lanczos<'a> {
@@ -125,8 +130,13 @@ impl<'a> Lanczos<'a> {
 
     /// Iterates until the wanted pairs have converged, or as long as that is of any use.
     pub(super) fn run(&mut self) -> Result<Found, ReductionError> {
+        let mut before = f64::INFINITY;
         for restart in 0..=RESTARTS {
-            let ritz = self.expand()?;
+            let mut ritz = self.expand()?;
+            if ritz.worst <= STALLED && ritz.worst > 0.5 * before {
+                ritz.converged = self.wanted;
+            }
+            before = ritz.worst;
             let barren = restart >= BARREN && ritz.converged == 0;
             if ritz.converged >= self.wanted || barren || restart == RESTARTS {
                 let converged = ritz.converged.min(self.wanted);
@@ -300,14 +310,16 @@ impl<'a> Lanczos<'a> {
         let theta: Vec<f64> = descending.iter().map(|&i| eigen.values[i]).collect();
         // Rounding of the products with T leaves this much, however long the iteration.
         let floor = f64::EPSILON * theta[0] * (size as f64).sqrt();
-        let converged = (0..size.min(self.wanted))
-            .take_while(|&i| {
-                let tail = &vectors.col(i)[size - BLOCK..];
-                let residual = self.coupling.apply(tail).iter().map(|r| r * r).sum::<f64>().sqrt();
-                residual <= (RESIDUAL * theta[i]).max(floor)
-            })
-            .count();
-        Ok(Ritz { theta, vectors, converged })
+        let residual = |i: usize| {
+            let tail = &vectors.col(i)[size - BLOCK..];
+            self.coupling.apply(tail).iter().map(|r| r * r).sum::<f64>().sqrt()
+        };
+        let residuals: Vec<f64> = (0..size.min(self.wanted)).map(residual).collect();
+        let pairs = || residuals.iter().zip(&theta);
+        let has_converged = |(own, theta): &(&f64, &f64)| **own <= (RESIDUAL * **theta).max(floor);
+        let converged = pairs().take_while(has_converged).count();
+        let worst = pairs().map(|(own, theta)| own / theta.abs()).fold(0.0, f64::max);
+        Ok(Ritz { theta, vectors, converged, worst })
     }
 
     /// Replaces the basis by the first `keep` Ritz vectors, followed by the newest block.

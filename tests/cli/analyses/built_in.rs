@@ -75,6 +75,9 @@ fn the_overhung_disc_splits_with_speed() {
     };
     assert!(at(4000.0, "forward") > at(250.0, "forward") + 5.0);
     assert!(at(4000.0, "backward") < at(250.0, "backward") - 5.0);
+    // Five of ten modes are far above all that a rotation at these speeds excites.
+    let figure = std::fs::read_to_string(workbench.path("out/campbell.svg")).expect("a figure");
+    assert!(figure.contains("; 5 more above"));
 }
 
 #[test]
