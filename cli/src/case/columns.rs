@@ -37,14 +37,7 @@ pub(super) fn read(
     allowed: [&[Dimension]; 2],
 ) -> Option<Arc<Columns>> {
     let name = table.optional_string(key)?;
-    let source = match store.read_beside(name.source(), name.text()) {
-        Ok(source) => source,
-        Err(message) => {
-            let error = name.error_here(Code::BAD_VALUE, message);
-            table.push(error.help("paths are relative to the file that names them"));
-            return None;
-        }
-    };
+    let source = store.read_named(table, &name)?;
     match parse(&source, &name, allowed) {
         Ok(columns) => Some(Arc::new(columns)),
         Err(errors) => {

@@ -56,14 +56,7 @@ fn read_one(store: FileStore, table: &Table) -> Option<GroundMotion> {
     };
     let named = AXES.map(|axis| table.optional_string(axis));
     let name = name?;
-    let source = match store.read_beside(name.source(), name.text()) {
-        Ok(source) => source,
-        Err(message) => {
-            let error = name.error_here(Code::BAD_VALUE, message);
-            table.push(error.help("paths are relative to the file that names them"));
-            return None;
-        }
-    };
+    let source = store.read_named(table, &name)?;
     match of_file(&source, &name, (factor, &named)) {
         Ok(own) => Some(own),
         Err(errors) => {

@@ -257,14 +257,7 @@ pub(super) fn find(store: FileStore, table: &Table, name: &Located) -> Option<La
 }
 
 fn read_file(store: FileStore, table: &Table, name: &Located) -> Option<LawSource> {
-    let source = match store.read_beside(name.source(), name.text()) {
-        Ok(source) => source,
-        Err(message) => {
-            let error = name.error_here(Code::BAD_VALUE, message);
-            table.push(error.help("paths are relative to the file that names them"));
-            return None;
-        }
-    };
+    let source = store.read_named(table, name)?;
     match LawSpec::read_with(&source, &|name| store.read_beside(&source, name)) {
         Ok(spec) => Some(LawSource::File(Arc::new(spec))),
         Err(errors) => {

@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source, suggest};
-use whirl_codegen::document::Wording;
+use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
 use whirl_codegen::document::tree::{Content, Node, Place, Tree};
+use whirl_codegen::document::{Table, Wording};
 
 use super::embedded::{EMBEDDED_FOLDER, embedded_cases, embedded_file, embedded_files};
 use super::text::CaseText;
@@ -99,7 +99,19 @@ impl<'a> FileStore<'a> {
             },
         }
     }
+
+    /// The file that a key of a table names; none where it cannot be read, which is noted.
+    pub(crate) fn read_named(self, table: &Table, name: &Located) -> Option<Arc<Source>> {
+        let found = self.read_beside(name.source(), name.text());
+        let noted = found.map_err(|message| {
+            let error = name.error_here(Code::BAD_VALUE, message);
+            table.push(error.help(RELATIVE));
+        });
+        noted.ok()
+    }
 }
+
+const RELATIVE: &str = "paths are relative to the file that names them";
 
 impl CaseText {
     /// The text of a file.
@@ -288,11 +300,7 @@ fn load_source(
                 let included = load_source(store, &included, depth + 1, sources, errors);
                 tree.merge(included, INSTEAD);
             }
-            Err(message) => errors.push(
-                place
-                    .error(Code::BAD_VALUE, message)
-                    .help("paths are relative to the file that names them"),
-            ),
+            Err(message) => errors.push(place.error(Code::BAD_VALUE, message).help(RELATIVE)),
         }
     }
     tree

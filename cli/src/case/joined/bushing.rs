@@ -136,14 +136,7 @@ fn over_speed(store: FileStore, table: &Table) -> Option<(Located, NamedLaw)> {
             table.conflict(key, "table");
         }
     }
-    let file = match store.read_beside(name.source(), name.text()) {
-        Ok(file) => file,
-        Err(message) => {
-            let error = name.error_here(Code::BAD_VALUE, message);
-            table.push(error.help("paths are relative to the file that names them"));
-            return None;
-        }
-    };
+    let file = store.read_named(table, &name)?;
     if !has_columns(table, &name, &file) || !has_units(table, &name, &file) {
         return None;
     }

@@ -24,14 +24,7 @@ enum Column {
 
 /// The rows of the file; none where it has none that can be read. What is wrong is noted.
 pub(super) fn read(store: FileStore, table: &Table, name: &Located) -> Option<Vec<RowDraft>> {
-    let source = match store.read_beside(name.source(), name.text()) {
-        Ok(source) => source,
-        Err(message) => {
-            let error = name.error_here(Code::BAD_VALUE, message);
-            table.push(error.help("paths are relative to the file that names them"));
-            return None;
-        }
-    };
+    let source = store.read_named(table, name)?;
     let lines = match columns::lines(&source) {
         Ok(lines) => lines,
         Err(error) => {
