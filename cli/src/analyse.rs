@@ -16,6 +16,7 @@ use crate::output::Output;
 use crate::progress::{self, ProgressMode};
 use crate::signals::Interruption;
 use crate::streams::say;
+use crate::table_files::TableFiles;
 use crate::{machine, streams};
 
 /// Does the analyses of a case.
@@ -100,7 +101,8 @@ pub(crate) fn matrices(arguments: &MatricesArguments) -> Result<(), Failure> {
     };
     let folder = arguments.out.clone().unwrap_or_else(|| usual(&case));
     let (quiet, cache) = (arguments.quiet, arguments.cache.clone());
-    let results = AnalysisOutput { out: None, no_figures: true, quiet, cache };
+    let results =
+        AnalysisOutput { out: None, parquet: false, mat: false, no_figures: true, quiet, cache };
     run((&case, &arguments.case), &[analysis], Some(&folder), &results)
 }
 
@@ -188,6 +190,15 @@ fn run(
     arguments: &AnalysisOutput,
 ) -> Result<(), Failure> {
     let show = ProgressMode::fitting(arguments.quiet);
+    let tables = TableFiles::of(arguments);
+    if let (None, Some(option)) = (folder, tables.option()) {
+        return Err(Failure::Argument {
+            message: format!(
+                "`{option}` writes tables beside others, and no folder is given for these"
+            ),
+            help: "add `--out DIR`".to_owned(),
+        });
+    }
     let mut output = folder.map(Output::open).transpose()?;
     let interruption = Interruption::install().map_err(|error| Failure::Unfinished {
         reason: format!("signal handlers cannot be installed: {error}"),
@@ -229,6 +240,11 @@ fn run(
         }
         if let Some(output) = &mut output {
             for (file, content) in found.files {
+                // Matrices have formats of their own.
+                if analysis.kind != AnalysisKind::Matrices {
+                    let others = tables.made(&file, &content);
+                    others.into_iter().for_each(|(name, own)| output.put(&name, own));
+                }
                 output.put(&file, content);
             }
         }

@@ -93,6 +93,15 @@ pub(crate) struct RunArguments {
     /// Also write the history as history.npz, for NumPy, with one array per column
     #[arg(long)]
     pub(crate) npz: bool,
+    /// Also write the history as history.parquet, with the units of its columns
+    #[arg(long)]
+    pub(crate) parquet: bool,
+    /// Also write the history as history.mat, for MATLAB, with one variable per column
+    #[arg(long)]
+    pub(crate) mat: bool,
+    /// Also write the history as history.h5, HDF5 with one dataset per column
+    #[arg(long)]
+    pub(crate) hdf5: bool,
     /// Resume an interrupted run in the same folder
     #[arg(long)]
     pub(crate) resume: bool,
@@ -246,6 +255,12 @@ pub(crate) struct AnalysisOutput {
     /// Folder for tables and figures [default: results/NAME; modes and coefficients write nothing by default]
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
+    /// Also write every table as Parquet
+    #[arg(long)]
+    pub(crate) parquet: bool,
+    /// Also write every table for MATLAB, with one variable per column
+    #[arg(long)]
+    pub(crate) mat: bool,
     /// Write no figures
     #[arg(long)]
     pub(crate) no_figures: bool,

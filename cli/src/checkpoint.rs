@@ -60,6 +60,11 @@ impl Identity {
         Identity(parts)
     }
 
+    /// The hash of what it is besides program and processor: files, laws, meshes, the state of its start.
+    pub(crate) fn case_hash(&self) -> String {
+        Key::of(&self.0.get(2..).unwrap_or_default()).hex()
+    }
+
     /// Of parts by what messages call them, each with a hash or a name.
     pub(crate) fn new(parts: Vec<(String, String)>) -> Identity {
         Identity(parts)

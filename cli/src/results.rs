@@ -97,10 +97,11 @@ impl Results {
             .map_err(|error| format!("cannot write `{}`: {error}", path.display()))
     }
 
-    /// Takes away the point to resume from, with the frames for it: the run has come to its end.
+    /// Takes away the point to resume from, with frames and rows for it: the run has come to its end.
     pub(crate) fn forget_checkpoint(&self) {
-        let _ = fs::remove_file(self.path(CHECKPOINT));
-        let _ = fs::remove_file(self.path(FRAMES));
+        for name in [CHECKPOINT, FRAMES, history::PART, history::REST] {
+            let _ = fs::remove_file(self.path(name));
+        }
     }
 
     fn failure(&self, path: &Path, reason: &str) -> Failure {
@@ -124,10 +125,23 @@ pub(crate) fn held(locked: Locked, folder: &Path, warnings: &mut Vec<String>) ->
 fn names() -> impl Iterator<Item = String> {
     let figures =
         figures::NAMES.iter().flat_map(|stem| [format!("{stem}.svg"), format!("{stem}.png")]);
-    [history::NAME, history::NPZ, SUMMARY, CHECKPOINT, STATE, FRAMES]
-        .map(String::from)
-        .into_iter()
-        .chain(figures)
+    [
+        history::NAME,
+        history::NPZ,
+        history::PARQUET,
+        history::MAT,
+        history::HDF5,
+        history::HDF5_PART,
+        history::PART,
+        history::REST,
+        SUMMARY,
+        CHECKPOINT,
+        STATE,
+        FRAMES,
+    ]
+    .map(String::from)
+    .into_iter()
+    .chain(figures)
 }
 
 #[cfg(test)]

@@ -31,6 +31,7 @@ use crate::checkpoint::{self, Identity};
 use crate::errors::Failure;
 use crate::history::HistoryFile;
 use crate::machine::{self, Built};
+use crate::other_files::{About, OtherFiles};
 use crate::progress::{self, ProgressMode, Terminal};
 use crate::report::{Summary, of_orders, stops, supports};
 use crate::results::{Results, SUMMARY};
@@ -53,6 +54,7 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let show = ProgressMode::fitting(arguments.quiet);
     let case = streams::warned(|warnings| machine::read(&arguments.case, warnings))?;
     case.marched()?;
+    let files = OtherFiles::of(arguments);
     let folder = folder(arguments, &case);
     let mut results = streams::warned(|warnings| Results::open(&folder, warnings))?;
     let interruption = Interruption::install().map_err(|error| Failure::Output {
@@ -76,8 +78,14 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             }
         });
     }
+    let names = History::for_machine(&built.machine).names().to_vec();
+    let kept = match &from {
+        Some(point) if files.any() => files.gone_on_with(&results, &names, point)?,
+        _ => 0,
+    };
     let own = identity.clone();
-    let mut store = FolderStore::new((&case, &built), &mut results, own, from.as_ref());
+    let store = FolderStore::new((&case, &built), &mut results, own, from.as_ref());
+    let mut store = store.keeping(files.any().then_some(kept));
     let terminal = Terminal::new(show, &interruption);
     let simulated = simulate((&case, &built), &mut store, from, (&terminal, start))?;
     drop(store);
@@ -152,6 +160,11 @@ fn report(
     if let Some(words) = motions.as_ref().and_then(fields::Motions::without_frames) {
         streams::warn(words);
     }
+    let files = OtherFiles::of(arguments);
+    // Rows that are not all in one file or the other make none of a third kind.
+    let complete = matches!(marched.end, End::Done);
+    let about = (!matches!(marched.end, End::NotWritten(..)) && made.is_ok())
+        .then(|| About::new((case, built), identity, complete));
     let path = results.path(history::NAME);
     let names = History::for_machine(&built.machine).names().to_vec();
     let made = made.and_then(|summary| Ok((HistoryFile::of_run(&path, &names)?, summary)));
@@ -165,6 +178,9 @@ fn report(
                 let written = history::write_npz(&history, &path);
                 let failed = |error| format!("cannot write `{}`: {error}", path.display());
                 problems.extend(written.err().map(failed));
+            }
+            if let Some(about) = &about {
+                problems.extend(files.write_copies(about, results));
             }
             // On a full disk the numbers come first.
             if !arguments.no_figures && !matches!(marched.end, End::NotWritten(..)) {
@@ -185,7 +201,12 @@ fn report(
         }
     }
     // A step that does not converge would not do so in the next run either.
-    let over = problems.is_empty() && matches!(marched.end, End::Done | End::Diverged(_));
+    let mut over = problems.is_empty() && matches!(marched.end, End::Done | End::Diverged(_));
+    if let Some(about) = &about {
+        let problem = files.write_last(about, results, over);
+        over &= problem.is_none();
+        problems.extend(problem);
+    }
     if over {
         results.forget_checkpoint();
     }
@@ -193,7 +214,8 @@ fn report(
     let Some(reason) = reason.or_else(|| problems.first().cloned()) else { return printed };
     problems.iter().filter(|problem| **problem != reason).for_each(streams::warn);
     // What others did to the folder meanwhile counts.
-    let goes_on = checkpoint::read(results, identity).is_ok_and(|point| point.is_some());
+    let goes_on = checkpoint::read(results, identity).is_ok_and(|point| point.is_some())
+        && files.can_go_on(results);
     let rows = HistoryFile::of_run(&path, &names).is_ok_and(|own| own.has_rows());
     Err(Failure::Unfinished {
         reason,

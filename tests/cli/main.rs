@@ -33,9 +33,11 @@ mod new;
 mod new_from_meshes;
 mod new_from_rotor;
 #[cfg(unix)]
+mod other_files;
 mod other_runs;
 mod outputs;
 mod own_mesh;
+mod parquet_file;
 mod pulses;
 mod read_meshes;
 mod readme;

@@ -3,17 +3,18 @@
 //! Checkpoints travel with the rows, so that one stands in its file only when the rows before it stand in theirs.
 
 use std::fs::File;
-use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::io::{self, Seek, SeekFrom, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-use serde::{Deserialize, Serialize};
-use whirl_solver::cache::{Key, RunningKey};
+use whirl_solver::cache::RunningKey;
 
+use super::groups::Groups;
 use super::text;
+use super::written::{Written, hash_of};
 use crate::lock::is_at;
 
 /// Longest time for which a row stands in memory only, but for the time that writing takes.
@@ -24,40 +25,6 @@ const BATCH: usize = 1 << 16;
 /// Why rows are not written: what the operating system says.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct NotWritten(pub(crate) String);
-
-/// The bytes of a history up to a point: how many, and a hash of them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct Written {
-    pub(crate) length: u64,
-    pub(crate) hash: Key,
-}
-
-impl Written {
-    /// Whether a history begins with these bytes.
-    ///
-    /// # Errors
-    /// It cannot be read.
-    pub(crate) fn begins(&self, path: &Path) -> io::Result<bool> {
-        let hash = hash_of(&mut File::open(path)?, self.length)?;
-        Ok(hash.is_some_and(|hash| hash.key() == self.hash))
-    }
-}
-
-/// The hash of the first `length` bytes of a file, if it has as many.
-fn hash_of(file: &mut File, length: u64) -> io::Result<Option<RunningKey>> {
-    let (mut hash, mut block) = (RunningKey::default(), vec![0; 1 << 18]);
-    let mut left = length;
-    while left > 0 {
-        let wanted = block.len().min(usize::try_from(left).unwrap_or(usize::MAX));
-        let read = file.read(&mut block[..wanted])?;
-        if read == 0 {
-            return Ok(None);
-        }
-        hash.add(&block[..read]);
-        left -= read as u64;
-    }
-    Ok(Some(hash))
-}
 
 /// A point from which the march can be resumed, made from what is written of the history up to it.
 pub(crate) type Resumable = Box<dyn FnOnce(Written) -> io::Result<()> + Send>;
@@ -75,6 +42,8 @@ struct Shared {
     work: Condvar,
     /// There is space again.
     space: Condvar,
+    /// Where rows go with all their digits, too.
+    beside: Mutex<Option<Groups>>,
 }
 
 #[derive(Default)]
@@ -116,6 +85,12 @@ impl HistoryWriter {
         file.set_len(length)?;
         file.seek(SeekFrom::End(0))?;
         Ok(HistoryWriter::start(CsvLines::new(file, Some(path), hash, length), columns))
+    }
+
+    /// Before its first row: all go to these files, too, with all their digits.
+    pub(crate) fn beside(self, groups: Groups) -> Self {
+        *self.shared.beside.lock().unwrap_or_else(PoisonError::into_inner) = Some(groups);
+        self
     }
 
     fn start(mut lines: CsvLines, columns: usize) -> HistoryWriter {
@@ -220,14 +195,18 @@ impl CsvLines {
             drop(queue);
             shared.space.notify_one();
 
+            let mut beside = shared.beside.lock().unwrap_or_else(PoisonError::into_inner);
             let before = resumable.as_ref().map_or(0, |(before, _)| *before);
-            let mut written = self.rows(&values[..before], columns);
+            let mut written = self.both(&values[..before], (columns, &mut beside));
             if let (Ok(()), Some((_, make))) = (&written, resumable) {
-                let checkpoint_error = self.make_point(make).err().map(|error| error.to_string());
+                let synced = beside.as_ref().map_or(Ok(()), Groups::sync);
+                let made = synced.and_then(|()| self.make_point(make));
+                let checkpoint_error = made.err().map(|error| error.to_string());
                 let mut queue = shared.queue();
                 queue.checkpoint_error = queue.checkpoint_error.take().or(checkpoint_error);
             }
-            written = written.and_then(|()| self.rows(&values[before..], columns));
+            written = written.and_then(|()| self.both(&values[before..], (columns, &mut beside)));
+            drop(beside);
             values.clear();
             if let Err(error) = written {
                 shared.queue().failed = Some(NotWritten(error.to_string()));
@@ -238,6 +217,15 @@ impl CsvLines {
                 return;
             }
         }
+    }
+
+    fn both(
+        &mut self,
+        values: &[f64],
+        (columns, beside): (usize, &mut Option<Groups>),
+    ) -> io::Result<()> {
+        self.rows(values, columns)?;
+        beside.as_mut().map_or(Ok(()), |beside| beside.add(values))
     }
 
     fn rows(&mut self, values: &[f64], columns: usize) -> io::Result<()> {
@@ -283,6 +271,7 @@ impl CsvLines {
 mod tests {
     use std::sync::atomic::{AtomicU64, Ordering};
 
+    use super::super::kept_rows::KeptRows;
     use super::*;
 
     fn names() -> Vec<String> {
@@ -371,19 +360,31 @@ mod tests {
     }
 
     #[test]
-    fn bytes_that_are_others_are_not_those_of_a_history() {
+    fn rows_agree_with_the_lines_of_their_history_only() {
         let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("history.csv");
-        std::fs::write(&path, "t_s,x\n1,2\n2,3\n").unwrap();
-        let hash = hash_of(&mut File::open(&path).unwrap(), 10).unwrap().unwrap().key();
-        let written = Written { length: 10, hash };
-        assert!(written.begins(&path).unwrap());
-        for other in ["t_s,x\n1,3\n2,3\n", "t_s,x\n1,2", ""] {
-            std::fs::write(&path, other).unwrap();
-            assert!(!written.begins(&path).unwrap(), "{other}");
+        let folder = folder.path();
+        let names = ["t_s", "x", "y"].map(str::to_owned).to_vec();
+        let path = folder.join("history.csv");
+        let count = 8195_u32;
+        let groups = Groups::create(folder, 3).unwrap();
+        let mut writer = HistoryWriter::create(&path, &names).unwrap().beside(groups);
+        for k in 0..count {
+            let k = f64::from(k);
+            writer.push(&[k / 3.0, k.sin() * 1e-5, -0.0]).unwrap();
         }
-        std::fs::write(&path, "t_s,x\n1,2\nanything").unwrap();
-        assert!(written.begins(&path).unwrap());
+        writer.finish().unwrap();
+        let text = std::fs::read_to_string(&path).unwrap();
+        let kept = KeptRows::open(folder, 3).unwrap();
+        let agree = |text: &str| {
+            std::fs::write(&path, text).unwrap();
+            kept.agree(&path, text.len() as u64).unwrap()
+        };
+        assert_eq!(agree(&text), Some(u64::from(count)));
+        let half: usize = text.split_inclusive('\n').take(1001).map(str::len).sum();
+        assert_eq!(agree(&text[..half]), Some(1000));
+        assert_eq!(agree("t_s,x,y\n"), Some(0));
+        assert_eq!(agree(&format!("{text}1,2,3\n")), None);
+        assert_eq!(agree(&text.replacen("\n0.3333333333,", "\n0.3333333334,", 1)), None);
     }
 
     #[cfg(target_os = "linux")]

@@ -14,7 +14,7 @@ use super::march::Store;
 use crate::case::Case;
 use crate::checkpoint::{self, Identity, Point};
 use crate::fields::{FRAMES, FrameWriter, Schedule};
-use crate::history::{self, HistoryFile, HistoryWriter, NotWritten, ReadHistory};
+use crate::history::{self, Groups, HistoryFile, HistoryWriter, NotWritten, ReadHistory};
 use crate::machine::Built;
 use crate::results::{CHECKPOINT, Results, STATE};
 use crate::start;
@@ -26,6 +26,8 @@ pub(crate) struct FolderStore<'r> {
     /// Names of the columns; bytes of the history after which this one goes on, if it does.
     head: (Vec<String>, Option<u64>),
     writer: Option<HistoryWriter>,
+    /// After how many rows all are kept with all their digits, too, if they are.
+    keeping: Option<u64>,
     /// The whole history, once it is read.
     written: Option<HistoryFile>,
     /// Which states are kept, until their file is open.
@@ -54,6 +56,7 @@ impl<'r> FolderStore<'r> {
             identity: Arc::new(identity),
             head: (names, from.map(|point| point.history.length)),
             writer: None,
+            keeping: None,
             written: None,
             schedule: Schedule::new(case),
             frames: None,
@@ -62,16 +65,33 @@ impl<'r> FolderStore<'r> {
         }
     }
 
+    /// With all digits of the rows beside the history, if that is wanted: after how many that are there.
+    pub(crate) fn keeping(self, rows: Option<u64>) -> Self {
+        FolderStore { keeping: rows, ..self }
+    }
+
     /// The history, begun or gone on with.
     fn writer(&mut self) -> Result<&mut HistoryWriter, NotWritten> {
         if self.writer.is_none() {
             let path = self.results.path(history::NAME);
             let (names, length) = &self.head;
-            let kept: &[&str] =
-                if length.is_some() { &[history::NAME, CHECKPOINT, FRAMES] } else { &[] };
-            let opened = self.results.begin(kept).and_then(|()| match *length {
-                Some(length) => HistoryWriter::go_on(&path, length, names.len()),
-                None => HistoryWriter::create(&path, names),
+            let all = [history::NAME, CHECKPOINT, FRAMES, history::PART, history::REST];
+            let kept: &[&str] = match (length, self.keeping) {
+                (None, _) => &[],
+                (Some(_), None) => &all[..3],
+                (Some(_), Some(_)) => &all,
+            };
+            let opened = self.results.begin(kept).and_then(|()| {
+                let (folder, columns) = (self.results.folder(), names.len());
+                let writer = match *length {
+                    Some(length) => HistoryWriter::go_on(&path, length, columns)?,
+                    None => HistoryWriter::create(&path, names)?,
+                };
+                Ok(match (self.keeping, length) {
+                    (None, _) => writer,
+                    (Some(_), None) => writer.beside(Groups::create(folder, columns)?),
+                    (Some(rows), Some(_)) => writer.beside(Groups::go_on(folder, columns, rows)?),
+                })
             });
             self.writer = Some(opened.map_err(|error| NotWritten(error.to_string()))?);
             if let Some(schedule) = self.schedule.take() {
@@ -90,7 +110,10 @@ impl Store for FolderStore<'_> {
     }
 
     fn failing(&self) -> &'static str {
-        "cannot write `history.csv`"
+        match self.keeping {
+            None => "cannot write `history.csv`",
+            Some(_) => "cannot write the history",
+        }
     }
 
     fn has_begun(&self) -> bool {

@@ -11,7 +11,6 @@ mod folder;
 mod identity;
 mod journal;
 mod kept;
-mod parquet;
 mod point;
 mod points;
 mod random;

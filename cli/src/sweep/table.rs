@@ -13,8 +13,8 @@ use super::definition::Sweep;
 use super::files::{CSV, PARQUET};
 use super::folder::SweepFolder;
 use super::kept::Kept;
-use super::parquet::{GROUP, Parquet, Values};
 use super::row::{Row, Verdict};
+use crate::parquet::{GROUP, Parquet, Values};
 use crate::values::level::digits;
 
 /// How many points came to what.
