@@ -228,12 +228,19 @@ fn run(
         interruption: &interruption,
         figures: !arguments.no_figures && output.is_some(),
     };
-    let mut interrupted = false;
+    let (mut done, mut interrupted) = (0, false);
     for analysis in analyses {
         let name = &analysis.name;
-        let found = {
-            let work = || streams::warned(|warnings| subject.found(analysis, warnings));
-            progress::during(show, "analysing", work)?
+        let work = || streams::warned(|warnings| subject.found(analysis, warnings));
+        let found = match progress::during(show, "analysing", work) {
+            Ok(found) => found,
+            // What the ones before came to is kept.
+            Err(Failure::Unfinished { .. }) if done > 0 => {
+                show.note(&format!("`{name}` was interrupted before anything was found"));
+                interrupted = true;
+                break;
+            }
+            Err(error) => return Err(error),
         };
         if !arguments.quiet {
             say(&found.text)?;
@@ -248,6 +255,7 @@ fn run(
                 output.put(&file, content);
             }
         }
+        done += 1;
         interrupted |= found.interrupted;
         if interrupted {
             show.note(&format!("`{name}` was interrupted: what was found is kept"));

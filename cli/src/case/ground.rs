@@ -8,6 +8,7 @@ use whirl_codegen::kinds::law::{Column, Columns, Wanted, Which};
 use whirl_codegen::rational::nearest;
 use whirl_codegen::units::Dimension;
 use whirl_solver::curve::Curve;
+use whirl_text::rounded;
 
 use super::library::FileStore;
 
@@ -17,6 +18,8 @@ const LIMITS: (usize, usize) = (200_000, 16 << 20);
 const STANDARD: f64 = 9.80665;
 /// Columns, and keys that name others.
 const AXES: [&str; 3] = ["x", "y", "z"];
+/// Share of the largest acceleration below which the ground is at rest.
+const AT_REST: f64 = 0.01;
 
 /// How the ground is accelerated.
 #[derive(Debug, Clone)]
@@ -27,11 +30,52 @@ pub(crate) struct GroundMotion {
     pub(crate) name: Located,
     /// Acceleration (m/s²) along x, y and z over t (s), where there is one.
     pub(crate) axes: [Option<Arc<Curve>>; 3],
+    /// Times (s) of its first and last row.
+    ends: [f64; 2],
     /// The largest of each (m/s²).
     pub(crate) largest: [f64; 3],
 }
 
 impl GroundMotion {
+    /// What is to be said of a record that does not begin or end at rest, or beside the time of a run (s), if there is one.
+    pub(crate) fn doubts(&self, duration: Option<f64>) -> Vec<String> {
+        let [first, last] = self.ends;
+        let file = self.name.text();
+        let at_rest = |time: f64| {
+            let moving = AXES.iter().zip(&self.axes).zip(self.largest);
+            let moving = moving.filter_map(|((axis, own), largest)| {
+                let value = own.as_ref()?.value(time);
+                (value.abs() > AT_REST * largest)
+                    .then(|| format!("{} m/s² along {axis}", rounded(value, 4)))
+            });
+            let moving: Vec<String> = moving.collect();
+            if moving.is_empty() { Ok(()) } else { Err(moving.join(", ")) }
+        };
+        let mut all = Vec::new();
+        if let Some(end) = duration.filter(|end| first >= *end) {
+            all.push(format!(
+                "the record `{file}` begins at {first} s, and the run ends at {end} s: none of its rows is reached"
+            ));
+        }
+        if let (true, Err(values)) = (first >= 0.0, at_rest(first)) {
+            all.push(format!(
+                "the record `{file}` begins with {values}, which acts from the start of the run on: let it begin with a row of \
+                 zeros, unless the ground is meant to be moving already"
+            ));
+        }
+        if first < 0.0 {
+            all.push(format!(
+                "the record `{file}` begins at {first} s: what is before t = 0 does not act; shift its times"
+            ));
+        }
+        if let (true, Err(values)) = (duration.is_none_or(|end| end > last), at_rest(last)) {
+            all.push(format!(
+                "the record `{file}` ends at {last} s with {values}, which goes on to act: let it end with a row of zeros"
+            ));
+        }
+        all
+    }
+
     /// Its acceleration (m/s²) at t = 0.
     pub(crate) fn at_start(&self) -> [f64; 3] {
         self.axes.each_ref().map(|own| own.as_ref().map_or(0.0, |own| own.value(0.0)))
@@ -119,6 +163,7 @@ fn of_file(
         Some(Arc::new(Curve::linear(&rows, false).ok()?))
     };
     Ok(GroundMotion {
+        ends: [times.first(), times.last()].map(|own| own.map_or(0.0, |own| own.0)),
         source: source.clone(),
         name: name.clone(),
         axes: all.each_ref().map(curve),

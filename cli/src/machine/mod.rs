@@ -24,7 +24,7 @@ pub(crate) use meshes::placed as placed_errors;
 pub(crate) use plan::BodyPlan;
 
 use self::described::Described;
-use crate::case::{self, Case, CaseText, Draft, Purpose};
+use crate::case::{self, Case, CaseText, Draft, MarchSettings, Purpose};
 use crate::errors::Failure;
 
 /// Reads the case that the user called `name`, and checks its meshes and sets even where
@@ -102,6 +102,9 @@ fn checked(mut draft: Draft, warnings: &mut Vec<String>) -> Result<Case, Failure
 pub(crate) fn plan(case: &Case, warnings: &mut Vec<String>) -> Result<JoinedPlan, Failure> {
     let wanted = (case.outputs.as_slice(), case.fields.as_ref());
     let mut plan = JoinedPlan::new(&case.machine, wanted, warnings)?;
+    if let Some(ground) = &case.machine.ground {
+        warnings.extend(ground.doubts(case.march.as_ref().map(MarchSettings::duration)));
+    }
     if let Some(limit) = case.memory_limit {
         plan.meshed().for_each(|body| body.spec.memory = limit);
     }

@@ -54,12 +54,33 @@ const UNITS: &[(&str, i32, Dimension)] = &[
     ("bar", 5, Dimension::PRESSURE),
 ];
 
+fn pound() -> Factor {
+    Factor::ratio(45_359_237, 100_000_000)
+}
+
+fn pound_force() -> Factor {
+    pound().times(&Factor::ratio(980_665, 100_000))
+}
+
 fn unit_named(name: &str) -> Option<(Factor, Dimension)> {
     let half_turn = || Factor::pi().over(&Factor::ratio(180, 1));
     match name {
         "deg" | "°" => return Some((half_turn(), Dimension::ANGLE)),
         "rpm" => return Some((Factor::pi().over(&Factor::ratio(30, 1)), Dimension::ANGULAR_SPEED)),
         "min" => return Some((Factor::ratio(60, 1), Dimension::TIME)),
+        // By definition: the inch is 25.4 mm, the pound 0.453 592 37 kg, standard gravity 9.806 65 m/s².
+        "in" => return Some((Factor::ratio(254, 10_000), Dimension::LENGTH)),
+        "mil" => return Some((Factor::ratio(254, 10_000_000), Dimension::LENGTH)),
+        "ft" => return Some((Factor::ratio(3048, 10_000), Dimension::LENGTH)),
+        "lb" => return Some((pound(), Dimension::MASS)),
+        "lbf" => return Some((pound_force(), Dimension::FORCE)),
+        "psi" | "ksi" => {
+            let inch = Factor::ratio(254, 10_000);
+            let psi = pound_force().over(&inch).over(&inch);
+            let thousand = Factor::ten(if name == "ksi" { 3 } else { 0 });
+            return Some((psi.times(&thousand), Dimension::PRESSURE));
+        }
+        "Gal" => return Some((Factor::ten(-2), Dimension::ACCELERATION)),
         "W" => return Some((Factor::one(), Dimension::TORQUE.over(&Dimension::TIME))),
         "kW" => return Some((Factor::ten(3), Dimension::TORQUE.over(&Dimension::TIME))),
         _ => {}
@@ -93,6 +114,8 @@ const SPELLED_OUT: &[(&str, &str)] = &[
     ("radian", "rad"),
     ("degree", "deg"),
     ("hertz", "Hz"),
+    ("inches", "in"),
+    ("pound", "lb"),
 ];
 
 /// What to write for a unit that was written in full.
@@ -143,6 +166,7 @@ pub(super) fn unit(text: &str, start: usize) -> Result<(Factor, Dimension), Unit
         let Some((mut f, mut d)) = unit_named(name) else {
             let mut known: Vec<&str> = UNITS.iter().map(|(known, _, _)| *known).collect();
             known.extend(["deg", "rpm", "min", "W", "kW"]);
+            known.extend(["in", "mil", "ft", "lb", "lbf", "psi", "ksi", "Gal"]);
             let mut unknown = error(
                 Code::UNKNOWN_UNIT,
                 here..here + name.len(),

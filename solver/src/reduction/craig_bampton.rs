@@ -127,12 +127,8 @@ impl Solid<'_> {
         let loose = |row: usize| ReductionError::Mechanism {
             motions: vec![FreeMotion::Part { node: (partition.inner[row] / 3) as u64 }],
         };
-        // Answers to loads are shapes behind the modes. A mode before them that has lost its partner takes from a round body that
-        // it is round.
-        let found = match interface.corrections {
-            [] => pencil.lowest_modes(modes),
-            _ => pencil.lowest_pairs(modes),
-        };
+        // A mode that has lost its partner takes from a round body that it is round.
+        let found = pencil.lowest_pairs(modes);
         let (fixed, factor) = found.map_err(|error| match error {
             ReductionError::LinearAlgebra(LinearAlgebraError::NotPositiveDefinite {
                 row, ..

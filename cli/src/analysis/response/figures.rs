@@ -214,7 +214,13 @@ impl Drawing<'_> {
             amplitude.labels.push(Label { at, text });
         }
         let mut phases = curve(&|reading, own| reading.phase(own));
-        phases.iter_mut().for_each(|own| unwrap(&mut own.points));
+        for (own, sizes) in phases.iter_mut().zip(&amplitude.lines) {
+            let most = sizes.points.iter().fold(0.0, |most: f64, own| most.max(own.1));
+            let mut sizes = sizes.points.iter();
+            // What does not move has no phase.
+            own.points.retain(|_| sizes.next().is_some_and(|size| size.1 > STILL * most));
+            unwrap(&mut own.points);
+        }
         let from = match self.readings.as_slice() {
             [Reading::Orbit] => "phase along x",
             _ => "phase at the probe",
@@ -368,6 +374,9 @@ fn label(panel: &mut Panel, at: (f64, f64), speed: f64, apart: f64) {
         panel.labels.push(Label { at, text: rounded(words::rpm(speed), 5).to_string() });
     }
 }
+
+/// Share of the largest amplitude below which a point stands still.
+const STILL: f64 = 1e-9;
 
 /// Takes jumps of whole turns out of phases (degrees).
 fn unwrap(points: &mut [(f64, f64)]) {

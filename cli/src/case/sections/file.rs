@@ -126,7 +126,8 @@ fn row(line: &[Located], columns: &[Column]) -> Result<RowDraft, Box<Diagnostic>
             "separate cells by a comma, a semicolon or a tab, and write numbers with a point";
         return Err(Box::new(line[columns.len()].error_here(Code::TABLE, message).help(help)));
     }
-    let mut own = RowDraft { place: whole(line), lengths: BTreeMap::new(), texts: BTreeMap::new() };
+    let (lengths, texts) = (BTreeMap::new(), BTreeMap::new());
+    let mut own = RowDraft { place: whole(line), lengths, texts, is_read: true };
     for (cell, column) in line.iter().zip(columns).filter(|(cell, _)| !cell.text().is_empty()) {
         match column {
             Column::Text(name) => {

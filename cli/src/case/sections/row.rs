@@ -32,17 +32,20 @@ pub(super) struct RowDraft {
     /// SI.
     pub(super) lengths: BTreeMap<&'static str, (f64, Located)>,
     pub(super) texts: BTreeMap<&'static str, Located>,
+    /// Whether all that it says could be read: only then it is told what it lacks.
+    pub(super) is_read: bool,
 }
 
 /// A row in a list of the case.
 pub(super) fn inline(own: &Table) -> RowDraft {
+    let errors = own.errors();
     let lengths =
         LENGTHS.into_iter().filter_map(|key| Some((key, (own.quantity(key)?, own.written(key)))));
     let lengths = lengths.collect();
     let texts =
         TEXTS.into_iter().filter_map(|key| Some((key, own.optional_string(key)?))).collect();
     let place = own.heading().text("");
-    RowDraft { place, lengths, texts }
+    RowDraft { place, lengths, texts, is_read: own.errors() == errors }
 }
 
 impl RowDraft {
@@ -92,7 +95,7 @@ pub(super) fn rows(
     let mut names = BTreeSet::new();
     let mut lacks_material = false;
     for (k, draft) in drafts.iter().enumerate() {
-        places.insert(format!("sections[{k}]"), draft.place.clone());
+        places.insert(format!("sections[{}]", k + 1), draft.place.clone());
         for key in LENGTHS.into_iter().filter(|key| *key != "z") {
             let may_be_zero = key.starts_with("inner");
             let own = draft.get(key).filter(|own| *own < 0.0 || *own == 0.0 && !may_be_zero);
@@ -107,6 +110,9 @@ pub(super) fn rows(
             }
         }
         let missing = |key: &str, help: &str| {
+            if !draft.is_read {
+                return;
+            }
             let message = format!("a row has no `{key}`");
             table.push(draft.place.error_here(Code::MISSING_KEY, message).help(help));
         };

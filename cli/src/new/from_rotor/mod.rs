@@ -109,7 +109,8 @@ pub(super) fn case(source: &Arc<Source>, stem: &str) -> Result<FromRotor, Failur
 fn tree(source: &Arc<Source>) -> Result<Value, Diagnostics> {
     let text = source.text.trim_start_matches('\u{feff}');
     let skipped = source.text.len() - text.len();
-    let of_json = text.trim_start().starts_with('{');
+    let named = source.path.extension().is_some_and(|own| own.eq_ignore_ascii_case("json"));
+    let of_json = named || text.trim_start().starts_with('{');
     let tree = if of_json { json::of_json(&source.text) } else { value::of_toml(text) };
     tree.map_err(|(place, what)| {
         let skipped = if of_json { 0 } else { skipped };

@@ -90,7 +90,7 @@ pub(super) fn intervals(rows: &[SectionRow]) -> Result<Vec<Interval>, Error> {
 
 /// How a row is called in errors.
 pub(super) fn called(row: usize) -> String {
-    format!("sections[{row}]")
+    format!("sections[{}]", row + 1)
 }
 
 /// Refuses lengths and radii that are none.

@@ -65,7 +65,7 @@ impl SectionTable {
     /// The mesh, with the elements of `elements` that Abaqus calls C3D15 and C3D20.
     ///
     /// # Errors
-    /// [`Error::Dimension`] naming the row that cannot be (`sections[k]`, k from 0) or the number of cells,
+    /// [`Error::Dimension`] naming the row that cannot be (`sections[k]`, k from 1) or the number of cells,
     /// [`Error::Mesh`] for a missing element.
     pub fn mesh(&self, elements: &[&'static Element]) -> Result<Mesh, Error> {
         let partition = self.partition()?;

@@ -98,7 +98,8 @@ impl Columns {
         if !(2..=rows).contains(&lines.len()) {
             let count = lines.len();
             let message = format!("a table has 2 to {rows} rows of numbers, this has {count}");
-            return Err(refuse(message).into());
+            let help = "what stays the same takes two rows with equal values";
+            return Err(refuse(message).maybe_help((count < 2).then(|| help.to_owned())).into());
         }
         let columns = Columns { source: source.clone(), heads, rows: lines };
         columns.check_lengths()?;
@@ -217,10 +218,7 @@ impl Columns {
             (None, None, Some(head)) => {
                 let message = format!("the column `{}` has no unit", head.name);
                 let error = self.error(head.span.clone(), message);
-                let help = format!(
-                    "write it behind the name, as in `{} [mm]`; a pure number has the unit `[1]`",
-                    head.name
-                );
+                let help = "write it behind the name, as in `time [s]` or `h [mm]`; a pure number has the unit `[1]`";
                 Err(error.help(help).into())
             }
             (None, None, None) => {

@@ -178,7 +178,7 @@ fn errors_point_into_the_file_of_columns() {
         (
             "",
             "a, b [N]\n1, 2\n2, 3\n",
-            "f.csv:1:1: the column `a` has no unit (write it behind the name, as in `a [mm]`; a pure number has the unit `[1]`)",
+            "f.csv:1:1: the column `a` has no unit (write it behind the name, as in `time [s]` or `h [mm]`; a pure number has the unit `[1]`)",
         ),
         ("", "a [mmm], b [N]\n1, 2\n2, 3\n", "f.csv:1:4: unknown unit `mmm` (did you mean `mm`?)"),
         (
@@ -206,7 +206,11 @@ fn errors_point_into_the_file_of_columns() {
             "0,0, 230,5\n0,5, 460,5\n",
             "law.toml:8:9: `f.csv` has 4 columns and no line of names (say which to read, as `x = 1` and `y = 2`; numbers are written with a point, not a comma)",
         ),
-        ("", "a [mm], b [N]\n1, 2\n", "f.csv: a table has 2 to 128 rows of numbers, this has 1"),
+        (
+            "",
+            "a [mm], b [N]\n1, 2\n",
+            "f.csv: a table has 2 to 128 rows of numbers, this has 1 (what stays the same takes two rows with equal values)",
+        ),
         (
             "x = \"c\"",
             "a [mm], b [N]\n1, 2\n2, 3\n",
