@@ -112,6 +112,9 @@ pub(crate) struct SweepArguments {
     /// A key of the case and its values, such as "springs.radial_clearance=20 um .. 60 um, 9"; may be repeated
     #[arg(long, value_name = "KEY=RANGE")]
     pub(crate) vary: Vec<String>,
+    /// An analysis to do at every point in place of a run, by its name or kind; may be repeated
+    #[arg(long, value_name = "NAME", value_delimiter = ',')]
+    pub(crate) analyse: Vec<String>,
     /// Folder for the results [default: results/NAME, with the name of the sweep]
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
@@ -138,6 +141,7 @@ impl SweepArguments {
         Order {
             file: &self.file,
             vary: &self.vary,
+            analyses: &self.analyse,
             out: self.out.as_deref(),
             figures: !self.no_figures,
             jobs: self.jobs,

@@ -1,5 +1,6 @@
 //! The `whirl` command: case files, progress, results, figures.
 
+mod analyse;
 mod analysis;
 mod archive;
 pub mod arguments;
@@ -47,6 +48,7 @@ use whirl_codegen::kinds::list::Spec;
 use whirl_solver::cache::{Cache, Key};
 use whirl_solver::machine::MachineParts;
 
+pub use analysis::{Analysed, Asked, Described};
 pub use case::{Case, CaseText};
 pub use figures::{Curve, curves};
 pub use history::HistoryTable;
@@ -64,19 +66,17 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
     let done = match &arguments.command {
         Command::Run(arguments) => run::run(arguments),
         Command::Sweep(arguments) => sweep::sweep(&arguments.order()),
-        Command::Analyse(arguments) => analysis::analyse(arguments),
-        Command::Modes(arguments) => analysis::of_kind(AnalysisKind::Modes, arguments),
-        Command::Campbell(arguments) => analysis::of_kind(AnalysisKind::Campbell, arguments),
-        Command::Response(arguments) => analysis::of_kind(AnalysisKind::Response, arguments),
-        Command::Coefficients(arguments) => {
-            analysis::of_kind(AnalysisKind::Coefficients, arguments)
-        }
-        Command::Stability(arguments) => analysis::of_kind(AnalysisKind::Stability, arguments),
-        Command::Torsion(arguments) => analysis::of_kind(AnalysisKind::Torsion, arguments),
-        Command::Forces(arguments) => analysis::of_kind(AnalysisKind::Forces, arguments),
-        Command::Map(arguments) => analysis::map_of(arguments),
-        Command::Lateral(arguments) => analysis::lateral_of(arguments),
-        Command::Matrices(arguments) => analysis::matrices(arguments),
+        Command::Analyse(arguments) => analyse::analyse(arguments),
+        Command::Modes(arguments) => analyse::of_kind(AnalysisKind::Modes, arguments),
+        Command::Campbell(arguments) => analyse::of_kind(AnalysisKind::Campbell, arguments),
+        Command::Response(arguments) => analyse::of_kind(AnalysisKind::Response, arguments),
+        Command::Coefficients(arguments) => analyse::of_kind(AnalysisKind::Coefficients, arguments),
+        Command::Stability(arguments) => analyse::of_kind(AnalysisKind::Stability, arguments),
+        Command::Torsion(arguments) => analyse::of_kind(AnalysisKind::Torsion, arguments),
+        Command::Forces(arguments) => analyse::of_kind(AnalysisKind::Forces, arguments),
+        Command::Map(arguments) => analyse::map_of(arguments),
+        Command::Lateral(arguments) => analyse::lateral_of(arguments),
+        Command::Matrices(arguments) => analyse::matrices(arguments),
         Command::Check(arguments) => check::check(arguments).and_then(|text| say(&text)),
         Command::Explain(arguments) => explain::explain(arguments).and_then(|text| say(&text)),
         Command::New(arguments) => new::new(arguments).and_then(|text| say(&text)),
@@ -108,6 +108,22 @@ pub fn read(case: &str, warnings: &mut Vec<String>) -> Result<Case, Failure> {
 /// As [`read`].
 pub fn read_text(text: &CaseText, warnings: &mut Vec<String>) -> Result<Case, Failure> {
     machine::read_text(text, warnings)
+}
+
+/// As [`read`], of a case that need not be marched.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_to_analyse(case: &str, warnings: &mut Vec<String>) -> Result<Case, Failure> {
+    machine::read_to_analyse(case, warnings)
+}
+
+/// As [`read_to_analyse`], of a text.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_text_to_analyse(text: &CaseText, warnings: &mut Vec<String>) -> Result<Case, Failure> {
+    machine::read_text_to_analyse(text, warnings)
 }
 
 /// What `whirl check` says of a case.

@@ -13,6 +13,8 @@ use signal_hook::low_level::emulate_default_handler;
 /// Whether the user wants the run to end.
 pub(crate) struct Interruption {
     asked: Arc<AtomicBool>,
+    /// Whether something else is to end, too.
+    beside: Option<Arc<AtomicBool>>,
 }
 
 /// What is sent to a process and once more to its group, as `timeout` does, is one signal.
@@ -44,11 +46,22 @@ impl Interruption {
             }
         };
         Builder::new().name("signals".to_owned()).spawn(listen)?;
-        Ok(Interruption { asked })
+        Ok(Interruption { asked, beside: None })
+    }
+
+    /// Of a program that listens to signals itself, and says by a flag that the work is to end.
+    pub(crate) fn by(flag: Arc<AtomicBool>) -> Interruption {
+        Interruption { asked: flag, beside: None }
+    }
+
+    /// One that also comes by a flag.
+    pub(crate) fn or_by(&self, flag: Arc<AtomicBool>) -> Interruption {
+        Interruption { asked: self.asked.clone(), beside: Some(flag) }
     }
 
     /// Whether a signal has come.
     pub(crate) fn asked(&self) -> bool {
-        self.asked.load(Ordering::Relaxed)
+        let is_set = |flag: &Arc<AtomicBool>| flag.load(Ordering::Relaxed);
+        is_set(&self.asked) || self.beside.as_ref().is_some_and(is_set)
     }
 }

@@ -2,15 +2,21 @@
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use pyo3::prelude::*;
 use whirl_cli::errors::Failure;
-use whirl_cli::{Built, CaseText, build, check_case, read, read_text};
+use whirl_cli::{
+    Asked, Built, CaseText, build, check_case, read, read_text, read_text_to_analyse,
+    read_to_analyse,
+};
 use whirl_solver::history::Column;
+use whirl_solver::linear::LinearMachine;
 
 use crate::bodies::Bodies;
 use crate::errors::raised;
+use crate::linear::{Analysed, Wanted, described, heard};
 use crate::run::{self, Run};
 
 /// A case that was read.
@@ -24,6 +30,8 @@ pub(crate) struct Case {
     warnings: Vec<String>,
     /// Its machine, and what there was to warn of; made once, while others wait.
     built: Mutex<Option<(Arc<Built>, Vec<String>)>>,
+    /// The same as linear analyses take it.
+    linear: Mutex<Option<Arc<LinearMachine>>>,
 }
 
 /// What it takes to read a case elsewhere: its path, its text, the files beside it by path, and values in place of those that
@@ -35,7 +43,7 @@ impl Case {
     /// A built-in case.
     #[staticmethod]
     fn built_in(py: Python<'_>, name: &str) -> PyResult<Self> {
-        Case::made(py, None, |warnings, _| read(name, warnings))
+        Case::made(py, None, |warnings, _| read_to_analyse(name, warnings))
     }
 
     /// A file.
@@ -43,7 +51,7 @@ impl Case {
     fn of_file(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
         let text = CaseText::of_file(&path).map_err(|errors| raised(py, &errors.into()))?;
         Case::made(py, Some(text), |warnings, text| {
-            read_text(text.expect("it was given"), warnings)
+            read_text_to_analyse(text.expect("it was given"), warnings)
         })
     }
 
@@ -61,7 +69,9 @@ impl Case {
         for (path, text) in files {
             own = own.with_path(path, text);
         }
-        Case::made(py, Some(own), |warnings, text| read_text(text.expect("it was given"), warnings))
+        Case::made(py, Some(own), |warnings, text| {
+            read_text_to_analyse(text.expect("it was given"), warnings)
+        })
     }
 
     #[getter]
@@ -131,7 +141,10 @@ impl Case {
 
     /// Frees its machine, which is built anew where it is needed again.
     fn release(&self, py: Python<'_>) {
-        py.detach(|| *self.built.lock().unwrap_or_else(PoisonError::into_inner) = None);
+        py.detach(|| {
+            *self.built.lock().unwrap_or_else(PoisonError::into_inner) = None;
+            *self.linear.lock().unwrap_or_else(PoisonError::into_inner) = None;
+        });
     }
 
     /// Name, unit and meaning of every column of the history.
@@ -145,9 +158,58 @@ impl Case {
         Ok(built.columns().into_iter().map(described).collect())
     }
 
+    /// Whether it can be run.
+    ///
+    /// # Errors
+    /// What it lacks for that, as of a reader that demands it.
+    fn demand_march(&self, py: Python<'_>) -> PyResult<()> {
+        if self.case.is_marched() {
+            return Ok(());
+        }
+        let read = || match &self.text {
+            Some(text) => read_text(text, &mut Vec::new()),
+            None => read(self.case.name(), &mut Vec::new()),
+        };
+        // One with analyses alone is refused where it is run.
+        py.detach(read).map(|_| ()).map_err(|failure| raised(py, &failure))
+    }
+
+    /// Does the analysis of a table, by its name, or one that is described.
+    #[pyo3(signature = (bodies, name=None, wanted=None))]
+    fn analyse(
+        &self,
+        py: Python<'_>,
+        bodies: &Bodies,
+        name: Option<String>,
+        wanted: Option<Wanted>,
+    ) -> PyResult<Analysed> {
+        let wanted = wanted.map(described).unwrap_or_default();
+        let asked = match &name {
+            Some(name) => Asked::Named(name),
+            None => Asked::Described(&wanted),
+        };
+        let work = |ends: Arc<AtomicBool>| {
+            let mut warnings = Vec::new();
+            let linear = || self.linear_machine(bodies);
+            let of = (&self.case, self.text.as_ref());
+            let found = asked.found(of, &linear, (Some(&bodies.cache), ends), &mut warnings)?;
+            let built = self.built.lock().unwrap_or_else(PoisonError::into_inner);
+            if let Some((_, own)) = &*built {
+                warnings.extend(
+                    own.iter().filter(|own| !warnings.contains(own)).cloned().collect::<Vec<_>>(),
+                );
+            }
+            Ok((found, warnings))
+        };
+        let found: Result<_, Failure> = heard(py, work)?;
+        let (found, warnings) = found.map_err(|failure| raised(py, &failure))?;
+        Ok(Analysed::new(py, found, warnings))
+    }
+
     /// Runs it. `progress(step, steps, time)` is called a few times a second.
     #[pyo3(signature = (bodies, progress=None))]
     fn run(&self, py: Python<'_>, bodies: &Bodies, progress: Option<Py<PyAny>>) -> PyResult<Run> {
+        self.demand_march(py)?;
         let (built, warnings) =
             py.detach(|| self.machine(bodies)).map_err(|failure| raised(py, &failure))?;
         run::run(py, (&self.case, &built), warnings, progress)
@@ -164,7 +226,18 @@ impl Case {
         let mut warnings = Vec::new();
         let case = py.detach(|| read(&mut warnings, text.as_ref()));
         let case = case.map_err(|failure| raised(py, &failure))?;
-        Ok(Case { case, text, warnings, built: Mutex::default() })
+        let (built, linear) = (Mutex::default(), Mutex::default());
+        Ok(Case { case, text, warnings, built, linear })
+    }
+
+    fn linear_machine(&self, bodies: &Bodies) -> Result<Arc<LinearMachine>, Failure> {
+        let (built, _) = self.machine(bodies)?;
+        let mut linear = self.linear.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(own) = &*linear {
+            return Ok(own.clone());
+        }
+        let made = LinearMachine::new(built.machine().clone())?;
+        Ok(linear.insert(Arc::new(made)).clone())
     }
 
     fn machine(&self, bodies: &Bodies) -> Result<(Arc<Built>, Vec<String>), Failure> {

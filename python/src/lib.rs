@@ -6,6 +6,7 @@ mod bodies;
 mod case;
 mod errors;
 mod law;
+mod linear;
 mod run;
 
 use pyo3::prelude::*;
@@ -25,6 +26,8 @@ mod _whirl {
     use crate::case::Case;
     #[pymodule_export]
     use crate::law::Law;
+    #[pymodule_export]
+    use crate::linear::Analysed;
     #[pymodule_export]
     use crate::run::Run;
 

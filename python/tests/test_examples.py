@@ -12,6 +12,7 @@ EXAMPLES = pathlib.Path(__file__).resolve().parents[1] / "examples"
 # Script, arguments, what it draws.
 RUNS = {
     "paper_figures": (["--steps", "60"], {"reactions.png", "eccentricity.png", "rotation.png"}),
+    "campbell": (["--speeds", "9"], {"campbell.png"}),
     "own_law": (["--steps", "40"], {"my-law.png"}),
     "waterfall": (["--steps", "2400"], {"waterfall.png"}),
     "clearance_study": (["--steps", "40", "--points", "3"], {"clearances.png"}),

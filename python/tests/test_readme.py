@@ -20,7 +20,7 @@ def test_the_examples_of_the_page_run(tmp_path, monkeypatch):
     blocks = re.findall(r"```python\n(.*?)```", PAGE, flags=re.S)
     # Clusters and processes are tested elsewhere.
     blocks = [own for own in blocks if "Client(" not in own and "Cluster(" not in own]
-    assert len(blocks) == 3
+    assert len(blocks) == 4
     names: dict = {}
     for own in blocks:
         exec(compile(own, "README.md", "exec"), names)

@@ -22,29 +22,57 @@ from .errors import (
 )
 from .history import Column, History
 from .law import Curve, Law, LawInput, LawOutput, Parameter, explain
+from .linear import (
+    Analyses,
+    Analysis,
+    Campbell,
+    Coefficients,
+    Criticals,
+    Excited,
+    JointCoefficients,
+    Matrices,
+    Modes,
+    Response,
+    Stability,
+    Table,
+    Thresholds,
+)
 from .results import Finding, Results, Summary, Verdict
 from .ross import from_ross
 from .sweep import Sweep, SweepPoint, sweep
 
 __all__ = [
+    "Analyses",
+    "Analysis",
     "Bodies",
+    "Campbell",
     "Case",
     "CaseError",
+    "Coefficients",
     "Column",
+    "Criticals",
     "Curve",
     "Diagnostic",
+    "Excited",
     "Finding",
     "History",
+    "JointCoefficients",
     "Law",
     "LawInput",
     "LawOutput",
+    "Matrices",
     "MissingExtra",
+    "Modes",
     "Parameter",
+    "Response",
     "Results",
     "RunError",
+    "Stability",
     "Summary",
     "Sweep",
     "SweepPoint",
+    "Table",
+    "Thresholds",
     "Verdict",
     "WhirlError",
     "WhirlWarning",

@@ -7,6 +7,16 @@ from typing import final
 import numpy as np
 from numpy.typing import NDArray
 
+_Wanted = tuple[
+    str,
+    str | None,
+    list[str],
+    list[tuple[str, float]],
+    int | None,
+    list[float],
+    str | None,
+]
+
 @final
 class Bodies:
     """Reduced bodies in memory, and in a folder if one is wanted. Cases that are given the same ones share them."""
@@ -46,9 +56,22 @@ class Case:
     def release(self) -> None: ...
     def check(self, bodies: Bodies) -> tuple[str, list[str]]: ...
     def columns(self, bodies: Bodies) -> list[tuple[str, str, str]]: ...
+    def demand_march(self) -> None: ...
+    def analyse(
+        self, bodies: Bodies, name: str | None = None, wanted: _Wanted | None = None
+    ) -> Analysed: ...
     def run(
         self, bodies: Bodies, progress: Callable[[int, int, float], object] | None = None
     ) -> Run: ...
+
+@final
+class Analysed:
+    name: str
+    kind: str
+    text: str
+    files: list[tuple[str, bytes]]
+    notes: list[str]
+    warnings: list[str]
 
 @final
 class Run:

@@ -13,6 +13,7 @@ from .bodies import Bodies, shared_bodies
 from .errors import RunError, WhirlError, WhirlWarning
 from .history import Column
 from .law import Law
+from .linear import Analyses
 from .results import Results
 
 __all__ = ["Case", "cases"]
@@ -20,8 +21,10 @@ __all__ = ["Case", "cases"]
 Progress = Callable[[int, int, float], object]
 
 
-class Case:
+class Case(Analyses):
     """A case, read and checked as far as it can be without its meshes.
+
+    It can be run if it has ``[march]``, and analysed with or without: see :class:`whirl.Analyses`.
 
     Parameters
     ----------
@@ -165,7 +168,7 @@ class Case:
         RunError
             A step does not converge; its attribute ``results`` has the steps before.
         CaseError
-            Meshes, sets or laws that are wrong.
+            Meshes, sets or laws that are wrong; a case without ``[march]``.
         """
         if progress is not None and not callable(progress):
             raise TypeError(f"`progress` is called, but {type(progress).__name__} cannot be")

@@ -155,6 +155,7 @@ def sweep(
     """
     case = case if isinstance(case, Case) else Case(case)
     keys, points = expanded(case, vary)
+    points[0].case._inner.demand_march()
     bodies = shared_bodies() if bodies is None else bodies
     layout = None
     if out is not None:

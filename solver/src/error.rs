@@ -268,8 +268,7 @@ pub enum Error {
         share: f64,
     },
     /// Constant speeds at which no state was found in which the machine stands.
-    #[error("no equilibrium was found with {at}: {}. Lower the loads to what the bearings carry at this speed, or \
-         start at a higher one", out_of_balance(.rows, .journals, *.share))]
+    #[error("no equilibrium was found with {at}: {}. {}", out_of_balance(.rows, .journals, *.share), remedy(.journals))]
     NotStanding {
         /// The bodies with their speeds.
         at: String,
@@ -279,6 +278,20 @@ pub enum Error {
         journals: Vec<(String, f64)>,
         /// As there.
         share: f64,
+    },
+    /// A state in which the force of a joint jumps, so that small motions about it have no stiffness.
+    #[error(
+        "with {at} the force of {joint} jumps by {jump:.3e} N where the machine stands: nothing says what small motions \
+         do there. Let the law change over a short distance or speed in place of a jump (`smooth`), or take another \
+         speed or load"
+    )]
+    Jumps {
+        /// The bodies with their speeds.
+        at: String,
+        /// The joint.
+        joint: String,
+        /// By how much (N).
+        jump: f64,
     },
     /// A balance at t = 0 that is none: nothing holds the machine in it.
     #[error(
@@ -339,7 +352,7 @@ impl Error {
 
     /// Whether it says that the machine does not stand at a speed, as at others it may.
     pub fn is_of_balance(&self) -> bool {
-        matches!(self, Error::NotStanding { .. } | Error::NoForce { .. })
+        matches!(self, Error::NotStanding { .. } | Error::NoForce { .. } | Error::Jumps { .. })
     }
 
     /// The errors that it is made of: itself, or several.
@@ -368,6 +381,16 @@ fn no_equilibrium(rows: &[(String, f64)], journals: &[(String, f64)], share: f64
          they do, or start at rest",
         out_of_balance(rows, journals, share)
     )
+}
+
+/// What helps a machine to stand at a speed.
+fn remedy(journals: &[(String, f64)]) -> &'static str {
+    if journals.is_empty() {
+        return "Look for a law that jumps where the loads are balanced, and let it change over a short distance (`smooth`), or \
+                for loads that nothing carries";
+    }
+    "Lower the loads to what the bearings carry at this speed, or take a higher one; a law that jumps where the loads are \
+     balanced must change over a short distance (`smooth`)"
 }
 
 fn out_of_balance(rows: &[(String, f64)], journals: &[(String, f64)], share: f64) -> String {

@@ -216,13 +216,19 @@ impl Machine {
 
     /// By body its speed over that of the first body of its train, as the gears have it.
     pub fn train_ratios(&self) -> Vec<f64> {
+        let trains = self.trains();
+        (0..self.bodies.len()).map(|body| trains.ratio(body)).collect()
+    }
+
+    /// What turns together by couplings and gears, by bodies.
+    pub(crate) fn trains(&self) -> Trains {
         let mut trains = Trains::new(self.bodies.len());
         for joint in self.twisting_joints() {
             let monitor = &self.monitors[joint];
             let ratio = monitor.planes.iter().find_map(|&own| self.springs.gear_ratio(own));
             trains.tie(monitor.bodies, ratio.unwrap_or(1.0));
         }
-        (0..self.bodies.len()).map(|body| trains.ratio(body)).collect()
+        trains
     }
 
     /// Places in q of rotations that laws of the angle tie to each other: of torsional couplings and of gears.

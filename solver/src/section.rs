@@ -19,6 +19,8 @@ use crate::sparse::SparseMatrix;
 
 /// Nodes of a section stand at its z to this part of the body's length.
 const FLAT: f64 = 1e-6;
+/// Nodes that an end face has at least.
+const FACE: usize = 3;
 
 /// A section of a body.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -85,7 +87,7 @@ struct Cut {
 }
 
 /// Planes of nodes nearest to these z (m), each once, at which a mesh can be cut: those with cells on both sides, and with no ties
-/// of loose cells from one side to the other. None of a body of matrices.
+/// of loose cells from one side to the other; and its end faces. None of a body of matrices.
 pub fn planes(mesh: &Mesh, wanted: &[f64]) -> Vec<f64> {
     cuts(mesh, wanted).into_iter().map(|own| own.z).collect()
 }
@@ -105,7 +107,17 @@ fn cuts(mesh: &Mesh, wanted: &[f64]) -> Vec<Cut> {
             let side = if middle(mesh, cell) > asked { &mut beyond } else { &mut before };
             cell.iter().for_each(|&node| side[node] = true);
         }
-        let shared: Vec<bool> = before.iter().zip(&beyond).map(|(a, b)| *a && *b).collect();
+        let mut shared: Vec<bool> = before.iter().zip(&beyond).map(|(a, b)| *a && *b).collect();
+        // At an end all cells are on one side, and its nodes are those of the end face.
+        for (end, other) in [(ends[0], &before), (ends[1], &beyond)] {
+            if !other.contains(&true) {
+                let near = FLAT * (ends[1] - ends[0]);
+                shared = mesh.nodes().iter().map(|own| (own[2] - end).abs() <= near).collect();
+                if shared.iter().filter(|own| **own).count() < FACE {
+                    shared.fill(false);
+                }
+            }
+        }
         let levels = || (0..count).filter(|&node| shared[node]).map(|node| mesh.nodes()[node][2]);
         let number = levels().count();
         let is_tied = ties.iter().any(|row| {

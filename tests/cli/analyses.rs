@@ -3,12 +3,16 @@
 mod built_in;
 mod closed_forms;
 mod coaxial;
+mod driven;
 mod figures;
 mod forces;
 mod invariance;
 mod lateral;
 mod matrices;
+mod not_round;
+mod notes;
 mod over_frequency;
+mod refused;
 mod sections;
 
 use std::f64::consts::TAU;

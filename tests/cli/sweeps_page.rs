@@ -49,7 +49,7 @@ fn the_page_on_sweeps_is_a_session_that_runs() {
         assert_eq!(found, stands, "{command}");
         commands += 1;
     }
-    assert_eq!(commands, 5);
+    assert_eq!(commands, 6);
     for name in ["together", "tolerances"] {
         let outcome = bench.whirl(&["check", &format!("{name}.toml")]);
         assert_eq!(outcome.status, 0, "{}", outcome.stderr);

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use whirl_solver::linear::{Campbell, Critical, LinearMachine, Mode, Whirl};
 
+use super::facts::Facts;
 use super::found::{Found, drawn, followed};
 use super::speeds::Wanted;
 use super::{roots, words};
@@ -36,7 +37,8 @@ pub(super) fn found(
     }
     let mut text = text(case, linear, of, &all);
     text += &words::doubts(&all.doubts);
-    Ok(Found { text, files, interrupted })
+    let facts = Facts::of_campbell(&all);
+    Ok(Found { text, files, interrupted, facts })
 }
 
 /// Every mode at every speed.
@@ -244,13 +246,11 @@ fn strokes(all: &Campbell, of: &dyn Fn(&Mode) -> f64, wide: &dyn Fn(&Mode) -> f6
     let mut strokes: Vec<Stroke> = Vec::new();
     for branch in &all.branches {
         let mut last: Option<(Style, f64, (f64, f64))> = None;
-        let mut before: Option<&Mode> = None;
         for (mode, &speed) in branch.iter().zip(&all.speeds) {
-            if !before.zip(mode.as_ref()).is_some_and(|(a, b)| roots::is_one(a, b)) {
+            let Some(mode) = mode else {
                 last = None;
-            }
-            before = mode.as_ref();
-            let Some(mode) = mode else { continue };
+                continue;
+            };
             let ((style, name), width) = (kind(mode, speed), wide(mode));
             let point = (words::rpm(speed), of(mode));
             match (&last, strokes.last_mut()) {

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use whirl_solver::linear::{JointCoefficients, LinearMachine, Standstill};
 use whirl_text::shown;
 
+use super::facts::Facts;
 use super::found::{Found, drawn};
 use super::speeds::Wanted;
 use super::states::{Ended, at_each_speed};
@@ -31,6 +32,7 @@ pub(super) fn found(
     );
     let mut single: Vec<(String, String)> = Vec::new();
     let mut whole = String::new();
+    let mut facts = Facts::default();
     let mut drawing: Vec<(String, Vec<(f64, [f64; 8])>)> = Vec::new();
     let head = [
         "joint",
@@ -50,9 +52,11 @@ pub(super) fn found(
     ];
     let mut rows = vec![head.map(str::to_owned).to_vec()];
     let mut work = |speed: f64, at: &Standstill| -> Result<(), Failure> {
+        facts.numbers.clear();
         for own in linear.coefficients_at(at, speed)? {
             let label = own.label.trim_start_matches('_').to_owned();
             let values = values(&own);
+            facts.joint(&label, &own, values);
             let numbers = values.map(|value| value.to_string()).join(",");
             match drawing.iter_mut().find(|(name, _)| *name == label) {
                 Some((_, all)) => all.push((words::rpm(speed), values)),
@@ -91,7 +95,7 @@ pub(super) fn found(
         }
         Ok(())
     };
-    let Ended { lost, interrupted } =
+    let Ended { notes, interrupted } =
         at_each_speed(linear, (analysis, wanted), interruption, &mut work)?;
     let name = &analysis.name;
     let mut files = vec![(format!("{name}.csv"), all.into_bytes())];
@@ -104,7 +108,7 @@ pub(super) fn found(
         let body = linear.machine().bodies[of].name();
         files.extend(drawn(name, &figure(case, body, &drawing)));
     }
-    let mut text = format!("{}: {}\n\n{}{lost}", case.name, case.title, table(&rows));
+    let mut text = format!("{}: {}\n\n{}{notes}", case.name, case.title, table(&rows));
     text.push_str(&words::at_the_speed(linear));
     if !whole.is_empty() {
         let file = format!("{name}.5x5.csv");
@@ -112,7 +116,8 @@ pub(super) fn found(
             .expect("text can be written");
         files.push((file, whole.into_bytes()));
     }
-    Ok(Found { text, files, interrupted })
+    facts.lines(&(words::at_the_speed(linear) + &notes));
+    Ok(Found { text, files, interrupted, facts })
 }
 
 fn values(own: &JointCoefficients) -> [f64; 8] {

@@ -2,6 +2,7 @@
 
 use whirl_solver::linear::{Campbell, LinearMachine, Range};
 
+use super::facts::Facts;
 use super::speeds::Wanted;
 use crate::case::Analysis;
 use crate::errors::Failure;
@@ -15,13 +16,15 @@ pub(super) fn nothing() -> Failure {
 }
 
 /// A text, and files.
-pub(super) struct Found {
+pub(crate) struct Found {
     /// For people.
-    pub(super) text: String,
+    pub(crate) text: String,
     /// Files by their names.
-    pub(super) files: Vec<(String, Vec<u8>)>,
+    pub(crate) files: Vec<(String, Vec<u8>)>,
     /// Whether it was interrupted before its end.
-    pub(super) interrupted: bool,
+    pub(crate) interrupted: bool,
+    /// For programs.
+    pub(super) facts: Facts,
 }
 
 /// A figure as files: SVG, and PNG where it can be made.

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use whirl_solver::linear::{LinearMachine, Undamped};
 
+use super::facts::Facts;
 use super::found::{Found, drawn, nothing};
 use super::speeds::Wanted;
 use super::words;
@@ -57,7 +58,11 @@ pub(super) fn found(
         "undamped critical speeds of {body} (rpm), all joints springs of one stiffness along x and y; f forward, b backward\n"
     );
     text.push_str(&shown(&all));
-    Ok(Found { text, files, interrupted: all.len() < stiffness.len() })
+    let mut facts = Facts::default();
+    if let [(_, speeds)] = all.as_slice() {
+        facts.undamped(speeds, |own| whirl(own) == "forward");
+    }
+    Ok(Found { text, files, interrupted: all.len() < stiffness.len(), facts })
 }
 
 /// How a motion goes round, seen by a body that turns from x to y.

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use whirl_solver::cache::Cache;
 use whirl_solver::linear::{LinearMachine, Mode, Standstill};
 
+use super::facts::Facts;
 use super::found::{Found, drawn};
 use super::shapes::Seen;
 use super::speeds::Wanted;
@@ -35,6 +36,7 @@ pub(super) fn found(
         _ => None,
     };
     let mut drawings = Vec::new();
+    let mut facts = Facts::default();
     let mut work = |speed: f64, at: &Standstill| -> Result<(), Failure> {
         let equations = linear.linearised(at)?;
         let modes = linear.modes(&equations, analysis.count)?;
@@ -79,7 +81,10 @@ pub(super) fn found(
         if !modes.is_stable() {
             line(&mut text, "the machine is NOT STABLE in this state: a motion grows");
         }
-        text.push_str(&words::doubts(&linear.doubts(at, &equations, &modes.oscillating)?));
+        let doubts = linear.doubts(at, &equations, &modes.oscillating)?;
+        text.push_str(&words::doubts(&doubts));
+        facts.modes(&modes, analysis.count);
+        facts.doubts(&doubts);
         text.push('\n');
         if let Some(seen) = &seen {
             let listed = &modes.oscillating[..modes.oscillating.len().min(analysis.count)];
@@ -87,9 +92,9 @@ pub(super) fn found(
         }
         Ok(())
     };
-    let Ended { lost, interrupted } =
+    let Ended { notes, interrupted } =
         at_each_speed(linear, (analysis, wanted), interruption, &mut work)?;
-    text.push_str(&lost);
+    text.push_str(&notes);
     let name = &analysis.name;
     let mut files = vec![(format!("{name}.csv"), file.into_bytes())];
     for (place, drawing) in drawings.iter().enumerate() {
@@ -99,7 +104,8 @@ pub(super) fn found(
         };
         files.extend(drawn(&stem, drawing));
     }
-    Ok(Found { text, files, interrupted })
+    facts.lines(&notes);
+    Ok(Found { text, files, interrupted, facts })
 }
 
 fn row(linear: &LinearMachine, place: usize, mode: &Mode, whirl: &str) -> Vec<String> {

@@ -1,6 +1,6 @@
 //! The root locus: eigenvalues of the modes over speed in their plane.
 
-use whirl_solver::linear::{Campbell, Mode};
+use whirl_solver::linear::Campbell;
 
 use super::words;
 use crate::figures::{Cloud, Figure, Label, Line, Mark, Panel, Style};
@@ -21,9 +21,9 @@ pub(super) fn figure(name: &str, body: &str, all: &Campbell) -> Figure {
     for (number, branch) in all.branches.iter().enumerate() {
         // A mode that is not listed at some speeds is no line across them.
         for piece in branch.split(Option::is_none) {
-            let modes: Vec<&Mode> = piece.iter().flatten().collect();
-            for piece in modes.chunk_by(|a, b| is_one(a, b)).filter(|own| own.len() > 1) {
-                let points = piece.iter().map(|own| (own.value.re, own.value.im)).collect();
+            let modes = piece.iter().flatten();
+            let points: Vec<_> = modes.map(|own| (own.value.re, own.value.im)).collect();
+            if points.len() > 1 {
                 let name = "a mode over speed".to_owned();
                 panel.lines.push(Line { points, style: Style::Limit, name });
             }
@@ -50,14 +50,6 @@ pub(super) fn figure(name: &str, body: &str, all: &Campbell) -> Figure {
     }
     let title = format!("{name}: roots over the speed of {body}");
     Figure { title, panels: vec![panel], columns: 1 }
-}
-
-/// Whether a line goes from a mode to the next of its branch: where one leaves the list as another one enters it, far away, it
-/// does not.
-pub(super) fn is_one(a: &Mode, b: &Mode) -> bool {
-    const FAR: f64 = 20.0;
-    let (least, most) = (a.value.norm().min(b.value.norm()), a.value.norm().max(b.value.norm()));
-    most < FAR * least
 }
 
 /// Where one of several stands on the scale of colours.

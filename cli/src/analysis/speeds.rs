@@ -1,5 +1,6 @@
 //! Over which speeds of which body an analysis is.
 
+use whirl_solver::bodies::Rotation;
 use whirl_solver::linear::LinearMachine;
 
 use crate::case::{Analysis, AnalysisKind, Case};
@@ -30,7 +31,12 @@ pub(super) fn wanted(
     analysis: &Analysis,
 ) -> Result<Wanted, Failure> {
     let top = |body: usize| case.machine.top_speed(body, case.run());
-    let fastest = linear.turning().max_by(|a, b| top(*a).total_cmp(&top(*b)).then(b.cmp(a)));
+    // Of equally fast ones the first whose speed is given, and not found.
+    let is_given = |body: usize| case.machine.bodies[body].rotation != Some(Rotation::Free);
+    let fastest = linear.turning().max_by(|&a, &b| {
+        let both = top(a).total_cmp(&top(b)).then(is_given(a).cmp(&is_given(b)));
+        both.then(b.cmp(&a))
+    });
     let at_one = matches!(
         analysis.kind,
         AnalysisKind::Modes
@@ -44,7 +50,9 @@ pub(super) fn wanted(
         }
         return Err(Failure::Argument {
             message: format!("nothing turns in `{}`: it has no speeds", case.name),
-            help: "try `whirl modes` without `--speeds`".to_owned(),
+            help: "`whirl modes` and `whirl coefficients` without `--speeds` are of machines that stand; a body turns by \
+                   `turns = \"prescribed\"` and its `speed`"
+                .to_owned(),
         });
     };
     if !analysis.speeds.is_empty() {

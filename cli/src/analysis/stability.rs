@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use whirl_solver::linear::{Campbell, LinearMachine, Mode};
 
+use super::facts::Facts;
 use super::found::{Found, drawn, followed};
 use super::speeds::Wanted;
 use super::{roots, words};
@@ -54,7 +55,8 @@ pub(super) fn found(
     text.push('\n');
     text.push_str(&words::thresholds(&all));
     text.push_str(&words::doubts(&all.doubts));
-    Ok(Found { text, files, interrupted })
+    let facts = Facts::of_stability(&all);
+    Ok(Found { text, files, interrupted, facts })
 }
 
 /// The listed mode with the smallest logarithmic decrement at a speed.

@@ -2,7 +2,7 @@
 //! films carry nothing at rest.
 
 use whirl_solver::Error;
-use whirl_solver::linear::{LinearMachine, Standstill};
+use whirl_solver::linear::{LinearMachine, Standstill, StateDoubts};
 
 use super::found::nothing;
 use super::speeds::Wanted;
@@ -13,8 +13,8 @@ use crate::signals::Interruption;
 
 /// How the speeds ended.
 pub(super) struct Ended {
-    /// What is said of speeds that were left out.
-    pub(super) lost: String,
+    /// What is said of speeds that were left out, and of what limits the worth of the states, a line each.
+    pub(super) notes: String,
     /// Whether some were not done.
     pub(super) interrupted: bool,
 }
@@ -29,7 +29,8 @@ pub(super) fn at_each_speed(
     interruption: &Interruption,
     work: &mut dyn FnMut(f64, &Standstill) -> Result<(), Failure>,
 ) -> Result<Ended, Failure> {
-    let (mut near, mut lost): (Option<Standstill>, _) = (None, Lost::default());
+    let (mut near, mut lost): (Option<(f64, Standstill)>, _) = (None, Lost::default());
+    let mut states = StateDoubts::default();
     let mut done = 0;
     for &speed in wanted.speeds.iter().take_while(|_| !interruption.asked()) {
         done += 1;
@@ -37,22 +38,23 @@ pub(super) fn at_each_speed(
             Some(of) => linear.speeds(of, speed, &analysis.ratios),
             None => Vec::new(),
         };
-        let Some(at) = lost.take(speed, linear.standing(&speeds, near.as_ref()))? else { continue };
+        let before = near.as_ref().map(|own| &own.1);
+        let Some(at) = lost.take(speed, linear.standing(&speeds, before))? else { continue };
+        states.take(linear, speed, &at);
         work(speed, &at)?;
-        near = Some(at);
+        near = Some((speed, at));
     }
     let lost = lost.words(near.is_some())?;
-    if near.is_none() {
-        return Err(nothing());
-    }
-    Ok(Ended { lost, interrupted: done < wanted.speeds.len() })
+    let Some((speed, at)) = &near else { return Err(nothing()) };
+    let notes = lost + &words::doubts(&states.told(linear, Some((*speed, at))));
+    Ok(Ended { notes, interrupted: done < wanted.speeds.len() })
 }
 
 /// Those that were left out, and why.
 #[derive(Default)]
 struct Lost {
     speeds: Vec<f64>,
-    first: Option<Error>,
+    last: Option<Error>,
 }
 
 impl Lost {
@@ -65,7 +67,7 @@ impl Lost {
             Ok(own) => Ok(Some(own)),
             Err(error) if error.is_of_balance() => {
                 self.speeds.push(speed);
-                self.first.get_or_insert(error);
+                self.last = Some(error);
                 Ok(None)
             }
             Err(error) => Err(error),
@@ -77,7 +79,7 @@ impl Lost {
     /// # Errors
     /// Why the machine stands at none of the speeds.
     fn words(self, found: bool) -> Result<String, Error> {
-        match (self.first, found) {
+        match (self.last, found) {
             (None, _) => Ok(String::new()),
             (Some(error), false) => Err(error),
             (Some(error), true) => {

@@ -104,7 +104,7 @@ pub(super) fn thresholds(all: &Campbell) -> String {
         some if some == all.speeds.len() => text.push_str("UNSTABLE at all these speeds\n"),
         _ => {}
     }
-    if let Some((_, error)) = all.lost.first() {
+    if let Some((_, error)) = all.lost.last() {
         let speeds: Vec<String> = all.lost.iter().map(|own| speed(own.0)).collect();
         let _ = writeln!(text, "left out: {} rpm, as {error}", speeds.join(", "));
     }

@@ -6,9 +6,12 @@ use whirl_codegen::document::Table;
 use whirl_codegen::document::tree::Place;
 use whirl_codegen::units::{Dimension, Quantity};
 
+use super::machine::MOST_SPEED;
 use super::{JoinedMachine, Lateral, lateral, names};
 use crate::values::range::{Range, is_range};
 
+/// Values of an analysis at most: more would fill the memory.
+const MOST: usize = 10_000;
 /// Speeds of a range that does not say how many.
 const SPEEDS: usize = 31;
 /// Modes, and orders of critical speeds, where none are asked for.
@@ -154,6 +157,11 @@ impl AnalysisKind {
         AnalysisKind::Lateral,
     ];
 
+    /// The kind that a case names so.
+    pub(crate) fn of(word: &str) -> Option<Self> {
+        AnalysisKind::ALL.into_iter().find(|own| own.word() == word)
+    }
+
     /// Orders where none are asked for.
     pub(crate) fn orders(self) -> Vec<f64> {
         if self == AnalysisKind::Torsion { TORSION.to_vec() } else { ORDERS.to_vec() }
@@ -210,8 +218,12 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
     let mut analysis = Analysis {
         name: name.to_owned(),
         count,
-        orders: if orders.is_empty() { kind.orders() } else { orders },
-        mesh_orders: if mesh_orders.is_empty() { MESH_ORDERS.to_vec() } else { mesh_orders },
+        orders: if orders.is_empty() { kind.orders() } else { each_once(&orders) },
+        mesh_orders: if mesh_orders.is_empty() {
+            MESH_ORDERS.to_vec()
+        } else {
+            each_once(&mesh_orders)
+        },
         margin,
         stations,
         probe_angle,
@@ -286,7 +298,19 @@ pub(crate) fn turning(joined: &JoinedMachine, name: &Located) -> Result<usize, B
 /// What is no speed.
 pub(crate) fn speeds(text: &Located) -> Result<Vec<f64>, Box<Diagnostic>> {
     let help = "write `speeds = \"0 rpm .. 30000 rpm, 61\"`, or one such as `\"3000 rpm\"`";
-    levels(text, &Dimension::ANGULAR_SPEED, ["speeds are angular speeds", "a speed"], help)
+    let words = ["speeds are angular speeds", "a speed"];
+    let all = levels(text, &Dimension::ANGULAR_SPEED, words, help)?;
+    if all.iter().any(|own| own.abs() > MOST_SPEED) {
+        let message = "no shaft turns with more than 10 million rpm";
+        return Err(text.error_here(Code::BAD_VALUE, message).help(help).into());
+    }
+    Ok(all)
+}
+
+/// Numbers without those that stand there before.
+pub(crate) fn each_once(all: &[f64]) -> Vec<f64> {
+    let is_first = |place: &usize| !all[..*place].contains(&all[*place]);
+    (0..all.len()).filter(is_first).map(|place| all[place]).collect()
 }
 
 /// Stiffnesses as they are written (N/m), ascending and above zero: a range, or one of them.
@@ -329,6 +353,10 @@ fn levels(
     let place = Place { source: text.source().clone(), span: text.span() };
     let range = Range::read(own, &place)?;
     let count = range.count.unwrap_or(SPEEDS);
+    if count > MOST {
+        let message = format!("an analysis goes through no more than {MOST} values");
+        return Err(text.error_here(Code::BAD_VALUE, message).help(help).into());
+    }
     let mut values = Vec::with_capacity(count);
     for k in 0..count {
         let level = range.even(k, count);

@@ -8,6 +8,7 @@ use whirl_solver::bodies::Rotation;
 use whirl_specs::Motion;
 
 use super::gravity::Gravity;
+use super::ground::GroundMotion;
 use super::joint::{Joint, Side};
 use super::named_body::{Form, NamedBody};
 use super::run::Run;
@@ -26,6 +27,8 @@ pub(crate) struct JoinedMachine {
     pub(crate) loads: Vec<Load>,
     /// Gravity, if there is any.
     pub(crate) gravity: Option<Gravity>,
+    /// How the ground is accelerated, if it is.
+    pub(crate) ground: Option<GroundMotion>,
     /// How rotation and deformation are coupled, alike in all bodies that turn.
     pub(crate) motion: &'static Motion,
     /// How the case says it: by its words messages and results name the parts.
@@ -75,7 +78,15 @@ impl JoinedMachine {
         let loads = self.loads.iter().filter_map(|own| Some(&own.load.table.as_ref()?.0));
         let drives = self.drives.iter().filter_map(|own| own.couple.table.as_ref());
         let turning = self.bodies.iter().filter_map(|own| own.speeds.as_ref());
-        loads.chain(drives).chain(turning).map(|own| own.source.clone()).collect()
+        let columns = loads.chain(drives).chain(turning).map(|own| own.source.clone());
+        columns.chain(self.ground.iter().map(|own| own.source.clone())).collect()
+    }
+
+    /// What acts on all mass alike at t = 0, as an acceleration (m/s²): gravity, less that of the ground.
+    pub(crate) fn field_at_start(&self) -> [f64; 3] {
+        let gravity = self.gravity.as_ref().map_or([0.0; 3], |own| own.acceleration);
+        let ground = self.ground.as_ref().map_or([0.0; 3], GroundMotion::at_start);
+        std::array::from_fn(|axis| gravity[axis] - ground[axis])
     }
 
     /// Whether the case names its bodies and joints.

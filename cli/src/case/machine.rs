@@ -19,11 +19,11 @@ pub(super) use self::drive::{leads_to_its_target, needs_a_section, read_one as d
 pub(super) use self::materials::Materials;
 pub(super) use self::motion::{default_motion, motion};
 use self::places::SHAFT;
-pub(super) use self::speed::speed;
+pub(super) use self::speed::{MOST_SPEED, speed};
 use super::joined_machine::{Drive, InputForm, JoinedMachine, Load};
 use super::library::FileStore;
 use super::named_body::Form;
-use super::{gravity, loads};
+use super::{gravity, ground, loads};
 
 /// One shaft on one support, as bodies by name; none where too much of it is missing. `goes_on`: the shaft has the speed of
 /// another run, and not that of the start.
@@ -40,6 +40,7 @@ pub(super) fn read(
     let drive = drive::drive(store, file, (!goes_on).then_some(start_speed.unwrap_or(0.0)));
     let loads = loads::read(store, file);
     let gravity = gravity::read(file);
+    let ground = ground::read(store, file);
     let ((mut shaft, motion), support, couple) = (shaft?, support?, drive?);
     shaft.initial_speed = start_speed;
     if let Form::Meshed(own) = &mut shaft.form {
@@ -56,6 +57,7 @@ pub(super) fn read(
         drives: vec![Drive { name: place.clone(), body: SHAFT, place, couple }],
         loads: loads.collect(),
         gravity,
+        ground,
         motion,
         form: InputForm::Shaft,
     })

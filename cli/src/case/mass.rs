@@ -12,7 +12,6 @@ use whirl_solver::loads::{Frame, Onset, TimeFunction};
 use whirl_solver::model::{AttachmentKind, LoadAction};
 use whirl_solver::rigid::RigidBody;
 
-use super::gravity;
 use super::joined::stop;
 use super::joined_machine::{InputForm, JoinedMachine, Load};
 use super::joint::{Joint, JointKind, Side};
@@ -23,6 +22,7 @@ use super::machine::motion;
 use super::named_body::{Attached, Form, NamedBody};
 use super::rotor::Bearing;
 use super::supports::SupportName;
+use super::{gravity, ground};
 
 /// Place of the mass among the bodies.
 const MASS: usize = 0;
@@ -37,6 +37,7 @@ pub(super) fn read(store: FileStore, file: &Table) -> Option<JoinedMachine> {
         .map(|(place, table)| table.read(|table| joint(store, table, (place + 1, turns))))
         .collect();
     let gravity = gravity::read(file);
+    let ground = ground::read(store, file);
     own?.read(|table| {
         let body = body(table);
         let force = table.quantity("force").filter(|force| *force != 0.0);
@@ -47,6 +48,7 @@ pub(super) fn read(store: FileStore, file: &Table) -> Option<JoinedMachine> {
             joints: joints.into_iter().collect::<Option<_>>()?,
             drives: Vec::new(),
             gravity,
+            ground,
             form: InputForm::Mass,
         })
     })

@@ -8,6 +8,7 @@ mod embedded;
 mod fields;
 mod gears;
 mod gravity;
+mod ground;
 mod joined;
 mod joined_machine;
 mod joint;
@@ -45,7 +46,7 @@ use whirl_codegen::diagnostic::{Code, Source};
 use crate::errors::Failure;
 
 pub(crate) use analyses::{
-    Analysis, AnalysisKind, MODES, MatrixFormat, speeds, stiffness, turning,
+    Analysis, AnalysisKind, MODES, MatrixFormat, each_once, speeds, stiffness, turning,
 };
 pub(crate) use columns::Columns;
 pub(crate) use cycle::TWO_REVOLUTIONS;
@@ -53,6 +54,7 @@ pub(crate) use dimensions::Dimensions;
 pub(crate) use embedded::embedded_cases;
 pub(crate) use fields::Fields;
 pub(crate) use gravity::Gravity;
+pub(crate) use ground::GroundMotion;
 pub(crate) use joined::axes_apart;
 pub(crate) use joined_machine::{
     Drive as JoinedDrive, InputForm, JoinedMachine, Load as JoinedLoad,
@@ -155,6 +157,11 @@ impl Case {
     /// The files read, the case itself first: paths and texts.
     pub fn files(&self) -> impl Iterator<Item = (&Path, &str)> {
         self.sources.iter().map(|source| (source.path.as_path(), source.text.as_str()))
+    }
+
+    /// Whether it says how it is marched.
+    pub fn is_marched(&self) -> bool {
+        self.march.is_some()
     }
 
     /// Steps that are asked for; rows where the program chooses the steps.

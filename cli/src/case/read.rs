@@ -113,16 +113,20 @@ pub(crate) fn draft(name: &str, purpose: Purpose) -> Result<Draft, Diagnostics> 
 ///
 /// # Errors
 /// As [`draft`].
-pub(crate) fn draft_of(text: &CaseText) -> Result<Draft, Diagnostics> {
-    draft_in(FileStore::Given(text), text.path(), None, Purpose::March)
+pub(crate) fn draft_of(text: &CaseText, purpose: Purpose) -> Result<Draft, Diagnostics> {
+    draft_in(FileStore::Given(text), text.path(), None, purpose)
 }
 
 /// As [`draft_of`], with other values of some keys.
 ///
 /// # Errors
 /// As [`draft`].
-pub(crate) fn draft_with(text: &CaseText, values: Tree) -> Result<Draft, Diagnostics> {
-    draft_in(FileStore::Given(text), text.path(), Some(values), Purpose::March)
+pub(crate) fn draft_with(
+    text: &CaseText,
+    values: Tree,
+    purpose: Purpose,
+) -> Result<Draft, Diagnostics> {
+    draft_in(FileStore::Given(text), text.path(), Some(values), purpose)
 }
 
 fn draft_in(
@@ -209,6 +213,7 @@ fn machine(store: FileStore, file: &Table, start: Option<&StartDraft>) -> Option
         );
         file.pass_over("material");
         file.pass_over("gravity");
+        file.pass_over("ground_motion");
         return None;
     }
     if !file.gives("mass") {

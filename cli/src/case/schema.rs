@@ -49,6 +49,7 @@ const CASE: &[Key] = &[
     key("loads", Named(&Table(&[joined::LOAD, ACTING])), "forces and couples on bodies"),
     key("gravity", Tuple(&GRAVITY, 3), "along x, y and z, on all bodies")
         .like("[\"-9.81 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]"),
+    key("ground_motion", Table(&[GROUND_MOTION]), "acceleration of the ground over time"),
     key("mass", Table(&[LUMPED]), "instead of shaft and support: one mass"),
     key("stop", List(&Table(&[STOP])), "what the mass may hit"),
     key("start", Table(&[BEGINNING]), "initial state; at rest if left out"),
@@ -186,6 +187,16 @@ const DRIVE: &[Key] = &[
 const LOAD: &[Key] = &[needed("sets", NAMES, "node sets").like("[\"LOAD1\"]")];
 
 /// What a load does, of a shaft and of a body by name.
+const GROUND_MOTION: &[Key] = &[
+    needed("table", Text, "accelerations over time: `time [s], x [g], y [m/s^2]`")
+        .like("\"quake.csv\""),
+    key("factor", Between(-1000.0, 1000.0), "by which they are multiplied; 1 if left out")
+        .like("0.5"),
+    key("x", Text, "the column along x; `x` if left out").like("\"NS\""),
+    key("y", Text, "the column along y; `y` if left out").like("\"EW\""),
+    key("z", Text, "the column along z; `z` if left out").like("\"UD\""),
+];
+
 const ACTING: &[Key] = &[
     key("force", Either(&[FORCE, Tuple(&FORCE, 3)]), "its amplitude, or a list along x, y and z"),
     key(

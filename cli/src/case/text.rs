@@ -55,6 +55,23 @@ impl CaseText {
         self
     }
 
+    /// A copy with values of more keys, or others of the same ones.
+    pub(crate) fn with_more_values<'k>(
+        &self,
+        values: impl Iterator<Item = (&'k str, String)>,
+    ) -> CaseText {
+        let key_of = |line: &str| line.split_once('=').map(|own| own.0.trim().to_owned());
+        let mut lines: Vec<String> = self.values.lines().map(str::to_owned).collect();
+        for (key, value) in values {
+            lines.retain(|own| key_of(own).as_deref() != Some(key));
+            lines.push(format!("{key} = {value}"));
+        }
+        let values = lines.iter().map(|own| format!("{own}\n")).collect();
+        let read = self.read.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        let (path, text, files) = (self.path.clone(), self.text.clone(), self.files.clone());
+        CaseText { path, text, files, values, read: Mutex::new(read) }
+    }
+
     /// Those values.
     pub fn values(&self) -> &str {
         &self.values

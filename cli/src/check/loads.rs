@@ -5,11 +5,12 @@ use std::fmt::Write;
 use whirl_solver::model::AttachmentKind;
 use whirl_text::rounded;
 
-use crate::case::{Gravity, JoinedMachine};
+use crate::case::{Gravity, GroundMotion, JoinedMachine};
 
-/// Drives, loads, unbalance and gravity.
+/// Drives, loads, unbalance, gravity and the motion of the ground.
 pub(super) fn say(text: &mut String, joined: &JoinedMachine) {
-    let all = [drives(joined), loads(joined), unbalance(joined), gravity(joined)].concat();
+    let all = [drives(joined), loads(joined), unbalance(joined), gravity(joined), ground(joined)]
+        .concat();
     if !all.is_empty() {
         line!(text, "\nLoads\n{}", all.join("\n"));
     }
@@ -62,4 +63,16 @@ fn gravity(joined: &JoinedMachine) -> Vec<String> {
         format!("gravity: {} m/s² along x, y, z", parts.join(", "))
     };
     joined.gravity.iter().map(of).collect()
+}
+
+fn ground(joined: &JoinedMachine) -> Vec<String> {
+    let of = |own: &GroundMotion| {
+        let axes = ["x", "y", "z"].into_iter().zip(&own.axes).zip(own.largest);
+        let there = axes.filter(|((_, curve), _)| curve.is_some());
+        let parts =
+            there.map(|((axis, _), most)| format!("{} m/s² along {axis}", rounded(most, 4)));
+        let parts = parts.collect::<Vec<_>>().join(", ");
+        format!("ground motion by table `{}`: up to {parts}", own.name.text())
+    };
+    joined.ground.iter().map(of).collect()
 }

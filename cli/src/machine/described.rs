@@ -128,7 +128,7 @@ impl<'a> Described<'a> {
         if let Some(failure) = rest {
             return Err(failure);
         }
-        warnings.extend(forces::unmoved(self.joined.gravity.as_ref(), &bodies));
+        warnings.extend(forces::unmoved(self.joined, &bodies));
         let facts = (!facts.is_empty()).then_some(BodyFacts { bodies: facts, wall, cached });
         Ok((bodies, facts))
     }

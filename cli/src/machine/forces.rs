@@ -3,13 +3,14 @@
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
+use whirl_codegen::diagnostic::Located;
 use whirl_codegen::units::Dimension;
 use whirl_solver::bodies::Body;
 use whirl_solver::curve::Curve;
 use whirl_solver::loads::{Frame, Onset, Target, TimeFunction};
 use whirl_solver::model::{Attachment, AttachmentKind, LoadAction, LoadModel, Place};
 
-use crate::case::{Columns, Gravity, JoinedDrive, JoinedLoad};
+use crate::case::{Columns, Gravity, GroundMotion, JoinedDrive, JoinedLoad, JoinedMachine};
 
 /// A load of a case.
 pub(super) fn load(own: &JoinedLoad, place: &Place) -> LoadModel {
@@ -71,9 +72,23 @@ pub(super) fn acceleration(own: Option<&Gravity>) -> [f64; 3] {
     own.map_or([0.0; 3], |own| own.acceleration)
 }
 
-/// What is to be said of bodies that do not move along gravity.
-pub(super) fn unmoved(own: Option<&Gravity>, bodies: &[Body]) -> Option<String> {
-    let own = own.filter(|own| own.acceleration[2] != 0.0)?;
+/// Accelerations of the ground (m/s² over s) along x, y and z.
+pub(super) fn ground(own: Option<&GroundMotion>) -> [Option<Arc<Curve>>; 3] {
+    own.map_or([None, None, None], |own| own.axes.clone())
+}
+
+/// What is to be said of bodies that do not move along gravity, nor with the ground.
+pub(super) fn unmoved(machine: &JoinedMachine, bodies: &[Body]) -> Vec<String> {
+    let gravity = machine.gravity.as_ref().filter(|own| own.acceleration[2] != 0.0);
+    let ground = machine.ground.as_ref().filter(|own| own.largest[2] != 0.0);
+    let gravity = gravity.map(|own| ("`gravity`", &own.place));
+    let ground = ground.map(|own| ("`[ground_motion]`", &own.name));
+    let all = gravity.into_iter().chain(ground);
+    all.filter_map(|(what, place)| without_effect(what, place, bodies)).collect()
+}
+
+/// That the part along z of what acts on all bodies has no effect on some.
+fn without_effect(what: &str, place: &Located, bodies: &[Body]) -> Option<String> {
     let heavy = bodies.iter().filter(|body| body.centre_of_mass().mass > 0.0);
     let moves = |body: &Body| {
         let shapes = &body.centre_of_mass().node.shapes;
@@ -83,9 +98,9 @@ pub(super) fn unmoved(own: Option<&Gravity>, bodies: &[Body]) -> Option<String> 
         heavy.filter(|body| !moves(body)).map(|body| format!("`{}`", body.name())).collect();
     (!still.is_empty()).then(|| {
         format!(
-            "{}: the part of `gravity` along z has no effect on {}, which {} not move along z: with `moves_along_z = true` \
+            "{}: the part of {what} along z has no effect on {}, which {} not move along z: with `moves_along_z = true` \
              a rigid body does",
-            own.place.source().path.display(),
+            place.source().path.display(),
             still.join(", "),
             if still.len() == 1 { "does" } else { "do" }
         )

@@ -49,7 +49,18 @@ pub(crate) fn read_to_analyse(name: &str, warnings: &mut Vec<String>) -> Result<
 /// # Errors
 /// As [`read`].
 pub(crate) fn read_text(text: &CaseText, warnings: &mut Vec<String>) -> Result<Case, Failure> {
-    checked(case::draft_of(text)?, warnings)
+    checked(case::draft_of(text, Purpose::March)?, warnings)
+}
+
+/// As [`read_text`], of a case that need not be marched.
+///
+/// # Errors
+/// As [`read`].
+pub(crate) fn read_text_to_analyse(
+    text: &CaseText,
+    warnings: &mut Vec<String>,
+) -> Result<Case, Failure> {
+    checked(case::draft_of(text, Purpose::Analysis)?, warnings)
 }
 
 /// As [`read_text`], with other values of some keys.
@@ -59,9 +70,10 @@ pub(crate) fn read_text(text: &CaseText, warnings: &mut Vec<String>) -> Result<C
 pub(crate) fn read_with(
     text: &CaseText,
     values: Tree,
+    purpose: Purpose,
     warnings: &mut Vec<String>,
 ) -> Result<Case, Failure> {
-    checked(case::draft_with(text, values)?, warnings)
+    checked(case::draft_with(text, values, purpose)?, warnings)
 }
 
 fn checked(mut draft: Draft, warnings: &mut Vec<String>) -> Result<Case, Failure> {

@@ -3,7 +3,9 @@
 use std::cell::Cell;
 use std::collections::BTreeSet;
 use std::fmt::Write;
+use std::num::NonZero;
 use std::path::Path;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use whirl_solver::cache::{Cache, Key};
@@ -15,9 +17,11 @@ use super::definition::{Keep, Sweep};
 use super::examine::examine;
 use super::points::Point;
 use super::workers;
+use crate::analysis::{self, AtPoint};
 use crate::case::Case;
 use crate::errors::Failure;
 use crate::progress::{self, ProgressMode};
+use crate::signals::Interruption;
 use crate::simulate::{Watch, in_memory};
 use crate::values::level::digits;
 use crate::{machine, streams};
@@ -52,6 +56,7 @@ pub(crate) fn check(path: &Path, cache: Option<Cache>) -> Result<String, Failure
     let first = sweep.point(0);
     let case = sweep.case(&first, &mut Vec::new())?;
     line!(text, "case {}: {}\n", case.name, case.title);
+    say_done(&mut text, &sweep);
     say_bodies(&mut text, &sweep, cache.as_ref());
     say_effort(&mut text, &sweep, (&case, &first), (cache, jobs))?;
     Ok(text)
@@ -96,6 +101,16 @@ fn say_points(text: &mut String, sweep: &Sweep) {
             sweep.chain()
         );
     }
+}
+
+/// What is done of every point, where that is not a run alone.
+fn say_done(text: &mut String, sweep: &Sweep) {
+    if sweep.analyses.is_empty() {
+        return;
+    }
+    let names: Vec<String> = sweep.analyses.iter().map(|own| format!("`{}`", own.text())).collect();
+    let run = if sweep.marches { "run, and " } else { "" };
+    line!(text, "each is {run}analysed: {}", names.join(", "));
 }
 
 /// Bodies by what they depend on. Axes act on them independently of each other, as far as this looks.
@@ -155,6 +170,9 @@ fn say_effort(
     (case, first): (&Case, &Point),
     (cache, jobs): (Option<Cache>, usize),
 ) -> Result<(), Failure> {
+    if !sweep.marches {
+        return say_analyses(text, sweep, (case, first), (cache, jobs));
+    }
     let build = || machine::build_planned(case, cache.as_ref(), &mut Vec::new());
     let built = progress::during(ProgressMode::on_terminal(), case.reducing(), build)?;
     let trial = Trial { start: Instant::now(), steps: Cell::new(0) };
@@ -189,6 +207,48 @@ fn say_effort(
         bytes += sweep.count() as f64 * rows * columns * DIGITS_OF_HISTORY;
     }
     line!(text, "about {} on disk", size(bytes));
+    Ok(())
+}
+
+/// The same of points that are only analysed, by the first of them.
+fn say_analyses(
+    text: &mut String,
+    sweep: &Sweep,
+    (case, first): (&Case, &Point),
+    (cache, jobs): (Option<Cache>, usize),
+) -> Result<(), Failure> {
+    let analyses = analysis::named(case, &sweep.analyses)?;
+    let show = ProgressMode::on_terminal();
+    let cache = Cache::shared(cache);
+    let build = || machine::build_planned(case, Some(&cache), &mut Vec::new());
+    let built = match analysis::need_machine(&analyses) {
+        true => Some(progress::during(show, case.reducing(), build)?),
+        false => None,
+    };
+    let interruption = Interruption::by(Arc::default());
+    let (built, threads) = (built.as_ref(), NonZero::<usize>::MIN);
+    let at = AtPoint { case, built, cache: &cache, interruption: &interruption, threads };
+    let start = Instant::now();
+    let work = || at.facts(&analyses, &mut Vec::new());
+    match progress::during(show, "analysing the first point", work) {
+        Ok(facts) => {
+            let total = start.elapsed().as_secs_f64() * sweep.count() as f64 / jobs as f64;
+            let total = Duration::from_secs_f64(total.min(1e15));
+            line!(
+                text,
+                "{} on {jobs} {}, if all points take as long as the first",
+                match total.as_secs() {
+                    0 => "less than a second".to_owned(),
+                    _ => format!("about {}", progress::words(total)),
+                },
+                if jobs == 1 { "core" } else { "cores" }
+            );
+            let numbers = (10 + facts.numbers.len() + sweep.keys.len()) as f64;
+            let bytes = sweep.count() as f64 * numbers * (DIGITS_OF_TABLE + 2.0 * BINARY);
+            line!(text, "about {} on disk", size(bytes));
+        }
+        Err(failure) => line!(text, "point {} cannot be analysed: {failure}", first.number()),
+    }
     Ok(())
 }
 

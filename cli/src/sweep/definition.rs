@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use whirl_codegen::diagnostic::Source;
+use whirl_codegen::diagnostic::{Located, Source};
 
 use super::axis::{Along, Axis};
 use super::vary::Varied;
@@ -28,6 +28,10 @@ pub struct Sweep {
     /// Points of a Latin hypercube, if it is one.
     pub(super) samples: Option<usize>,
     pub(super) keep: Keep,
+    /// Whether points are marched.
+    pub(super) marches: bool,
+    /// Names of the analyses that are done of each.
+    pub(super) analyses: Vec<Located>,
 }
 
 /// What is kept of every point beside its row.

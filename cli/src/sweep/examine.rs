@@ -11,7 +11,8 @@ use whirl_codegen::diagnostic::{Diagnostic, Diagnostics};
 use super::definition::Sweep;
 use super::identity::Inputs;
 use super::points::Point;
-use crate::case::Case;
+use crate::analysis;
+use crate::case::{Case, Purpose};
 use crate::checkpoint::Identity;
 use crate::errors::Failure;
 use crate::machine;
@@ -22,8 +23,12 @@ impl Sweep {
     /// # Errors
     /// Everything that is wrong with it, at the places of its values in the sweep, or in the case.
     pub fn case(&self, point: &Point, warnings: &mut Vec<String>) -> Result<Case, Failure> {
-        let case = machine::read_with(&self.base, self.tree(point), warnings)?;
-        case.marched()?;
+        let purpose = if self.marches { Purpose::March } else { Purpose::Analysis };
+        let case = machine::read_with(&self.base, self.tree(point), purpose, warnings)?;
+        if self.marches {
+            case.marched()?;
+        }
+        analysis::named(&case, &self.analyses)?;
         Ok(case)
     }
 

@@ -5,5 +5,22 @@ pub(super) const CSV: &str = "table.csv";
 /// The same for programs that read many rows.
 pub(super) const PARQUET: &str = "table.parquet";
 /// Names of all figures that a sweep may draw, without their endings.
-pub(super) const FIGURES: [&str; 7] =
-    ["reactions", "eccentricity", "displacement", "orders", "stresses", "bifurcation", "waterfall"];
+pub(super) const FIGURES: [&str; 17] = [
+    "reactions",
+    "eccentricity",
+    "displacement",
+    "orders",
+    "stresses",
+    "bifurcation",
+    "waterfall",
+    "thresholds",
+    "decrements",
+    "critical-speeds",
+    "frequencies",
+    "amplitudes",
+    "amplification",
+    "coefficients",
+    "margins",
+    "separations",
+    "moments",
+];

@@ -49,10 +49,13 @@ impl Inputs {
             Keep::Nothing => "nothing",
             Keep::Histories => "histories",
         };
+        let analyses: Vec<&str> = sweep.analyses.iter().map(|own| own.text()).collect();
         let fixed = [
             ("the program", version::SOURCES.to_owned()),
             ("the kind of processor", instruction_set()),
             ("`keep`", keep.to_owned()),
+            ("`analyse`", analyses.join(", ")),
+            ("`march`", sweep.marches.to_string()),
         ];
         let fixed = fixed.map(|(what, value)| (what.to_owned(), value));
         Identity::new(fixed.into_iter().chain(self.0).collect())

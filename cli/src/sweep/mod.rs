@@ -46,6 +46,8 @@ pub(crate) struct Order<'a> {
     /// A sweep file, or a case with what varies of it.
     pub(crate) file: &'a str,
     pub(crate) vary: &'a [String],
+    /// Names of analyses in place of runs.
+    pub(crate) analyses: &'a [String],
     /// Folder of the results; one by the name of the sweep if there is none.
     pub(crate) out: Option<&'a Path>,
     pub(crate) figures: bool,
@@ -104,6 +106,12 @@ pub(crate) fn sweep(order: &Order) -> Result<(), Failure> {
 /// Everything that is wrong with it.
 fn asked(order: &Order) -> Result<Sweep, Failure> {
     let name = order.file;
+    if let (true, [_, ..]) = (is_sweep(name), order.analyses) {
+        return Err(Failure::Argument {
+            message: format!("`{name}` says itself what is done at its points"),
+            help: "add a line such as `analyse = [\"stability\"]` to it".to_owned(),
+        });
+    }
     match (is_sweep(name), order.vary) {
         (true, []) => Sweep::of_file(Path::new(name)),
         (true, _) => Err(Failure::Argument {
@@ -111,7 +119,7 @@ fn asked(order: &Order) -> Result<Sweep, Failure> {
             help: "change its `[vary]`, or name a case in place of it".to_owned(),
         }),
         (false, []) => read::of_no_sweep(name),
-        (false, varied) => read::of_arguments(name, varied),
+        (false, varied) => read::of_arguments(name, varied, order.analyses),
     }
 }
 

@@ -19,6 +19,7 @@ use crate::values::level::{Level, as_toml, quoted};
 
 /// What messages call the arguments of the command line.
 const COMMAND_LINE: &str = "--vary";
+const ANALYSE: &str = "--analyse";
 
 impl Sweep {
     /// Reads a sweep file.
@@ -60,11 +61,15 @@ pub(crate) fn is_sweep(name: &str) -> bool {
             .is_ok_and(|source| Tree::parse(&source).0.entries.contains_key("vary"))
 }
 
-/// The sweep of a case by what the command line says, each as `KEY=RANGE`.
+/// The sweep of a case by what the command line says: what varies, each as `KEY=RANGE`, and names of analyses.
 ///
 /// # Errors
 /// As [`Sweep::of_file`].
-pub(super) fn of_arguments(case: &str, varied: &[String]) -> Result<Sweep, Failure> {
+pub(super) fn of_arguments(
+    case: &str,
+    varied: &[String],
+    analyses: &[String],
+) -> Result<Sweep, Failure> {
     let mut text = String::new();
     for own in varied {
         let Some((key, values)) = own.split_once('=') else {
@@ -100,6 +105,8 @@ pub(super) fn of_arguments(case: &str, varied: &[String]) -> Result<Sweep, Failu
         along,
         samples: None,
         keep: Keep::Nothing,
+        marches: analyses.is_empty(),
+        analyses: analyses.iter().map(|own| Located::alone(ANALYSE, own)).collect(),
     })
 }
 
@@ -133,16 +140,19 @@ fn assemble(source: &Arc<Source>, tree: Tree, name: &str) -> (Option<Sweep>, Dia
     let varied = tree.entries.get("vary").map(|(_, node)| node.clone());
     let document = Document::of_case(source, tree).called("sweep");
     let mut errors = Diagnostics::new();
-    let (title, case, options, keep) = document.root(Sweep::SHAPE).read(|file| {
-        let title =
-            file.optional_string("title").map_or(String::new(), |own| own.text().to_owned());
-        file.has("vary");
-        let keep = match file.optional_word("keep") {
-            Some("histories") => Keep::Histories,
-            _ => Keep::Nothing,
-        };
-        (title, file.optional_string("case"), options(file), keep)
-    });
+    let (title, case, options, keep, (marches, analyses)) =
+        document.root(Sweep::SHAPE).read(|file| {
+            let title =
+                file.optional_string("title").map_or(String::new(), |own| own.text().to_owned());
+            file.has("vary");
+            let keep = match file.optional_word("keep") {
+                Some("histories") => Keep::Histories,
+                _ => Keep::Nothing,
+            };
+            let options = options(file);
+            let done = done(file, &options, keep);
+            (title, file.optional_string("case"), options, keep, done)
+        });
     let keys = varied.map(|node| vary::read(&node, &mut errors)).unwrap_or_default();
     let base = case.and_then(|case| {
         let beside = source.path.parent().map_or(case.text().into(), |own| own.join(case.text()));
@@ -170,6 +180,8 @@ fn assemble(source: &Arc<Source>, tree: Tree, name: &str) -> (Option<Sweep>, Dia
         along,
         samples,
         keep,
+        marches,
+        analyses,
     });
     (sweep, all)
 }
@@ -184,6 +196,37 @@ fn options(file: &Table) -> Options {
         continued: file.optional_word("continue").map(|word| (word, file.written("continue"))),
         along: file.optional_string("along"),
     }
+}
+
+/// Whether points are marched, and which analyses are done of them.
+fn done(file: &Table, options: &Options, keep: Keep) -> (bool, Vec<Located>) {
+    let analyses = file.texts("analyse");
+    let march = file.optional_boolean("march");
+    let marches = match file.gives("analyse") {
+        true => march == Some(true),
+        false => true,
+    };
+    let refuse = |place: &Located, message: &str, help: &str| {
+        file.push(place.error_here(Code::BAD_VALUE, message).help(help));
+    };
+    if let (Some(false), false) = (march, file.gives("analyse")) {
+        let help = "name analyses by `analyse`, or leave it out";
+        refuse(&file.written("march"), "points are neither run nor analysed", help);
+    }
+    if let (Some((_, place)), false) = (&options.continued, marches) {
+        let help = "leave out `continue`, or add `march = true`";
+        refuse(place, "only runs can start as the one before ended", help);
+    }
+    if (keep, marches) == (Keep::Histories, false) {
+        let help = "leave out `keep`, or add `march = true`";
+        refuse(&file.written("keep"), "points that are only analysed have no histories", help);
+    }
+    for (place, own) in analyses.iter().enumerate() {
+        if analyses[..place].iter().any(|other| other.text() == own.text()) {
+            refuse(own, &format!("`{}` stands twice", own.text()), "leave it out");
+        }
+    }
+    (marches, analyses)
 }
 
 /// That there is no such case, where the sweep names it.

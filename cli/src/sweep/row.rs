@@ -8,7 +8,7 @@ use crate::case::Case;
 use crate::errors::Failure;
 
 /// A point that is done, well or not.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Row {
     pub(super) verdict: Verdict,
     /// What the verdict found, or why there are no numbers, or why the run ended early; in one line.
@@ -20,9 +20,10 @@ pub(super) struct Row {
 }
 
 /// Whether the numbers of a point can be believed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) enum Verdict {
-    /// By its own judgement.
+    /// By its own judgement, or analysed.
+    #[default]
     Sound,
     /// By its own judgement not.
     NotSound,
@@ -74,7 +75,7 @@ impl Row {
     /// Adds to what is said of the point.
     pub(super) fn remark(&mut self, words: &str) {
         let apart = if self.words.is_empty() { "" } else { "; " };
-        self.words = format!("{}{apart}{words}", self.words);
+        self.words = format!("{}{apart}{}", self.words, one_line(words));
     }
 }
 

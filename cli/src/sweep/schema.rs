@@ -45,6 +45,13 @@ const SWEEP: &[Key] = &[
     key("along", Text, "the key along which it is continued; the last one if left out")
         .like("\"load.1.force\""),
     key(
+        "analyse",
+        Either(&[Text, List(&Text)]),
+        "analyses of the case that are done at every point, in place of a run",
+    )
+    .like("[\"stability\"]"),
+    key("march", Flag, "with `analyse`: whether points are run as well; false if left out"),
+    key(
         "keep",
         Words(&["nothing", "histories"]),
         "of every point beside its row; nothing if left out",

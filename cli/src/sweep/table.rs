@@ -1,5 +1,6 @@
 //! The table of a sweep: a row for every point that is done, in the order of the points.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
@@ -49,7 +50,7 @@ impl Counts {
 /// Columns of a table.
 pub(super) struct Layout {
     pub(super) varied: Vec<Column>,
-    /// Numbers of summaries, in the order in which points have them first.
+    /// Numbers of points, in the order in which these have them.
     pub(super) numbers: Vec<String>,
     /// For each list of names of the journal: where its numbers stand among these.
     places: Vec<Vec<usize>>,
@@ -63,18 +64,13 @@ impl Layout {
     fn new(sweep: &Sweep, kept: &mut Kept) -> Result<Self, String> {
         let mut used = vec![false; kept.names.len()];
         let mut numbers: Vec<String> = Vec::new();
-        let mut known = std::collections::BTreeMap::new();
         for number in 0..sweep.count() {
             let Some((list, _)) = kept.row(number)? else { continue };
             if !std::mem::replace(&mut used[list], true) {
-                for name in &kept.names[list] {
-                    known.entry(name.clone()).or_insert_with(|| {
-                        numbers.push(name.clone());
-                        numbers.len() - 1
-                    });
-                }
+                merge(&mut numbers, &kept.names[list]);
             }
         }
+        let known: BTreeMap<&String, usize> = numbers.iter().zip(0..).collect();
         let place = |name: &String| known.get(name).copied().unwrap_or(0);
         let places = kept.names.iter().map(|own| own.iter().map(place).collect()).collect();
         Ok(Layout { varied: sweep.keys.iter().map(Column::of).collect(), numbers, places })
@@ -98,6 +94,22 @@ impl Layout {
             numbers[*place] = *value;
         }
         numbers
+    }
+}
+
+/// Adds the names that are not there, each behind the one before it.
+fn merge(numbers: &mut Vec<String>, names: &[String]) {
+    if numbers.is_empty() {
+        return numbers.extend(names.iter().cloned());
+    }
+    let known: BTreeSet<String> = numbers.iter().cloned().collect();
+    let mut behind: Option<&String> = None;
+    for name in names {
+        if !known.contains(name) {
+            let last = behind.and_then(|own| numbers.iter().position(|other| other == own));
+            numbers.insert(last.map_or(0, |last| last + 1), name.clone());
+        }
+        behind = Some(name);
     }
 }
 

@@ -1,7 +1,9 @@
 //! The points of a sweep on all cores, one point a core, and their rows on the way to disk.
 
 use std::collections::BTreeSet;
+use std::num::NonZero;
 use std::path::Path;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::thread;
@@ -70,16 +72,19 @@ pub(super) fn run(
     };
     ended.begun = true;
     let shown = PointsShown::new(show, sweep.count(), kept.as_ref().map_or(0, Kept::done), jobs);
-    let (stop, next) = (AtomicBool::new(false), AtomicUsize::new(0));
+    let (stop, next) = (Arc::new(AtomicBool::new(false)), AtomicUsize::new(0));
     let chains = sweep.chains();
+    let workers = jobs.min(chains).max(1);
+    // Analyses have threads of their own where there are fewer points at a time than processors.
+    let threads = NonZero::new(cores() / workers).unwrap_or(NonZero::<usize>::MIN);
+    let interruption = &interruption.or_by(stop.clone());
     let results = &*results;
     thread::scope(|scope| {
         let (sender, receiver) = sync_channel(BATCH);
-        for worker in 0..jobs.min(chains).max(1) {
-            let (sender, stop, next, kept, shown) =
-                (sender.clone(), &stop, &next, kept.as_ref(), &shown);
+        for worker in 0..workers {
+            let (sender, next, kept, shown) = (sender.clone(), &next, kept.as_ref(), &shown);
             scope.spawn(move || {
-                let watch = Stop { stop, interruption, shown, worker };
+                let watch = Stop { interruption, shown, worker, threads };
                 loop {
                     let chain = next.fetch_add(1, Ordering::Relaxed);
                     if chain >= chains || watch.asked() {
@@ -92,7 +97,7 @@ pub(super) fn run(
             });
         }
         drop(sender);
-        let all = (&shown, &mut ended.warnings, &stop);
+        let all = (&shown, &mut ended.warnings, &*stop);
         let written = keep_rows((sweep, results), &mut journal, &receiver, all);
         if let Err(reason) = written {
             ended.stopped = Some(reason);
@@ -140,7 +145,9 @@ fn follow(
         let point = sweep.point(number);
         let beside = (number > first && last != Some(number - 1)).then(|| goes_on_from(last));
         watch.shown.begun(watch.worker);
-        let mut done = match point::run((sweep, &point), state.as_deref(), (cache, results), watch)
+        let analysed = (watch.interruption, watch.threads);
+        let from = state.as_deref();
+        let mut done = match point::run((sweep, &point), from, (cache, results), (watch, analysed))
         {
             Ok(done) => done,
             Err(Undone::Interrupted) => return Break(()),
@@ -243,10 +250,11 @@ fn not_written(path: &Path, reason: &str) -> String {
 
 /// Ends a point where the user wants that, or another one cannot be kept.
 struct Stop<'s> {
-    stop: &'s AtomicBool,
     interruption: &'s Interruption,
     shown: &'s PointsShown,
     worker: usize,
+    /// Of an analysis.
+    threads: NonZero<usize>,
 }
 
 impl Watch for Stop<'_> {
@@ -259,6 +267,6 @@ impl Watch for Stop<'_> {
     }
 
     fn asked(&self) -> bool {
-        self.stop.load(Ordering::Relaxed) || self.interruption.asked()
+        self.interruption.asked()
     }
 }

@@ -1,6 +1,7 @@
 //! Springs between journals and bores: where they stand, how far the film is open there, what they push.
 
 mod apart;
+mod beside;
 mod bore;
 mod bores;
 mod frequency_law;
@@ -38,6 +39,7 @@ pub use springs::Springs;
 pub use state::SpringState;
 pub use valid::{Measure, Worst};
 
+pub(crate) use beside::Poses;
 pub(crate) use bore::axis_motion;
 pub(crate) use bores::Bores;
 pub(crate) use mirrors::BlockMemory;

@@ -1,6 +1,7 @@
 use std::ops::{Index, IndexMut, Range};
 
 use serde::{Deserialize, Serialize};
+use whirl_specs::columns;
 
 /// A dense matrix, column after column.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -86,11 +87,7 @@ impl Matrix {
     /// y = A x.
     pub fn apply(&self, x: &[f64]) -> Vec<f64> {
         let mut y = vec![0.0; self.rows];
-        for (j, &xj) in x.iter().enumerate() {
-            for (yi, &a) in y.iter_mut().zip(self.col(j)) {
-                *yi += a * xj;
-            }
-        }
+        columns::add_matrix(&mut y, &self.data, x);
         y
     }
 

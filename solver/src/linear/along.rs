@@ -21,7 +21,7 @@ pub struct Along {
     pub moment: [Complex64; 3],
 }
 
-/// Coordinates of a body in its frame with their derivatives, as the frame passes the angle θ = 0.
+/// Coordinates of a body in its frame with their derivatives, as the frame passes the angle θ = 0: those that space sees.
 struct Moving {
     /// Ω (rad/s).
     speed: f64,
@@ -39,8 +39,10 @@ impl LinearMachine {
     pub fn standing_along(&self, at: &Standstill, body: usize, gravity: [f64; 3]) -> Vec<Along> {
         let place = self.machine.places()[body].flexible.clone();
         let state = &at.found.state;
-        let q = [&state.q, &state.v, &state.a]
-            .map(|own| own[place.clone()].iter().map(|own| Complex64::from(*own)).collect());
+        let q = [&state.q, &state.v, &state.a].map(|own| {
+            let own = self.in_space(at, body, &own[place.clone()]);
+            own.into_iter().map(Complex64::from).collect()
+        });
         let moving = Moving { speed: at.speeds[body], q, gravity, turns: 0.0 };
         self.machine.bodies[body].sections().iter().map(|own| moving.seen_at(own)).collect()
     }

@@ -6,7 +6,8 @@ use super::points::{Along, Point};
 use super::range::Range;
 use super::roots::{Root, Roots};
 use super::round::LinearMachine;
-use super::shapes::apply;
+use super::shapes::{apply, inner};
+use super::state_doubts::StateDoubts;
 use super::track::{Matched, mac, matched};
 use crate::error::Error;
 
@@ -14,6 +15,9 @@ use crate::error::Error;
 const HALVINGS: u32 = 8;
 /// The same where a body that turns is not round, whose modes change shape as they lock.
 const FEW_HALVINGS: u32 = 3;
+
+/// Share by which two critical speeds may differ that are one.
+const SAME: f64 = 1e-6;
 
 /// A mode over the speeds; none where it is not among those that were listed.
 pub type Branch = Vec<Option<Mode>>;
@@ -63,7 +67,7 @@ pub struct Campbell {
     pub unclear: Vec<usize>,
     /// In which motions modes were looked for, if not in all.
     pub reduced: Option<Reduced>,
-    /// What limits the worth of the modes at the last speed.
+    /// What limits the worth of the states, and of the modes at the last speed.
     pub doubts: Vec<Doubt>,
 }
 
@@ -89,14 +93,18 @@ impl LinearMachine {
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Campbell, Error> {
         let Along { points, lost, slow } = self.along(range, goes_on)?;
-        if let (true, Some((_, error))) = (points.is_empty(), lost.first()) {
+        // Films carry least at the first speeds, so that the last one says more.
+        if let (true, Some((_, error))) = (points.is_empty(), lost.last()) {
             return Err(error.clone());
         }
         let roots = Roots { machine: self, range, slow: slow.as_ref(), points: &points };
         let mut followed = Followed { roots: &roots, unclear: Vec::new() };
         let branches = followed.branches()?;
-        let criticals = followed.criticals(&branches)?;
-        let thresholds = followed.thresholds(&branches, &criticals)?;
+        let criticals = followed.criticals(&branches, &range.orders)?;
+        // Whirls lock to the rotation where they meet it, asked for or not.
+        let is_uneven = points.iter().any(|own| own.is_uneven);
+        let locks = followed.criticals(&branches, if is_uneven { &[1.0] } else { &[] })?;
+        let thresholds = followed.thresholds(&branches, &locks)?;
         let unclear = followed.unclear;
         let listed =
             |own: &Vec<Option<usize>>| own.iter().flatten().any(|place| *place < range.count);
@@ -106,14 +114,14 @@ impl LinearMachine {
             let modes = branches[*own].iter().zip(&points);
             modes.map(|(place, point)| Some(point.modes.oscillating[(*place)?].clone())).collect()
         };
-        let doubts = match points.last() {
-            Some(last) => {
-                let count = range.count.min(last.modes.oscillating.len());
-                let modes = &last.modes.oscillating[..count];
-                self.doubts(&last.at, &self.linearised(&last.at)?, modes)?
-            }
-            None => Vec::new(),
-        };
+        let mut states = StateDoubts::default();
+        points.iter().for_each(|own| states.take(self, own.speed, &own.at));
+        let mut doubts = states.told(self, points.last().map(|own| (own.speed, &own.at)));
+        if let Some(last) = points.last() {
+            let count = range.count.min(last.modes.oscillating.len());
+            let modes = &last.modes.oscillating[..count];
+            doubts.extend(self.doubts(&last.at, &self.linearised(&last.at)?, modes)?);
+        }
         Ok(Campbell {
             speeds: points.iter().map(|own| own.speed).collect(),
             branches: kept.iter().map(take).collect(),
@@ -134,6 +142,13 @@ impl LinearMachine {
             }),
         })
     }
+}
+
+/// Whether two critical speeds are one, found on several branches that change places there.
+fn is_same(a: &Critical, b: &Critical) -> bool {
+    let size = |own: &Critical| inner(&own.mode.shape, &own.mode.shape).re;
+    let alike = inner(&a.mode.shape, &b.mode.shape).norm_sqr() / (size(a) * size(b));
+    (a.speed - b.speed).abs() <= SAME * b.speed.abs() && alike > 1.0 - SAME.sqrt()
 }
 
 struct Followed<'a> {
@@ -204,9 +219,13 @@ impl Followed<'_> {
         })
     }
 
-    fn criticals(&self, branches: &[Vec<Option<usize>>]) -> Result<Vec<Critical>, Error> {
+    fn criticals(
+        &self,
+        branches: &[Vec<Option<usize>>],
+        orders: &[f64],
+    ) -> Result<Vec<Critical>, Error> {
         let mut found = Vec::new();
-        for &order in &self.roots.range.orders {
+        for &order in orders {
             let mut own = Vec::new();
             for (branch, places) in branches.iter().enumerate() {
                 let off = move |speed: f64, mode: &Mode| mode.value.im - order * speed.abs();
@@ -215,7 +234,13 @@ impl Followed<'_> {
                 }
             }
             own.sort_by(|a, b| a.speed.total_cmp(&b.speed));
-            found.extend(own);
+            let mut single: Vec<Critical> = Vec::with_capacity(own.len());
+            for own in own {
+                if single.iter().all(|other| !is_same(other, &own)) {
+                    single.push(own);
+                }
+            }
+            found.extend(single);
         }
         Ok(found)
     }
@@ -223,7 +248,7 @@ impl Followed<'_> {
     fn thresholds(
         &self,
         branches: &[Vec<Option<usize>>],
-        criticals: &[Critical],
+        locks: &[Critical],
     ) -> Result<Vec<Threshold>, Error> {
         let mut found = Vec::new();
         let is_uneven = self.roots.points.iter().any(|own| own.is_uneven);
@@ -251,16 +276,18 @@ impl Followed<'_> {
             }
             // What locks between two speeds may grow there.
             let mut locked: Vec<f64> =
-                criticals.iter().map(|own| own.speed).filter(|own| inside(*own)).collect();
-            locked.sort_by(f64::total_cmp);
-            let inner: Vec<f64> = match is_uneven {
-                true => locked.windows(2).map(|own| 0.5 * (own[0] + own[1])).collect(),
-                false => Vec::new(),
-            };
-            let Roots { machine, range, slow, .. } = self.roots;
-            let inner =
-                inner.iter().map(|speed| machine.point(range, *slow, *speed, Some(&pair[0].at)));
-            let inner: Vec<Point> = inner.collect::<Result<_, Error>>()?;
+                locks.iter().map(|own| own.speed).filter(|own| inside(*own)).collect();
+            let mut inner: Vec<Point> = Vec::new();
+            if is_uneven {
+                // A whirl that is locked at an end of the step is locked up to there.
+                let ends = pair.iter().filter(|own| own.locked().is_some()).map(|own| own.speed);
+                locked.extend(ends);
+                locked.sort_by(f64::total_cmp);
+                locked.dedup();
+                for own in locked.windows(2) {
+                    inner.push(self.roots.most_growing(&pair[0], [own[0], own[1]])?);
+                }
+            }
             let all: Vec<&Point> =
                 std::iter::once(&pair[0]).chain(&inner).chain(std::iter::once(&pair[1])).collect();
             for own in all.windows(2) {

@@ -8,6 +8,7 @@ use whirl_text::rounded;
 use super::linearised::{Linearised, Standstill};
 use super::modes::Mode;
 use super::round::LinearMachine;
+use super::standing_loads::Counted;
 use crate::error::Error;
 
 /// Share of a mode's inertia from which on a body takes part.
@@ -54,6 +55,52 @@ pub enum Doubt {
         /// How many modes are slower, and how many are faster.
         modes: [usize; 2],
     },
+    /// A law that is used where it may not be believed.
+    NotValid {
+        /// The joint, the law, and what of it is beyond its limit.
+        joint: String,
+        /// See `joint`.
+        law: String,
+        /// See `joint`.
+        title: String,
+        /// The worst value, and the limit that it is beyond, in `unit`.
+        value: f64,
+        /// See `value`.
+        limit: f64,
+        /// See `value`.
+        unit: String,
+        /// Speeds of the analysis at which it is, the least and the largest (rad/s), and whether that is not all of them.
+        speeds: [f64; 2],
+        /// See `speeds`.
+        of_some: bool,
+        /// What the law says of it.
+        help: String,
+    },
+    /// Joints that are linear for small motions only.
+    LinearWithin {
+        /// The joints, with the amplitude (m) up to which they are, and the speed at which that is (rad/s).
+        joints: Vec<(String, f64)>,
+        /// See `joints`.
+        speed: f64,
+    },
+    /// A response that is larger than the motion for which a joint is linear.
+    NotSmall {
+        /// The joint.
+        joint: String,
+        /// Where it is worst (rad/s), the amplitude there (m), and that up to which it is linear.
+        speed: f64,
+        /// See `speed`.
+        amplitude: f64,
+        /// See `speed`.
+        within: f64,
+    },
+    /// A load that varies, and how it counts.
+    Load {
+        /// Its name.
+        load: String,
+        /// How.
+        counted: Counted,
+    },
     /// Equations that vary with angles though all bodies are round: joints that are not.
     Varies {
         /// The largest share of an entry.
@@ -98,6 +145,62 @@ impl fmt::Display for Doubt {
                     "{both}, beyond the frequencies in the table of {joint}, and found with the coefficients of its nearest row"
                 )
             }
+            Doubt::NotValid {
+                joint,
+                law,
+                title,
+                value,
+                limit,
+                unit,
+                speeds: [first, last],
+                of_some,
+                help,
+            } => {
+                let amount = |value: f64| match unit.as_str() {
+                    "1" => rounded(value, 4).to_string(),
+                    unit => format!("{} {unit}", rounded(value, 4)),
+                };
+                let [from, to] = [*first, *last].map(|own| rounded(own * 60.0 / TAU, 6));
+                let at = match (of_some, first == last) {
+                    (false, _) => String::new(),
+                    (true, true) => format!(", at {from} rpm"),
+                    (true, false) => format!(", at speeds from {from} to {to} rpm"),
+                };
+                write!(
+                    f,
+                    "{law} in {joint} is not to be believed{at}: {title} {}, limit {}. Remedy: {help}",
+                    amount(*value),
+                    amount(*limit)
+                )
+            }
+            Doubt::LinearWithin { joints, speed } => {
+                let joints = joints.iter().map(|(joint, within)| {
+                    format!("{} µm in {joint}", whirl_text::shown(1e6 * within, 2, 1e-3..1e5))
+                });
+                write!(
+                    f,
+                    "at {} rpm motions are small up to {}: there stiffness or damping have changed by a tenth",
+                    rounded(speed * 60.0 / TAU, 6),
+                    joints.collect::<Vec<_>>().join(", ")
+                )
+            }
+            Doubt::NotSmall { joint, speed, amplitude, within } => {
+                let um = |own: f64| whirl_text::shown(1e6 * own, 3, 1e-3..1e5);
+                write!(
+                    f,
+                    "the response is not small: {joint} moves by {} µm at {} rpm, and its stiffness or damping change by a tenth within {} µm. March it (`whirl run`), or take less unbalance",
+                    um(*amplitude),
+                    rounded(speed * 60.0 / TAU, 6),
+                    um(*within)
+                )
+            }
+            Doubt::Load { load, counted } => match counted {
+                Counted::AtStart => write!(f, "{load} varies in time: it counts as at t = 0"),
+                Counted::InFull => write!(f, "{load} counts in full, as at the end of its ramp"),
+                Counted::Later(from) => {
+                    write!(f, "{load} is left out, as it begins at {} s only", rounded(*from, 4))
+                }
+            },
             Doubt::Varies { share } => write!(
                 f,
                 "the equations vary with the angles of bodies by {} %, as joints are not alike all round: modes are those at the angle 0",

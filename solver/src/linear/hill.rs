@@ -34,6 +34,8 @@ const SEEN: f64 = 0.3;
 const FEW: usize = 8;
 /// Unknowns of all harmonics together that are looked at at once.
 const LARGE: usize = 350;
+/// What adds less than this share to a basis is in it.
+const INSIDE: f64 = 1e-12;
 
 impl LinearMachine {
     /// Those of equations that vary with an angle; of many coordinates the slowest `count`.
@@ -88,7 +90,7 @@ impl LinearMachine {
                 [re, im]
             })
             .collect();
-        let slow = orthonormal(&columns, mass)?;
+        let slow = orthonormal(&columns, mass, INSIDE)?;
         let mut lu = Lu::new(mass.rows);
         lu.factor(&stiffness.data)?;
         let mut answers: Vec<Vec<f64>> = Vec::new();

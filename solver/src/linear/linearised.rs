@@ -79,7 +79,7 @@ impl LinearMachine {
     /// one nearby, if there is one. At rest bodies are as they are, round or not.
     ///
     /// # Errors
-    /// There is none, or it was not found.
+    /// There is none, or it was not found; a force jumps there.
     pub fn standing(
         &self,
         at: &[Option<f64>],
@@ -122,20 +122,32 @@ impl LinearMachine {
         let mut angles: Vec<usize> = free.collect();
         angles.sort_unstable();
         let is_mean = std::ptr::eq(machine, &raw const self.machine);
-        Ok(Standstill { speeds: speeds.collect(), found, angles, is_mean })
+        let stood = Standstill { speeds: speeds.collect(), found, angles, is_mean };
+        self.has_no_jump(at, &stood)?;
+        Ok(stood)
     }
 
     /// An error with the speeds at which it was.
     fn not_standing(&self, at: &[Option<f64>], error: Error) -> Error {
         let Error::NoEquilibrium { rows, journals, share } = error else { return error };
+        let at = self.told(at);
+        Error::NotStanding { at, rows, journals, share }
+    }
+
+    /// Bodies with the speeds that they are given, in words.
+    pub(super) fn told(&self, at: &[Option<f64>]) -> String {
         let rpm =
             |speed: f64| whirl_text::shown(speed * 60.0 / std::f64::consts::TAU, 6, 1e-3..1e7);
         let known =
             self.machine.bodies.iter().zip(at).filter_map(|(body, speed)| {
                 Some(format!("{} at {} rpm", body.name(), rpm((*speed)?)))
             });
-        let at = known.collect::<Vec<_>>().join(", ");
-        Error::NotStanding { at, rows, journals, share }
+        known.collect::<Vec<_>>().join(", ")
+    }
+
+    /// The machine that stands in a state.
+    pub(super) fn machine_of(&self, at: &Standstill) -> &Machine {
+        if at.is_mean { &self.machine } else { &self.still }
     }
 
     /// The bodies of the angles of small motions.

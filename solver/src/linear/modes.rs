@@ -5,15 +5,12 @@ use std::f64::consts::TAU;
 use num_complex::Complex64;
 
 use super::linearised::Linearised;
-use super::motions::Motion;
+use super::motions::{Motion, is_listed};
 use super::round::LinearMachine;
 use super::shapes::{apply, inner};
 use crate::error::Error;
 use crate::linalg::{Matrix, hermitian_eigen};
 
-/// Motions with a larger damping ratio are not listed: those that creep in the frame of a body that turns are seen from space
-/// at its speed.
-const MOST_DAMPED: f64 = 0.9;
 /// Share of λ by which two are the same.
 const EQUAL: f64 = 1e-7;
 /// Share of a motion that must be circular for its sense to be named.
@@ -167,9 +164,8 @@ impl LinearMachine {
         count: usize,
     ) -> Result<Modes, Error> {
         let Linearised { turning, mass, .. } = equations;
-        let (mut moving, still): (Vec<_>, Vec<_>) = motions
-            .into_iter()
-            .partition(|own| own.value.im > 0.0 && -own.value.re < MOST_DAMPED * own.value.norm());
+        let (mut moving, still): (Vec<_>, Vec<_>) =
+            motions.into_iter().partition(|own| is_listed(own.value));
         let mut growing: Vec<f64> = still
             .iter()
             .filter(|own| own.value.im == 0.0 && own.value.re > 0.0)

@@ -8,22 +8,26 @@ use super::round::LinearMachine;
 use super::shapes::{apply, inner};
 use crate::error::Error;
 use crate::linalg::{
-    Matrix, congruence, multiply, quadratic_eigen, symmetric_eigen, transpose_multiply,
+    Matrix, QuadraticPair, congruence, multiply, quadratic_eigen, symmetric_eigen,
+    transpose_multiply,
 };
 
+/// Motions with a larger damping ratio are not listed: those that creep in the frame of a body that turns are seen from space
+/// at its speed.
+const MOST_DAMPED: f64 = 0.9;
 /// Share of the largest part from which another one is named.
 const NAMED: f64 = 0.05;
+/// Share of Im λ by which motions of one λ may differ in it.
+const ALIKE: f64 = 1e-6;
 /// Parts that differ by less are the same.
 const TIE: f64 = 1e-6;
-/// What adds less than this share to a basis is in it.
-const INSIDE: f64 = 1e-12;
 
 /// x e^{λt} as the largest part of a motion, with what else it does.
 #[derive(Debug, Clone)]
 pub(super) struct Motion {
     /// λ: its growth, and the frequency with which it is seen from space (1/s).
     pub(super) value: Complex64,
-    /// x over all coordinates, of any length.
+    /// x over all coordinates, of any length; empty, where it was looked for in a basis and is not listed.
     pub(super) shape: Vec<Complex64>,
     /// Frequencies (rad/s) with which it moves besides, with their shares of the largest part.
     pub(super) beside: Vec<(f64, f64)>,
@@ -60,7 +64,14 @@ impl LinearMachine {
                     [mass, damping, stiffness].map(|own| congruence(own, basis));
                 let (mut pairs, largest) =
                     quadratic_eigen(&mass.symmetric_part(), &damping, &stiffness)?;
-                pairs.iter_mut().for_each(|own| own.vector = apply(basis, &own.vector));
+                let last = last_listed(&pairs, count);
+                for own in &mut pairs {
+                    // Shapes of motions that are not listed are not looked at.
+                    own.vector = match own.value.im <= last {
+                        true => apply(basis, &own.vector),
+                        false => Vec::new(),
+                    };
+                }
                 (pairs, largest)
             }
         };
@@ -95,6 +106,20 @@ impl LinearMachine {
     }
 }
 
+/// Whether a motion is listed.
+pub(super) fn is_listed(value: Complex64) -> bool {
+    value.im > 0.0 && -value.re < MOST_DAMPED * value.norm()
+}
+
+/// Im λ up to which motions are among the `count` slowest that are listed, or equal one of these.
+fn last_listed(pairs: &[QuadraticPair], count: usize) -> f64 {
+    let listed = pairs.iter().map(|own| own.value).filter(|own| is_listed(*own));
+    let mut all: Vec<f64> = listed.map(|own| own.im).collect();
+    all.sort_by(f64::total_cmp);
+    let last = all.get(count.saturating_sub(1)).or(all.last()).copied();
+    last.map_or(0.0, |own| own * (1.0 + ALIKE))
+}
+
 /// The largest of the parts of a motion as what it is, and whether its conjugate was taken, as its frequency is below zero.
 pub(super) fn largest(
     growth: f64,
@@ -121,18 +146,22 @@ pub(super) fn largest(
     (Motion { value: Complex64::new(growth, frequency.abs()), shape, beside }, turned)
 }
 
-/// Columns that span the same, orthonormal in M.
+/// Columns that span the same, orthonormal in M; what adds less than a share of the largest to them is in them.
 ///
 /// # Errors
 /// Values that are not finite.
-pub(super) fn orthonormal(columns: &[Vec<f64>], mass: &Matrix) -> Result<Matrix, Error> {
+pub(super) fn orthonormal(
+    columns: &[Vec<f64>],
+    mass: &Matrix,
+    least: f64,
+) -> Result<Matrix, Error> {
     // Of equal length first, so that small ones count as well.
     let scaled = columns.iter().filter_map(|own| {
         let size = own.iter().zip(mass.apply(own)).map(|(x, y)| x * y).sum::<f64>().sqrt();
         (size > 0.0).then(|| own.iter().map(move |x| x / size).collect::<Vec<f64>>())
     });
     let scaled: Vec<Vec<f64>> = scaled.collect();
-    spanning(&scaled, mass, |largest, value| value > INSIDE * largest)
+    spanning(&scaled, mass, |largest, value| value > least * largest)
 }
 
 /// Columns orthonormal in M that span the others as far as they are large: `keeps` is asked with the largest and each square.

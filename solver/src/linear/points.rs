@@ -14,6 +14,9 @@ const FEW: usize = 24;
 /// Speeds that follow each other, each state found from the one before.
 const TOGETHER: usize = 8;
 
+/// Share of |λ| by which a whirl that is locked may be off the frequency of the rotation.
+pub(super) const LOCKED: f64 = 1e-8;
+
 /// A machine at a speed.
 pub(super) struct Point {
     pub(super) speed: f64,
@@ -24,6 +27,18 @@ pub(super) struct Point {
     pub(super) is_uneven: bool,
     /// Whether another one takes a second or so, as its equations vary and have many coordinates.
     pub(super) is_costly: bool,
+}
+
+impl Point {
+    /// The largest Re λ of a whirl that is locked to the rotation (1/s), in the frame of a body that is not round: it has the
+    /// frequency of that frame.
+    pub(super) fn locked(&self) -> Option<f64> {
+        let speed = self.speed.abs();
+        let modes = self.modes.oscillating.iter().filter(|own| {
+            self.is_uneven && (own.value.im - speed).abs() <= LOCKED * own.value.norm()
+        });
+        modes.map(|own| own.value.re).reduce(f64::max)
+    }
 }
 
 /// What is found at the speeds of a range.
@@ -74,7 +89,9 @@ impl LinearMachine {
         // The same parts on any number of processors, so that the numbers are the same to the bit.
         let parts: Vec<&[f64]> = range.speeds.chunks(TOGETHER).collect();
         let (mut points, mut lost) = (Vec::with_capacity(range.speeds.len()), Vec::new());
-        for (own, speeds) in beside(&parts, &|speeds| work(speeds)).into_iter().zip(&parts) {
+        for (own, speeds) in
+            beside(self.threads, &parts, &|speeds| work(speeds)).into_iter().zip(&parts)
+        {
             let own = own?;
             let whole = own.len() == speeds.len();
             for (speed, point) in own {

@@ -7,9 +7,11 @@ use num_complex::Complex64;
 use super::linearised::{Linearised, Standstill};
 use super::modes::Orbit;
 use super::round::LinearMachine;
-use crate::equations::Equations;
+use super::standing_loads::mean;
+use crate::equations::{Equations, instant, placed};
 use crate::error::Error;
 use crate::linalg::{dot, solve_complex};
+use crate::loads::Load;
 use crate::output::{Motion, Wanted};
 
 /// Turns over which forces are sampled, as those of engines come again after two.
@@ -126,6 +128,11 @@ impl LinearMachine {
         Ok(all.into_iter().filter(|own| size(&own.1) > NOTHING * most).collect())
     }
 
+    /// Whether there is a response at a speed of a body: at rest there is none of what turns freely, nor of what is not round.
+    pub fn responds_at(&self, at: &Standstill, speed: f64) -> bool {
+        speed != 0.0 || at.angles.is_empty() && self.not_round().next().is_none()
+    }
+
     /// The coordinates of what [`LinearMachine::response`] is of, by orders.
     ///
     /// # Errors
@@ -136,7 +143,7 @@ impl LinearMachine {
         body: usize,
     ) -> Result<Vec<(f64, Vec<Complex64>)>, Error> {
         let speed = at.speeds[body];
-        if speed == 0.0 {
+        if !self.responds_at(at, speed) {
             return Ok(Vec::new());
         }
         let forces = self.forces(at, body);
@@ -188,7 +195,13 @@ impl LinearMachine {
     /// The coordinates of small motions at the state that stands.
     fn standing_at_coordinates(&self, at: &Standstill, angles: usize) -> Vec<Complex64> {
         let first = self.machine.rotations();
-        let own = at.found.state.q[first..].iter().map(|own| Complex64::from(*own));
+        let mut own = at.found.state.q[first..].to_vec();
+        for body in self.turning() {
+            let block = self.block(0, body);
+            let turned = self.in_space(at, body, &own[block.clone()]);
+            own[block].copy_from_slice(&turned);
+        }
+        let own = own.into_iter().map(Complex64::from);
         std::iter::repeat_n(Complex64::ZERO, angles).chain(own).collect()
     }
 
@@ -208,16 +221,18 @@ impl LinearMachine {
             let both = [body, other].iter().all(|own| uneven.contains(own));
             other == body || both && at.speeds[other] == at.speeds[body]
         };
-        let mut sample = |angle: f64| -> Vec<f64> {
-            let state = self.turned_on(at, &|other| if turns(other) { angle } else { 0.0 });
-            equations.evaluate(0.0, &state);
-            let mut own = self.residual(&equations, &kept);
-            for other in self.turning().filter(|other| turns(*other)) {
-                let Some(seen) = self.own(other, angle, 0.0) else { continue };
+        let in_space = |own: &mut Vec<f64>, on: &dyn Fn(usize) -> f64| {
+            for other in self.turning() {
                 let block = self.block(angles, other);
-                let turned = seen.back().apply_transpose(&own[block.clone()]);
-                own[block].copy_from_slice(&turned);
+                self.force_in_space(at, (other, on(other)), &mut own[block]);
             }
+        };
+        let stands_at = self.stands_at(at, body);
+        let mut sample = |angle: f64| -> Vec<f64> {
+            let on = |other: usize| if turns(other) { angle - stands_at } else { 0.0 };
+            equations.evaluate(0.0, &self.turned_on(at, &on));
+            let mut own = self.residual(&equations, &kept);
+            in_space(&mut own, &on);
             own
         };
         let turned: Vec<Vec<f64>> =
@@ -225,10 +240,17 @@ impl LinearMachine {
         let mut standing = Equations::new(&self.machine);
         standing.release(&at.found.released);
         standing.evaluate(0.0, &at.found.state);
+        self.add_loads((at, &released), &mut standing, &|load| {
+            load.turns_with_its_body().then_some(None)
+        });
         // What turns with other bodies stands in the samples, and is theirs.
         let mut others = Equations::new(&self.loaded);
         others.release(&at.found.released);
         others.evaluate(0.0, &at.found.state);
+        // Of loads in space that go by the angle the mean stands, and is no part of the response.
+        self.add_loads((at, &released), &mut others, &|load| {
+            load.time_function.follows().is_some_and(turns).then(|| Some(mean(load)))
+        });
         let mut still = self.residual(&others, &kept);
         let alone = self.residual(&standing, &kept);
         for own in self.turning().filter(|own| turns(*own)) {
@@ -238,6 +260,7 @@ impl LinearMachine {
                 still[place] = alone[place];
             }
         }
+        in_space(&mut still, &|_| 0.0);
         let part = |order: usize| -> Vec<Complex64> {
             let weight = if order == 0 { 1.0 } else { 2.0 } / SAMPLES as f64;
             let mut sum = vec![Complex64::ZERO; kept.len()];
@@ -265,6 +288,28 @@ impl LinearMachine {
         all.into_iter().filter(|own| size(&own.1) > bound).collect()
     }
 
+    /// Takes loads of equations at a state away, of those that `by` chooses, and adds what stands in their place, if there is
+    /// such.
+    fn add_loads(
+        &self,
+        (at, released): (&Standstill, &[bool]),
+        equations: &mut Equations,
+        by: &dyn Fn(&Load) -> Option<Option<Load>>,
+    ) {
+        let machine = equations.machine;
+        let q = &at.found.state.q;
+        let now = instant(machine, 0.0, &at.found.state);
+        for (load, released) in machine.loads.iter().zip(released) {
+            let Some(other) = by(load) else { continue };
+            let (place, position) = placed(machine, load, q);
+            for (sign, own) in [(-1.0, Some(load)), (1.0, other.as_ref())] {
+                let Some(own) = own else { continue };
+                let factor = sign * own.factor(&now, *released);
+                own.add_force(factor, &position, q, place, &mut equations.load);
+            }
+        }
+    }
+
     /// The residual at places of q, without what ties rotations to each other: a body that is turned alone would wind it up, and in
     /// truth all of its train turns.
     fn residual(&self, equations: &Equations, kept: &[usize]) -> Vec<f64> {
@@ -279,19 +324,29 @@ impl LinearMachine {
 
     /// Bodies that have unbalance, by their places.
     pub(super) fn unbalanced(&self) -> impl Iterator<Item = usize> {
-        self.turning().filter(|&body| self.unbalance(body).iter().any(|own| *own != 0.0))
+        self.turning().filter(|&body| self.unbalance(body)[0].iter().any(|own| *own != 0.0))
     }
 
-    /// f of the unbalance of a body, Ω² (y + iSᵀy), over the coordinates of [`Linearised`].
+    /// f of the unbalance of a body, Ω² (y + iSᵀy), over the coordinates of [`Linearised`]; on its angle the couple of that force
+    /// about the axis beside which the body stands.
     pub(super) fn unbalance_force(&self, at: &Standstill, body: usize) -> Vec<Complex64> {
         let mut force = vec![Complex64::ZERO; self.kept(at).len()];
-        let load = self.unbalance(body);
-        let Some([once, _]) = &self.generators[body] else { return force };
+        let [load, twisting] = self.unbalance(body);
+        let Some([once, twice]) = &self.generators[body] else { return force };
         let square = at.speeds[body] * at.speeds[body];
         let across = once.apply_transpose(&load);
         let own = self.block(at.angles.len(), body);
         for (own, (along, across)) in force[own].iter_mut().zip(load.iter().zip(&across)) {
             *own = square * Complex64::new(*along, *across);
+        }
+        let place = &self.machine.places()[body];
+        if let Some(angle) = at.angles.iter().position(|own| Some(*own) == place.rotation) {
+            // −d/dt (2 y0ᵀq θ̇ + g0ᵀq̇) of q that stands in space.
+            let stands = self.in_space(at, body, &at.found.state.q[place.flexible.clone()]);
+            let [once, twice] = [once, twice].map(|own| own.apply(&stands));
+            let along = 2.0 * dot(&load, &once) - dot(&twisting, &twice);
+            let across = 2.0 * dot(&load, &twice) + dot(&twisting, &once);
+            force[angle] = square * Complex64::new(along, across);
         }
         force
     }
@@ -308,8 +363,8 @@ impl LinearMachine {
             }
             let angle = at.angles.iter().position(|own| Some(*own) == place.rotation);
             if let Some(angle) = angle {
-                let stands = &at.found.state.q[place.flexible.clone()];
-                let [x, y] = rows.each_ref().map(|row| dot(row, stands));
+                let stands = self.in_space(at, *body, &at.found.state.q[place.flexible.clone()]);
+                let [x, y] = rows.each_ref().map(|row| dot(row, &stands));
                 all[0][angle] -= y;
                 all[1][angle] += x;
             }

@@ -1,7 +1,7 @@
 //! Speeds at which something of the modes changes its sign.
 
 use super::modes::Mode;
-use super::points::Point;
+use super::points::{LOCKED, Point};
 use super::range::Range;
 use super::round::LinearMachine;
 use super::shapes::apply;
@@ -19,9 +19,6 @@ const ROOT: f64 = 1e-6;
 /// Evaluations until then at most, and where each takes a second.
 const TRIES: usize = 60;
 const FEW_TRIES: usize = 12;
-/// Share of what it is compared with below which a value is zero, of a machine that is not round: its whirl is locked to the
-/// rotation over whole intervals of speeds.
-const LOCKED: f64 = 1e-8;
 
 /// A value of a mode at a speed.
 #[derive(Clone)]
@@ -158,6 +155,31 @@ impl Roots<'_> {
         let modes = point.modes.oscillating.into_iter();
         let mode = modes.min_by(|x, y| apart(x).total_cmp(&apart(y)));
         Ok(mode.map(|own| (own, point.is_uneven)))
+    }
+
+    /// The machine between two speeds where a whirl that is locked to the rotation there grows most, or decays least.
+    pub(super) fn most_growing(&self, near: &Point, ends: [f64; 2]) -> Result<Point, Error> {
+        let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+        let at = |speed: f64| self.machine.point(self.range, self.slow, speed, Some(&near.at));
+        let growth = |own: &Point| own.locked().unwrap_or(f64::NEG_INFINITY);
+        let [mut first, mut last] = ends;
+        let mut left = at(last - golden * (last - first))?;
+        let mut right = at(first + golden * (last - first))?;
+        for _ in 0..tries(near) / 2 {
+            if growth(&left) > 0.0 || growth(&right) > 0.0 {
+                break;
+            }
+            if growth(&left) > growth(&right) {
+                last = right.speed;
+                right = left;
+                left = at(last - golden * (last - first))?;
+            } else {
+                first = left.speed;
+                left = right;
+                right = at(first + golden * (last - first))?;
+            }
+        }
+        Ok(if growth(&left) > growth(&right) { left } else { right })
     }
 
     /// The speed between two points of which one is stable, with the motion that begins to grow there, if it oscillates.

@@ -1,7 +1,10 @@
 //! A machine as linear analyses take it: its bodies exactly round.
 
+use std::num::NonZero;
 use std::ops::Range;
+use std::thread;
 
+use super::standing_loads::{Counted, begun, counted, mean, nothing, spins_with};
 use crate::bodies::{Body, Rotation};
 use crate::error::Error;
 use crate::linalg::{Matrix, multiply};
@@ -12,14 +15,14 @@ use crate::shaft::Shaft;
 /// Share of the inertia of a body below which its unbalance is rounding.
 const ROUNDING: f64 = 1e-10;
 
-/// A machine whose turning bodies have the means of their tensors over turns.
+/// A machine whose turning bodies have the means of their tensors over turns, in space the means of loads that go by an angle.
 pub struct LinearMachine {
     pub(super) machine: Machine,
     /// As it is: at rest nothing needs to be round.
     pub(super) still: Machine,
     /// With those bodies as they are that are not round, if there are any.
     pub(super) uneven: Option<Machine>,
-    /// The same with what turns with round bodies: unbalance.
+    /// The same with what turns with round bodies, unbalance, and loads as they go by an angle.
     pub(super) loaded: Machine,
     /// By body S and S², of one that turns.
     pub(super) generators: Vec<Option<[Matrix; 2]>>,
@@ -27,8 +30,12 @@ pub struct LinearMachine {
     pub(super) senses: Vec<Option<[Matrix; 2]>>,
     /// By body how round it was, of one that turns.
     pub(super) roundness: Vec<Option<Roundness>>,
+    /// Loads that vary, by their names, with how they count.
+    pub(super) counted: Vec<(String, Counted)>,
     /// Whether all bodies that turn freely swing about their speed, known or not.
     pub(super) all_swing: bool,
+    /// On which speeds are looked at side by side; the numbers do not depend on it.
+    pub(super) threads: usize,
 }
 
 impl LinearMachine {
@@ -37,6 +44,20 @@ impl LinearMachine {
     /// # Errors
     /// A body that turns of which nothing shows how.
     pub fn new(mut machine: Machine) -> Result<LinearMachine, Error> {
+        let mut all_counted = Vec::new();
+        for load in &mut machine.loads {
+            if spins_with(load, machine.bodies[load.body].rotation()) {
+                *load = nothing(load);
+                continue;
+            }
+            let name = match load.name.as_str() {
+                "" => format!("a load of {}", machine.bodies[load.body].name()),
+                name => name.to_owned(),
+            };
+            let own = counted(load).map(|own| (name, own));
+            all_counted.extend(own.filter(|own| !all_counted.contains(own)));
+            *load = begun(load);
+        }
         let still = machine.clone();
         let mut uneven = Vec::new();
         let (mut generators, mut senses, mut all) = (Vec::new(), Vec::new(), Vec::new());
@@ -71,9 +92,13 @@ impl LinearMachine {
             } else if let (Body::Turning { shaft, .. }, Some([_, square]), Some(own)) =
                 (body, &generators[place], still.bodies[place].shaft())
             {
-                let turning = unbalance(own, square);
-                shaft.y0.iter_mut().zip(turning).for_each(|(sum, own)| *sum += own);
+                let [along, across] = unbalance(own, square);
+                shaft.y0.iter_mut().zip(along).for_each(|(sum, own)| *sum += own);
+                shaft.g0.iter_mut().zip(across).for_each(|(sum, own)| *sum += own);
             }
+        }
+        for load in &mut machine.loads {
+            *load = mean(load);
         }
         let uneven = (!uneven.is_empty()).then(|| {
             let mut own = machine.clone();
@@ -83,6 +108,7 @@ impl LinearMachine {
             own
         });
         let all_swing = false;
+        let threads = thread::available_parallelism().map_or(1, NonZero::get);
         let roundness = all;
         Ok(LinearMachine {
             machine,
@@ -92,13 +118,20 @@ impl LinearMachine {
             generators,
             senses,
             roundness,
+            counted: all_counted,
             all_swing,
+            threads,
         })
     }
 
     /// The same with angles of all bodies that turn freely among its small motions, also at speeds that are told.
     pub fn with_swinging_bodies(self) -> LinearMachine {
         LinearMachine { all_swing: true, ..self }
+    }
+
+    /// The same at work on so many threads at most in place of one a processor.
+    pub fn on_threads(self, threads: NonZero<usize>) -> LinearMachine {
+        LinearMachine { threads: threads.get(), ..self }
     }
 
     /// The machine with its round bodies.
@@ -119,13 +152,14 @@ impl LinearMachine {
     }
 
     /// Speeds of all bodies with body `of` at `speed` (rad/s): those of `ratios` by their ratio to it, others with a given
-    /// speed in the ratio in which the machine has them, where it has one; of those left the speed is to be found.
+    /// speed in the ratio in which the machine has them, where it has one (a body that turns freely in a train has that of the
+    /// train); of those left the speed is to be found.
     pub fn speeds(&self, of: usize, speed: f64, ratios: &[Option<f64>]) -> Vec<Option<f64>> {
         let given = |body: usize| {
             let rotation = self.machine.bodies[body].rotation()?;
             rotation.given(0.0, false).map(|own| own[1])
         };
-        let own = given(of).filter(|own| *own != 0.0);
+        let own = given(of).or_else(|| self.given_by_train(of)).filter(|own| *own != 0.0);
         let bodies = 0..self.machine.bodies.len();
         let speeds = bodies.map(|body| {
             self.machine.bodies[body].rotation().filter(|own| turns(own))?;
@@ -141,11 +175,22 @@ impl LinearMachine {
         speeds.collect()
     }
 
-    /// What turns with a body of its y0; none of one that stands.
-    pub(super) fn unbalance(&self, body: usize) -> Vec<f64> {
+    /// The speed that a body of the same train whose rotation is given gives one that turns freely (rad/s).
+    fn given_by_train(&self, of: usize) -> Option<f64> {
+        let trains = self.machine.trains();
+        let others =
+            (0..self.machine.bodies.len()).filter(|own| trains.train(*own) == trains.train(of));
+        others.into_iter().find_map(|other| {
+            let speed = self.machine.bodies[other].rotation()?.given(0.0, false)?[1];
+            Some(speed * trains.ratio(of) / trains.ratio(other))
+        })
+    }
+
+    /// What turns with a body of its y0 and g0; none of one that stands.
+    pub(super) fn unbalance(&self, body: usize) -> [Vec<f64>; 2] {
         match (self.still.bodies[body].shaft(), &self.generators[body]) {
             (Some(shaft), Some([_, square])) => unbalance(shaft, square),
-            _ => Vec::new(),
+            _ => [Vec::new(), Vec::new()],
         }
     }
 
@@ -162,11 +207,14 @@ impl LinearMachine {
     }
 }
 
-/// What turns with a body of its y0: −(Sᵀ)² y0. What is so small beside its inertia, √(J0 Y_jj), is rounding of its mesh.
-fn unbalance(shaft: &Shaft, square: &Matrix) -> Vec<f64> {
+/// What turns with a body of its y0 and g0: −(Sᵀ)² y0 and −(Sᵀ)² g0. What is so small beside its inertia, √(J0 Y_jj), is rounding
+/// of its mesh.
+fn unbalance(shaft: &Shaft, square: &Matrix) -> [Vec<f64>; 2] {
     let bound = |j: usize| ROUNDING * (shaft.j0 * shaft.spin_inertia[(j, j)]).sqrt();
-    let turns = square.apply_transpose(&shaft.y0).into_iter().enumerate();
-    turns.map(|(j, own)| if own.abs() <= bound(j) { 0.0 } else { -own }).collect()
+    [&shaft.y0, &shaft.g0].map(|own| {
+        let turns = square.apply_transpose(own).into_iter().enumerate();
+        turns.map(|(j, own)| if own.abs() <= bound(j) { 0.0 } else { -own }).collect()
+    })
 }
 
 /// S and S².

@@ -18,8 +18,9 @@ use crate::linalg::Matrix;
 const FEW: usize = 96;
 /// So are machines at fewer speeds.
 const SPEEDS: usize = 9;
-/// Frequencies of the modes that are taken, of the last that is asked for.
-const REACH: f64 = 1.2;
+/// Frequencies of the modes that are taken, of the last that is asked for, and the share of the largest below which what a
+/// motion adds is left out: bases that are tried, small ones first.
+const TRIED: [(f64, f64); 4] = [(1.0, 1e-8), (1.0, 1e-10), (1.2, 1e-10), (1.2, 1e-12)];
 /// Share of |λ| by which a mode may differ in the middle.
 const ALIKE: f64 = 1e-6;
 /// Times that a piece is halved at most.
@@ -42,6 +43,23 @@ struct Whole {
     motions: Vec<Motion>,
     /// λ of those that are asked for.
     asked: Vec<Complex64>,
+}
+
+impl Whole {
+    /// The largest share of |λ| by which a mode that is asked for differs in a basis.
+    fn error_in(
+        &self,
+        machine: &LinearMachine,
+        range: &Range,
+        basis: &Matrix,
+    ) -> Result<f64, Error> {
+        let found = machine.motions(&self.stood.equations, Some(basis), range.looked_for())?;
+        let apart = |value: &Complex64| {
+            let all = found.iter().map(|own| (own.value - value).norm());
+            all.fold(f64::INFINITY, f64::min) / value.norm()
+        };
+        Ok(self.asked.iter().take(range.count).map(apart).fold(0.0, f64::max))
+    }
 }
 
 impl Slow {
@@ -73,7 +91,8 @@ impl Slow {
             }
             Ok(None)
         };
-        let mut ends = beside(&[true, false], &|forward| search(*forward)).into_iter();
+        let mut ends =
+            beside(machine.threads, &[true, false], &|forward| search(*forward)).into_iter();
         let (Some(a), Some(b)) = (ends.next().expect("two")?, ends.next().expect("two")?) else {
             return Ok(None);
         };
@@ -107,28 +126,23 @@ impl Slow {
         [a, b]: [&Whole; 2],
         halvings: usize,
     ) -> Result<bool, Error> {
-        let basis = spanned(range, [a, b])?;
-        if basis.cols as f64 > MOST * basis.rows as f64 {
-            return Ok(false);
-        }
         let speed = 0.5 * (a.stood.speed + b.stood.speed);
         let middle = match whole(machine, range, speed, Some(&a.stood.at)) {
             Ok(own) => own,
             Err(error) if error.is_of_balance() => return Ok(false),
             Err(error) => return Err(error),
         };
-        let count = range.looked_for();
-        let found = machine.motions(&middle.stood.equations, Some(&basis), count)?;
-        let apart = |value: &Complex64| {
-            let all = found.iter().map(|own| (own.value - value).norm());
-            all.fold(f64::INFINITY, f64::min) / value.norm()
-        };
-        let asked = middle.asked.iter().take(range.count);
-        let error = asked.map(apart).fold(0.0, f64::max);
-        if error <= ALIKE {
-            self.error = self.error.max(error);
-            self.pieces.push((b.stood.speed, basis));
-            return Ok(true);
+        for tried in TRIED {
+            let basis = spanned(range, [a, b], tried)?;
+            if basis.cols as f64 > MOST * basis.rows as f64 {
+                break;
+            }
+            let error = middle.error_in(machine, range, &basis)?;
+            if error <= ALIKE {
+                self.error = self.error.max(error);
+                self.pieces.push((b.stood.speed, basis));
+                return Ok(true);
+            }
         }
         Ok(halvings > 0
             && self.add(machine, range, [a, &middle], halvings - 1)?
@@ -152,14 +166,14 @@ fn whole(
 }
 
 /// Real and imaginary parts of the slow motions at both ends, and of those that grow.
-fn spanned(range: &Range, ends: [&Whole; 2]) -> Result<Matrix, Error> {
+fn spanned(range: &Range, ends: [&Whole; 2], (reach, share): (f64, f64)) -> Result<Matrix, Error> {
     let mut columns: Vec<Vec<f64>> = Vec::new();
     let last = range.looked_for().saturating_sub(1);
-    let reach = |own: &Whole| {
+    let fastest = |own: &Whole| {
         let place = last.min(own.asked.len().saturating_sub(1));
-        own.asked.get(place).map_or(0.0, |own| REACH * own.im)
+        own.asked.get(place).map_or(0.0, |own| own.im)
     };
-    let reach = ends.iter().map(|own| reach(own)).fold(0.0, f64::max);
+    let reach = reach * ends.iter().map(|own| fastest(own)).fold(0.0, f64::max);
     for own in ends.iter().flat_map(|end| &end.motions) {
         if own.value.norm() <= reach || own.value.re > 0.0 {
             columns.push(own.shape.iter().map(|own| own.re).collect());
@@ -168,5 +182,5 @@ fn spanned(range: &Range, ends: [&Whole; 2]) -> Result<Matrix, Error> {
             }
         }
     }
-    orthonormal(&columns, &ends[0].stood.equations.mass)
+    orthonormal(&columns, &ends[0].stood.equations.mass, share)
 }

@@ -102,6 +102,9 @@ impl LinearMachine {
             let position = Position::new(place.rotation.map_or(0.0, |theta| state.q[theta]));
             let mut all = vec![0.0; self.machine.size()];
             load.add_force(1.0, &position, &state.q, place, &mut all);
+            if place.rotation.is_some() {
+                self.force_in_space(at, (load.body, 0.0), &mut all[place.flexible.clone()]);
+            }
             let own = self.kept(at).into_iter().map(|place| all[place]);
             // A load on several nodes is one of each.
             match found.iter_mut().find(|(name, _)| *name == load.name) {

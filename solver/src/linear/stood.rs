@@ -1,6 +1,5 @@
 //! A machine as it stands at a speed of a range, and work side by side on several of them.
 
-use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
@@ -32,8 +31,12 @@ impl LinearMachine {
     }
 }
 
-/// What becomes of each of the parts, in their order, on all processors.
-pub(super) fn beside<P: Sync, R: Send>(parts: &[P], work: &(dyn Fn(&P) -> R + Sync)) -> Vec<R> {
+/// What becomes of each of the parts, in their order, on so many threads at most.
+pub(super) fn beside<P: Sync, R: Send>(
+    threads: usize,
+    parts: &[P],
+    work: &(dyn Fn(&P) -> R + Sync),
+) -> Vec<R> {
     let done: Vec<Mutex<Option<R>>> = parts.iter().map(|_| Mutex::new(None)).collect();
     let next = AtomicUsize::new(0);
     let worker = || {
@@ -44,9 +47,8 @@ pub(super) fn beside<P: Sync, R: Send>(parts: &[P], work: &(dyn Fn(&P) -> R + Sy
             *done[place].lock().unwrap_or_else(PoisonError::into_inner) = Some(own);
         }
     };
-    let processors = thread::available_parallelism().map_or(1, NonZero::get);
     thread::scope(|scope| {
-        for _ in 1..processors.min(parts.len()) {
+        for _ in 1..threads.min(parts.len()) {
             scope.spawn(worker);
         }
         worker();

@@ -80,6 +80,35 @@ impl LinearMachine {
         Some(Seen { generators: [once, twice], angle, rate })
     }
 
+    /// The angle at which a body stands in a state (rad): that of a train is twisted by the couples that it carries.
+    pub(super) fn stands_at(&self, at: &Standstill, body: usize) -> f64 {
+        self.machine.places()[body].rotation.map_or(0.0, |theta| at.found.state.q[theta])
+    }
+
+    /// Coordinates of a body in the frame in which it stands, as space sees them.
+    pub(super) fn in_space(&self, at: &Standstill, body: usize, own: &[f64]) -> Vec<f64> {
+        let angle = self.stands_at(at, body);
+        match self.own(body, -angle, 0.0).filter(|_| angle != 0.0) {
+            Some(seen) => seen.back().apply(own),
+            None => own.to_vec(),
+        }
+    }
+
+    /// Generalised forces on the coordinates of a body that has turned on by an angle (rad) from where it stands, as those on the
+    /// coordinates that space sees.
+    pub(super) fn force_in_space(
+        &self,
+        at: &Standstill,
+        (body, on): (usize, f64),
+        own: &mut [f64],
+    ) {
+        let angle = self.stands_at(at, body) + on;
+        if let Some(seen) = self.own(body, angle, 0.0).filter(|_| angle != 0.0) {
+            let turned = seen.back().apply_transpose(own);
+            own.copy_from_slice(&turned);
+        }
+    }
+
     /// How bodies that turn on by `angle` are seen from a frame at an angle (rad) that turns with a speed (rad/s).
     pub(super) fn seen(
         &self,
@@ -89,7 +118,8 @@ impl LinearMachine {
     ) -> Vec<Option<Seen<'_>>> {
         let mut all: Vec<Option<Seen>> = (0..self.machine.bodies.len()).map(|_| None).collect();
         for body in self.turning() {
-            all[body] = self.own(body, angle(body) - frame, at.speeds[body] - speed);
+            let angle = self.stands_at(at, body) + angle(body) - frame;
+            all[body] = self.own(body, angle, at.speeds[body] - speed);
         }
         if speed != 0.0 {
             for (own, sense) in all.iter_mut().zip(&self.senses) {

@@ -55,6 +55,7 @@
 //!         frame: Frame::Space,
 //!     }],
 //!     gravity: [0.0; 3],
+//!     ground: [None, None, None],
 //!     outputs: Vec::new(),
 //!     fields: Vec::new(),
 //! };
@@ -83,7 +84,7 @@ mod place;
 
 use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 
 use whirl_specs::{Clearance, Motion};
@@ -96,8 +97,9 @@ pub use self::place::Place;
 use crate::bearing::{Bearing, SpringLaw};
 use crate::bodies::Body;
 use crate::cache::{Cache, Key};
+use crate::curve::Curve;
 use crate::error::Error;
-use crate::gravity::weights;
+use crate::gravity::{shaken, weights};
 use crate::machine::{Field, Machine, MachineParts};
 use crate::output::{Output, Wanted};
 
@@ -117,6 +119,8 @@ pub struct Model<'a> {
     pub loads: Vec<LoadModel>,
     /// Acceleration by gravity along x, y, z (m/s²).
     pub gravity: [f64; 3],
+    /// Acceleration of the ground along x, y, z (m/s²) over t (s), where there is one.
+    pub ground: [Option<Arc<Curve>>; 3],
     /// Outputs by request. Their points, by place, are the last of their bodies: a machine does without them, as what is
     /// asked for changes nothing that is computed.
     pub outputs: Vec<Output<usize>>,
@@ -193,11 +197,12 @@ impl Model<'_> {
 
     /// What the machine is made from, outputs by request left out.
     pub fn parts(self, bodies: Vec<Body>) -> MachineParts {
-        let Model { motion, clearance, laws, bearings, loads, gravity, .. } = self;
+        let Model { motion, clearance, laws, bearings, loads, gravity, ground, .. } = self;
         let mut placed: Vec<_> = loads.iter().flat_map(|load| load.on(&bodies)).collect();
         if gravity != [0.0; 3] {
             placed.extend(weights(&bodies, gravity));
         }
+        placed.extend(shaken(&bodies, &ground));
         MachineParts { bodies, motion, clearance, laws, bearings, loads: placed }
     }
 }

@@ -7,7 +7,7 @@ use super::{Known, column, numbers, ran, reference};
 use crate::workbench::Workbench;
 
 /// A matrix of x, y and z of a few nodes on the axis, as a file; `of`: the entry of two nodes along an axis.
-fn market(nodes: usize, of: &dyn Fn(usize, usize, usize) -> f64) -> String {
+pub(super) fn market(nodes: usize, of: &dyn Fn(usize, usize, usize) -> f64) -> String {
     let n = 3 * nodes;
     let mut text = format!("%%MatrixMarket matrix array real general\n{n} {n}\n");
     for (j, i) in (0..n).flat_map(|j| (0..n).map(move |i| (j, i))) {
@@ -18,7 +18,7 @@ fn market(nodes: usize, of: &dyn Fn(usize, usize, usize) -> f64) -> String {
 }
 
 /// x, y and z of nodes at these heights (m).
-fn dofs(heights: &[f64]) -> String {
+pub(super) fn dofs(heights: &[f64]) -> String {
     let mut text = String::from("node, direction, x [m], y [m], z [m]\n");
     for (node, z) in heights.iter().enumerate() {
         for direction in ["x", "y", "z"] {

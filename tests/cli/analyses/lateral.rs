@@ -362,3 +362,31 @@ fn rotors_that_turn_and_are_round_are_needed() {
     let outcome = bench.whirl(&["lateral", "case.toml"]);
     assert_eq!(outcome.status, 2, "{}", outcome.stderr);
 }
+
+/// A lateral analysis passes or not, with what is least of each of its lines; variants of the case are left out.
+#[test]
+fn a_lateral_analysis_is_judged_at_every_point() {
+    let study =
+        "case = \"case.toml\"\nanalyse = \"api\"\n[vary]\nanalysis.api.scale_limit = [6.0, 2.0]\n";
+    let more = "\n[analysis.api.variants.soft]\nset = [\"joint.DE.stiffness.xx = 5e5 N/m\"]\n";
+    let bench = bench(&format!("{CASE}{more}")).file("study.toml", study);
+    ran(&bench, &["sweep", "study.toml", "--out", "swept"]);
+    lateral(&bench);
+    let lines = |name: &str| column(&bench, "out/api.csv", name);
+    let (variant, quantity) = (lines("variant"), lines("quantity"));
+    let (value, pass) = (lines("value"), lines("pass"));
+    let own: Vec<usize> = (0..value.len()).filter(|&own| variant[own] == "as given").collect();
+    let failed = own.iter().filter(|&&own| pass[own] == "NO").count();
+    let table = "swept/table.csv";
+    let of = |what: &str| numbers(&bench, table, &format!("api.{what}"))[0];
+    assert_eq!(of("lines_failed"), failed as f64);
+    assert_eq!(of("pass"), f64::from(u8::from(failed == 0)));
+    let all = |what: &str| -> Vec<f64> {
+        let of = own.iter().filter(|&&own| quantity[own] == what);
+        of.map(|&own| value[own].parse().unwrap()).collect()
+    };
+    let factor = all("amplification factor").into_iter().reduce(f64::max).unwrap();
+    assert_eq!(of("amplification_factor"), factor);
+    assert_eq!(of("level_2_log_decrement"), all("level II log decrement")[0]);
+    assert!(bench.path("swept/margins.svg").is_file());
+}

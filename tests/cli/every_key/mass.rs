@@ -37,12 +37,34 @@ fn stops([x, y]: [f64; 2], [vx, vy]: [f64; 2]) -> [[f64; 2]; 3] {
     [[-buffer(GAPS[0] - x, -vx), 0.0], [push, -friction], [-3e3 * x - 1.5e3 * y, 2e3 * x - 4e3 * y]]
 }
 
-/// m ẍ of a mass that moves.
+/// Acceleration of the ground along x and y (m/s²), by the rows of quake.csv, one and a half times as large.
+fn ground(t: f64) -> [f64; 2] {
+    const G: f64 = 9.80665;
+    let rows = [
+        [0.0, 0.0, 0.4],
+        [0.02, 0.2 * G, -1.5],
+        [0.05, -0.15 * G, 2.0],
+        [0.12, 0.1 * G, 0.3],
+        [0.15, 0.05 * G, 0.0],
+    ];
+    let after = rows.iter().position(|row| row[0] > t);
+    [1, 2].map(|axis| match after {
+        Some(k) => {
+            let ([from, a, b], [to, c, d]) = (rows[k - 1], rows[k]);
+            let [first, last] = [[a, c], [b, d]][axis - 1];
+            1.5 * (first + (last - first) * (t - from) / (to - from))
+        }
+        None => 1.5 * rows[4][axis],
+    })
+}
+
+/// m ẍ of a mass that moves, seen from the ground.
 fn push(t: f64, q: [f64; 2], v: [f64; 2]) -> [f64; 2] {
     let turning = MASS * ECCENTRICITY * SPEED * SPEED;
     let (sin, cos) = (SPEED * t).sin_cos();
     let mut sum = [FORCE + turning * cos, turning * sin];
     for axis in 0..2 {
+        sum[axis] -= MASS * ground(t)[axis];
         sum[axis] -= STIFFNESS * q[axis] + DAMPING * v[axis];
         stops(q, v).iter().for_each(|stop| sum[axis] += stop[axis]);
     }

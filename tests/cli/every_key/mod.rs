@@ -19,7 +19,8 @@ use whirl_tests::History;
 use crate::workbench::Workbench;
 
 /// Everything that the cases name, by its name.
-const FILES: [(&str, &str); 22] = [
+const FILES: [(&str, &str); 23] = [
+    ("quake.csv", include_str!("quake.csv")),
     ("generated.toml", include_str!("generated.toml")),
     ("base.toml", include_str!("base.toml")),
     ("read.toml", include_str!("read.toml")),

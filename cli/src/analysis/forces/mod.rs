@@ -13,6 +13,7 @@ use whirl_solver::section::planes;
 use whirl_text::shown;
 
 use self::quantities::{QUANTITIES, values};
+use super::facts::Facts;
 use super::found::{Found, drawn};
 use super::speeds::{self, Wanted};
 use super::states::{Ended, at_each_speed};
@@ -22,7 +23,6 @@ use crate::errors::Failure;
 use crate::machine;
 use crate::report::table;
 use crate::signals::Interruption;
-use crate::streams;
 
 /// Lines of the table for people: what, of which of the quantities, and its unit.
 const SHOWN: [(&str, &[usize], &str); 5] = [
@@ -31,6 +31,14 @@ const SHOWN: [(&str, &[usize], &str); 5] = [
     ("bending moment", &[6, 7], "N·m"),
     ("axial force", &[5], "N"),
     ("torque", &[8], "N·m"),
+];
+/// The same by the names that programs have for them.
+const NUMBERS: [(&str, &[usize]); 5] = [
+    ("deflection_um", &[0, 1]),
+    ("shear_force_N", &[3, 4]),
+    ("bending_moment_Nm", &[6, 7]),
+    ("axial_force_N", &[5]),
+    ("torque_Nm", &[8]),
 ];
 /// The largest displacement of a mode (m).
 const UNIT: f64 = 1e-6;
@@ -58,15 +66,15 @@ struct Cut {
 pub(super) fn found(
     case: &Case,
     analysis: &Analysis,
-    cache: Option<&Cache>,
+    (cache, warnings): (Option<&Cache>, &mut Vec<String>),
     interruption: &Interruption,
     figures: bool,
 ) -> Result<Found, Failure> {
-    let Cut { linear, whole } = cut(case, analysis.stations, cache)?;
+    let Cut { linear, whole } = cut(case, analysis.stations, (cache, warnings))?;
     let wanted = speeds::wanted(case, &linear, analysis)?;
     let mut files = Files::new();
     let mut text = String::new();
-    let gravity = case.machine.gravity.as_ref().map_or([0.0; 3], |own| own.acceleration);
+    let gravity = case.machine.field_at_start();
     let mut last: Option<(f64, Bodies)> = None;
     let mut work = |speed: f64, at: &Standstill| -> Result<(), Failure> {
         let standing = bodies(&linear, |body| linear.standing_along(at, body, gravity));
@@ -78,32 +86,45 @@ pub(super) fn found(
         last = Some((speed, standing));
         Ok(())
     };
-    let Ended { lost, interrupted } =
+    let Ended { notes, interrupted } =
         at_each_speed(&linear, (analysis, &wanted), interruption, &mut work)?;
-    text.push_str(&lost);
+    text.push_str(&notes);
+    let before = text.len();
     for body in whole {
         let _ = writeln!(text, "note: {body} has no sections, as it is rigid or made of matrices");
     }
     let name = &analysis.name;
     let mut files = files.written(name);
+    let mut facts = last.as_ref().map_or(Facts::default(), |own| self::facts(&own.1));
     if let (true, Some((speed, standing))) = (figures, last) {
         files.extend(drawn(name, &figure::of(case, speed, &standing)));
     }
-    Ok(Found { text, files, interrupted })
+    facts.lines(&text[before..]);
+    facts.lines(&notes);
+    Ok(Found { text, files, interrupted, facts })
 }
 
 /// Plans the machine with planes along every mesh, evenly as far as its cells go, and builds it.
-fn cut(case: &Case, stations: usize, cache: Option<&Cache>) -> Result<Cut, Failure> {
+fn cut(
+    case: &Case,
+    stations: usize,
+    (cache, warnings): (Option<&Cache>, &mut Vec<String>),
+) -> Result<Cut, Failure> {
     let mut own = case.clone();
     own.fields = None;
-    let mut plan = streams::warned(|_| machine::plan(&own, &mut Vec::new()))?;
+    let mut plan = machine::plan(&own, &mut Vec::new())?;
     for body in plan.meshed().filter(|body| !body.rigid) {
         let ends = body.mesh.ends();
-        let at = |k: usize| ends[0] + (ends[1] - ends[0]) * (k as f64 + 0.5) / stations as f64;
+        let at = |k: usize| match stations {
+            1 => 0.5 * (ends[0] + ends[1]),
+            // The last one is the end itself, to the bit.
+            _ if k + 1 == stations => ends[1],
+            _ => ends[0] + (ends[1] - ends[0]) * k as f64 / (stations - 1) as f64,
+        };
         let wanted: Vec<f64> = (0..stations).map(at).collect();
         body.spec.sections = planes(&body.mesh, &wanted);
     }
-    let built = streams::warned(|warnings| machine::build(&own, &plan, cache, warnings))?;
+    let built = machine::build(&own, &plan, cache, warnings)?;
     let bodies = built.machine.bodies.iter();
     let whole: Vec<String> = bodies
         .filter(|own| own.size() > 0 && own.sections().is_empty())
@@ -250,6 +271,18 @@ fn largest(all: &[(String, Vec<Along>)]) -> String {
         }
     }
     format!("\n{}\n", table(&rows))
+}
+
+/// The largest of what stands along each body.
+fn facts(all: &[(String, Vec<Along>)]) -> Facts {
+    let mut facts = Facts::default();
+    for (body, sections) in all {
+        for (name, which) in NUMBERS {
+            let all = sections.iter().map(|own| size(&values(own), which));
+            facts.put(format!("{body}.{name}"), all.reduce(f64::max));
+        }
+    }
+    facts
 }
 
 /// Rows of a file, with or without phases.

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use whirl_text::shown;
 
+use crate::analysis::facts::{Facts, truth};
 use crate::report::table;
 
 /// What a line comes to.
@@ -87,6 +88,47 @@ pub(super) fn told(lines: &[&Line]) -> String {
         ]);
     }
     table(&rows)
+}
+
+/// Numbers of a table: names, the quantity of the lines, and with which names of limits; of several lines the one that is worst
+/// against its limit or, without limits, the largest.
+const NUMBERS: [(&str, &str, Option<&str>); 8] = [
+    ("amplification_factor", "amplification factor", None),
+    ("separation_margin_percent", "separation margin", Some("separation_margin_required_percent")),
+    ("probe_vibration_um_pkpk", "probe vibration A_max", Some("probe_vibration_limit_um_pkpk")),
+    ("scale_factor", "scale factor S_cc", None),
+    (
+        "scaled_response_um_pkpk",
+        "scaled response at clearance",
+        Some("scaled_response_limit_um_pkpk"),
+    ),
+    ("level_1_log_decrement", "level I log decrement at Q_A", None),
+    ("level_1_stiffness_ratio", "level I Q_0/Q_A (10 or more: 10)", None),
+    ("level_2_log_decrement", "level II log decrement", None),
+];
+
+/// What the lines come to in numbers.
+pub(super) fn facts(lines: &[&Line]) -> Facts {
+    let mut facts = Facts::default();
+    let count = |pass: Pass| lines.iter().filter(|own| own.pass == pass).count();
+    facts.put("pass", truth(count(Pass::No) == 0));
+    facts.put("lines_failed", count(Pass::No) as f64);
+    facts.put("lines_for_level_2", count(Pass::LevelTwo) as f64);
+    for (name, quantity, limit) in NUMBERS {
+        let own = lines.iter().filter(|own| own.quantity == quantity);
+        // How much is left: margins are to be above their limits, all else below.
+        let room = |own: &Line| match own.limit {
+            Some(required) if quantity == "separation margin" => own.value - required,
+            Some(allowed) if limit.is_some() => allowed / own.value,
+            _ => -own.value,
+        };
+        let worst = own.min_by(|a, b| room(a).total_cmp(&room(b)));
+        facts.put(name, worst.map(|own| own.value));
+        if let Some(limit) = limit {
+            facts.put(limit, worst.and_then(|own| own.limit));
+        }
+    }
+    facts
 }
 
 /// What all lines come to.

@@ -32,32 +32,32 @@ use crate::errors::Failure;
 use crate::machine;
 use crate::report::table;
 use crate::signals::Interruption;
-use crate::streams;
 use crate::values::level::as_toml;
 
 /// How far speeds reach, of the trip speed, where the case does not say it.
 const BEYOND: f64 = 1.25;
 
-/// The table of all variants. `file`: as the user called the case.
+/// The table of all variants; without the text of the case that of the case as it is.
 pub(super) fn found(
-    (case, file): (&Case, &str),
+    (case, text): (&Case, Option<&CaseText>),
     analysis: &Analysis,
-    cache: Option<&Cache>,
+    (cache, warnings): (Option<&Cache>, &mut Vec<String>),
     interruption: &Interruption,
     figures: bool,
 ) -> Result<Found, Failure> {
     let lateral = analysis.lateral.as_deref().expect("a lateral analysis");
     let mut all: Vec<Done> = Vec::new();
     let mut interrupted = false;
-    let variants = std::iter::once(None).chain(lateral.variants.iter().map(Some));
-    for variant in variants {
-        let own = variant.map(|own| varied(file, own)).transpose()?;
-        let name = variant.map_or(AS_IT_IS, |own| own.name.as_str());
+    let variants =
+        text.iter().flat_map(|text| lateral.variants.iter().map(move |own| (*text, own)));
+    for variant in std::iter::once(None).chain(variants.map(Some)) {
+        let own = variant.map(|(text, own)| varied(text, own, warnings)).transpose()?;
+        let name = variant.map_or(AS_IT_IS, |(_, own)| own.name.as_str());
         let done = of_variant(
             name,
             own.as_ref().unwrap_or(case),
             (analysis, lateral),
-            cache,
+            (cache, warnings),
             interruption,
         )?;
         interrupted |= done.responses.interrupted;
@@ -98,34 +98,35 @@ pub(super) fn found(
         text.push('\n');
         let own: Vec<&Line> = whole.iter().filter(|own| own.variant == done.name).collect();
         text += &lines::told(&own);
-        text += &done.responses.lost;
+        text += &done.responses.notes;
         text += &done.notes;
     }
     text.push('\n');
     text += &lines::verdict(&whole);
-    Ok(Found { text, files, interrupted })
+    let given: Vec<&Line> = whole.iter().filter(|own| own.variant == AS_IT_IS).collect();
+    let mut facts = lines::facts(&given);
+    for done in &all {
+        facts.lines(&(done.responses.notes.clone() + &done.notes));
+    }
+    Ok(Found { text, files, interrupted, facts })
 }
 
 /// The case with other values of some keys.
-fn varied(file: &str, variant: &Variant) -> Result<Case, Failure> {
-    let mut values = String::new();
-    for own in &variant.set {
-        if let Some((key, value)) = own.text().split_once('=') {
-            let _ = writeln!(values, "{} = {}", key.trim(), as_toml(value.trim()));
-        }
-    }
-    let text = CaseText::find(file, None)?.with_values(values);
-    streams::warned(|warnings| machine::read_text(&text, warnings))
+fn varied(text: &CaseText, variant: &Variant, warnings: &mut Vec<String>) -> Result<Case, Failure> {
+    let values = variant.set.iter().filter_map(|own| own.text().split_once('='));
+    let values = values.map(|(key, value)| (key.trim(), as_toml(value.trim())));
+    let text = text.with_more_values(values);
+    machine::read_text(&text, warnings)
 }
 
 fn of_variant(
     name: &str,
     case: &Case,
     (analysis, lateral): (&Analysis, &Lateral),
-    cache: Option<&Cache>,
+    (cache, warnings): (Option<&Cache>, &mut Vec<String>),
     interruption: &Interruption,
 ) -> Result<Done, Failure> {
-    let model = Model::new(case, (analysis, lateral), false, cache)?;
+    let model = Model::new(case, (analysis, lateral), false, (cache, warnings))?;
     let probes = probes(&model, lateral)?;
     let closes = closes(&model, lateral)?;
     let (unbalance, mut notes) = placement::placed(&model, analysis, lateral)?;
@@ -144,7 +145,7 @@ fn of_variant(
         true => None,
         false if lateral.seals.is_empty() => Some(stability::found(&model, &model, of)?),
         false => {
-            let bare = Model::new(case, of, true, cache)?;
+            let bare = Model::new(case, of, true, (cache, warnings))?;
             Some(stability::found(&model, &bare, of)?)
         }
     };

@@ -11,7 +11,6 @@ use crate::analysis::stations;
 use crate::case::{Analysis, Case, JointKind, Lateral, NamedBody, Output};
 use crate::errors::Failure;
 use crate::machine::{self, PlannedBody};
-use crate::streams;
 
 /// m/s².
 const GRAVITY: f64 = 9.80665;
@@ -62,7 +61,7 @@ impl Model {
         case: &Case,
         (analysis, lateral): (&Analysis, &Lateral),
         without_seals: bool,
-        cache: Option<&Cache>,
+        (cache, warnings): (Option<&Cache>, &mut Vec<String>),
     ) -> Result<Model, Failure> {
         let mut own = case.clone();
         let of = body(&own, analysis)?;
@@ -70,7 +69,7 @@ impl Model {
             |own: &Output| matches!(own.what, Wanted::Motion { motion: Motion::Displacement, .. });
         own.outputs.retain(of_motion);
         own.fields = None;
-        let plan = streams::warned(|_| machine::plan(&own, &mut Vec::new()))?;
+        let plan = machine::plan(&own, &mut Vec::new())?;
         let mut journals = Vec::new();
         let mut clearances = Vec::new();
         for (place, joint) in own.machine.joints.iter().enumerate() {
@@ -128,8 +127,8 @@ impl Model {
                 journal.joint -= lateral.seals.iter().filter(|own| **own < journal.joint).count();
             }
         }
-        let build = || streams::warned(|warnings| machine::build_planned(&own, cache, warnings));
-        let linear = LinearMachine::new(build()?.machine)?;
+        let built = machine::build_planned(&own, cache, warnings)?;
+        let linear = LinearMachine::new(built.machine)?;
         let mut points = linear.points();
         let stations = points.split_off(points.len() - levels.len());
         let speeds = linear.speeds(of, lateral.maximum, &analysis.ratios);

@@ -58,7 +58,7 @@ pub(super) struct Responses {
     pub(super) speeds: Vec<f64>,
     pub(super) all: Vec<Response>,
     pub(super) lines: Vec<Line>,
-    pub(super) lost: String,
+    pub(super) notes: String,
     pub(super) interrupted: bool,
 }
 
@@ -111,7 +111,7 @@ pub(super) fn found(
         speeds.push(speed);
         Ok(())
     };
-    let Ended { lost, interrupted } =
+    let Ended { notes, interrupted } =
         at_each_speed(linear, (analysis, wanted), interruption, &mut work)?;
     let mut lines = Vec::new();
     if !interrupted {
@@ -142,17 +142,17 @@ pub(super) fn found(
             };
             for (place, probe) in probes.iter().enumerate() {
                 let mut reading = |speed: f64| Ok(probe.reading(&at(speed, &probe.point)?));
-                response.peaks[place] = peaks(&seeds, ends, &mut reading)?;
+                response.peaks[place] = peaks(&seeds, ends, interruption, &mut reading)?;
             }
             let mut orbits = Vec::with_capacity(closes.len());
             for close in closes {
                 let mut orbit = |speed: f64| Ok(2e6 * at(speed, &close.point)?.orbit().major);
-                orbits.push(peaks(&seeds, ends, &mut orbit)?);
+                orbits.push(peaks(&seeds, ends, interruption, &mut orbit)?);
             }
             judge(&mut lines, response, lateral, &speeds, (probes, closes), &orbits);
         }
     }
-    Ok(Responses { speeds, all, lines, lost, interrupted })
+    Ok(Responses { speeds, all, lines, notes, interrupted })
 }
 
 /// N_c/(N₂ − N₁); of a peak that falls so far on one side only, by twice that side.

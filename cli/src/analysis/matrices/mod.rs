@@ -10,6 +10,7 @@ use std::fmt::Write;
 use content::Content;
 use whirl_solver::linear::{LinearMachine, Standstill};
 
+use super::facts::Facts;
 use super::found::Found;
 use super::speeds::Wanted;
 use super::states::{Ended, at_each_speed};
@@ -75,12 +76,14 @@ pub(super) fn found(
         });
         Ok(())
     };
-    let Ended { lost, interrupted } =
+    let Ended { notes, interrupted } =
         at_each_speed(linear, (analysis, wanted), interruption, &mut work)?;
     if several {
         files.push((format!("{}.csv", analysis.name), index.into_bytes()));
     }
     text.push_str(&words::at_the_speed(linear));
-    text.push_str(&lost);
-    Ok(Found { text, files, interrupted })
+    text.push_str(&notes);
+    let mut facts = Facts::default();
+    facts.lines(&(words::at_the_speed(linear) + &notes));
+    Ok(Found { text, files, interrupted, facts })
 }

@@ -52,16 +52,25 @@ fn unit(most: f64) -> (f64, &'static str) {
 
 /// The largest peaks over the points that are apart, by speed.
 fn apart(peaks: &[Vec<Peak>]) -> Vec<Peak> {
-    let mut all: Vec<Peak> = peaks.iter().flatten().copied().collect();
-    all.sort_by(|a, b| b.height.total_cmp(&a.height).then(a.speed.total_cmp(&b.speed)));
-    let mut kept: Vec<Peak> = Vec::new();
+    apart_of(&peaks.iter().enumerate().collect::<Vec<_>>()).into_iter().map(|own| own.1).collect()
+}
+
+/// The same, each with the point that it is of.
+fn apart_of(peaks: &[(usize, &Vec<Peak>)]) -> Vec<(usize, Peak)> {
+    let of_point = |(point, all): &(usize, &Vec<Peak>)| {
+        let point = *point;
+        all.iter().map(move |own| (point, *own)).collect::<Vec<_>>()
+    };
+    let mut all: Vec<(usize, Peak)> = peaks.iter().flat_map(of_point).collect();
+    all.sort_by(|(_, a), (_, b)| b.height.total_cmp(&a.height).then(a.speed.total_cmp(&b.speed)));
+    let mut kept: Vec<(usize, Peak)> = Vec::new();
     for own in all {
-        let alike = |other: &Peak| (other.speed / own.speed - 1.0).abs() < ALIKE;
+        let alike = |other: &(usize, Peak)| (other.1.speed / own.1.speed - 1.0).abs() < ALIKE;
         if kept.len() < PEAKS && !kept.iter().any(alike) {
             kept.push(own);
         }
     }
-    kept.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+    kept.sort_by(|a, b| a.1.speed.total_cmp(&b.1.speed));
     kept
 }
 
@@ -106,10 +115,32 @@ impl Drawing<'_> {
         all
     }
 
+    /// The points that move most, as many as there are styles for, in their order.
+    fn largest(&self) -> Vec<usize> {
+        let size = |place: usize| {
+            let all = self.sources.iter().flat_map(|own| &own.motions);
+            all.map(|own| own[place].orbit().major).fold(0.0, f64::max)
+        };
+        let mut places: Vec<usize> = (0..self.points.len()).collect();
+        places.sort_by(|a, b| size(*b).total_cmp(&size(*a)).then(a.cmp(b)));
+        places.truncate((STYLES.len() / self.readings.len().max(1)).max(1));
+        places.sort_unstable();
+        places
+    }
+
+    /// Says of which points curves are, if not of all.
+    fn of_some(&self) -> String {
+        let shown = self.largest().len();
+        match shown < self.points.len() {
+            true => format!(", {shown} largest of {} points", self.points.len()),
+            false => String::new(),
+        }
+    }
+
     /// Points whose curves are shown: places, each with what is read there and a style.
     fn shown(&self) -> impl Iterator<Item = (usize, Reading, Style)> + '_ {
-        let places = (0..self.points.len())
-            .flat_map(|place| self.readings.iter().map(move |own| (place, *own)));
+        let places = self.largest().into_iter();
+        let places = places.flat_map(|place| self.readings.iter().map(move |own| (place, *own)));
         places.zip(STYLES).map(|((place, reading), style)| (place, reading, style))
     }
 
@@ -162,7 +193,7 @@ impl Drawing<'_> {
             _ => "probe",
         };
         let mut amplitude = Panel {
-            title: self.what(source),
+            title: self.what(source) + &self.of_some(),
             x: self.axis(),
             y: format!("{quantity} ({unit}, zero to peak)"),
             lines: curve(&|reading, own| scale * reading.amplitude(own)),
@@ -198,16 +229,14 @@ impl Drawing<'_> {
         [amplitude, phase]
     }
 
-    /// Peaks that are apart, on the highest curve that is shown there.
+    /// Peaks that are apart, each on the curve of its point.
     fn peaks<'a>(&'a self, source: &'a Source) -> impl Iterator<Item = ((f64, f64), Peak)> + 'a {
-        let drawn: Vec<usize> = self.shown().map(|own| own.0).collect();
-        let of_drawn: Vec<Vec<Peak>> = (0..self.points.len())
-            .filter(|place| drawn.contains(place))
-            .map(|place| source.peaks[place].clone())
-            .collect();
-        apart(&of_drawn).into_iter().filter_map(|own| {
+        let drawn = self.largest();
+        let of_drawn: Vec<(usize, &Vec<Peak>)> =
+            drawn.into_iter().map(|place| (place, &source.peaks[place])).collect();
+        apart_of(&of_drawn).into_iter().filter_map(|(place, own)| {
             let (_, motions) = self.nearest(source, own.speed)?;
-            let sizes = self.shown().map(|(place, reading, _)| reading.amplitude(&motions[place]));
+            let sizes = self.readings.iter().map(|reading| reading.amplitude(&motions[place]));
             Some(((words::rpm(own.speed), sizes.fold(0.0, f64::max)), own))
         })
     }

@@ -1,6 +1,8 @@
 //! Response to unbalance over speed: orbits of points, peaks and how sharp they are.
 
 mod figures;
+mod large;
+mod numbers;
 mod probes;
 mod source;
 
@@ -13,6 +15,7 @@ use whirl_solver::linear::{
 use whirl_text::{rounded, shown};
 
 use self::figures::{Drawing, beside};
+use self::large::Large;
 use self::probes::Reading;
 use self::source::Source;
 use super::found::{Found, drawn};
@@ -54,8 +57,14 @@ pub(super) fn found(
     let mut speeds: Vec<f64> = Vec::new();
     let mut sources: Vec<Source> = Vec::new();
     let mut ratios = vec![0.0; linear.machine().bodies.len()];
+    let (mut large, mut at_rest) = (Large::default(), false);
     let mut work = |speed: f64, here: &Standstill| -> Result<(), Failure> {
+        if linear.turning().any(|body| !linear.responds_at(here, here.speeds[body])) {
+            at_rest = true;
+            return Ok(());
+        }
         let equations = linear.linearised(here)?;
+        let mut sums = vec![0.0; points.len()];
         for body in linear.turning() {
             for (order, motions) in linear.response((here, &equations), body, &points)? {
                 let place = sources.iter().position(|own| own.body == body && own.order == order);
@@ -64,6 +73,8 @@ pub(super) fn found(
                     sources.push(Source { body, order, motions, peaks, near: Vec::new() });
                     sources.len() - 1
                 });
+                let all = sums.iter_mut().zip(&motions);
+                all.filter(|_| order != 0.0).for_each(|(sum, own)| *sum += own.orbit().major);
                 let own = &mut sources[place];
                 own.motions.resize(speeds.len(), still(points.len()));
                 own.motions.push(motions);
@@ -73,10 +84,14 @@ pub(super) fn found(
             }
         }
         speeds.push(speed);
+        large.take(linear, (speed, here), &sums);
         Ok(())
     };
-    let Ended { lost, interrupted } =
+    let Ended { mut notes, mut interrupted } =
         at_each_speed(linear, (analysis, wanted), interruption, &mut work)?;
+    if at_rest {
+        notes += "note: 0 rpm is left out: a body that turns freely, or is not round, has no response at rest\n";
+    }
     if sources.is_empty() {
         return Err(Failure::Argument {
             message: format!("no body of `{}` has an unbalance, nor a load that turns with it", case.name),
@@ -84,9 +99,16 @@ pub(super) fn found(
                 .to_owned(),
         });
     }
+    if let ([speed], false) = (speeds.as_slice(), interrupted) {
+        let here = at(*speed, None)?;
+        if !linear.modes(&linear.linearised(&here)?, 1)?.is_stable() {
+            notes += "the machine is NOT STABLE in this state: a motion grows, and this response is not reached\n";
+        }
+    }
     sources.iter_mut().for_each(|own| own.motions.resize(speeds.len(), still(points.len())));
     sources.sort_by(|a, b| a.body.cmp(&b.body).then(a.order.total_cmp(&b.order)));
     if let ([first, .., last], false) = (speeds.as_slice(), interrupted) {
+        let mut is_told = false;
         for source in &mut sources {
             let order = source.order * ratios[source.body];
             if order == 0.0 {
@@ -99,7 +121,13 @@ pub(super) fn found(
                 count: analysis.count,
                 orders: vec![order],
             };
-            let seeds = linear.campbell(&range, &|| true)?.criticals;
+            let campbell = linear.campbell(&range, &|| !interruption.asked())?;
+            if !is_told && campbell.stable.contains(&false) {
+                notes += &words::thresholds(&campbell);
+                notes += "where the machine is not stable this response is not reached: something grows\n";
+                is_told = true;
+            }
+            let seeds = campbell.criticals;
             let own = |place: usize| {
                 let mut near: Option<Standstill> = None;
                 let mut response = |speed: f64| -> Result<f64, Error> {
@@ -111,7 +139,7 @@ pub(super) fn found(
                     let own = all.iter().find(|own| own.0 == source.order);
                     Ok(own.map_or(0.0, |own| own.1[0].orbit().major))
                 };
-                peaks(&seeds, [*first, *last], &mut response)
+                peaks(&seeds, [*first, *last], interruption, &mut response)
             };
             let size = |place: usize| {
                 let all = source.motions.iter().map(|own| own[place].orbit().major);
@@ -122,7 +150,7 @@ pub(super) fn found(
             let peaks_of = |place: usize| if moved[place] { own(place) } else { Ok(Vec::new()) };
             source.peaks = (0..points.len()).map(peaks_of).collect::<Result<_, Error>>()?;
             let wanted = if figures { beside(&source.peaks, [*first, *last]) } else { Vec::new() };
-            for speed in wanted {
+            for speed in wanted.into_iter().take_while(|_| !interruption.asked()) {
                 let here = at(speed, None)?;
                 let equations = linear.linearised(&here)?;
                 let all = linear.response((&here, &equations), source.body, &points)?;
@@ -131,6 +159,7 @@ pub(super) fn found(
             }
         }
     }
+    interrupted |= interruption.asked();
     let name = &analysis.name;
     let mut files = vec![
         (format!("{name}.csv"), rows(linear, &points, &speeds, &sources).into_bytes()),
@@ -154,8 +183,11 @@ pub(super) fn found(
             files.extend(drawn(&stem, &figure));
         }
     }
-    let text = text(case, linear, &points, (&speeds, &sources)) + &lost;
-    Ok(Found { text, files, interrupted })
+    let notes = notes + &words::doubts(&large.told());
+    let text = text(case, linear, &points, (&speeds, &sources)) + &notes;
+    let mut facts = numbers::facts(linear, &points, (&speeds, &sources));
+    facts.lines(&notes);
+    Ok(Found { text, files, interrupted, facts })
 }
 
 /// Points that do not move.
@@ -175,10 +207,11 @@ pub(super) fn coarse(speeds: &[f64]) -> Vec<f64> {
 pub(super) fn peaks(
     seeds: &[Critical],
     range: [f64; 2],
+    interruption: &Interruption,
     response: &mut dyn FnMut(f64) -> Result<f64, Error>,
 ) -> Result<Vec<Peak>, Error> {
     let mut found: Vec<Peak> = Vec::new();
-    for seed in seeds {
+    for seed in seeds.iter().take_while(|_| !interruption.asked()) {
         let width = seed.speed * seed.mode.damping_ratio().abs().max(1e-6);
         let Some(own) = peak(response, (seed.speed, width), range)? else { continue };
         if found.iter().all(|other| (other.speed / own.speed - 1.0).abs() > SAME) {

@@ -52,9 +52,9 @@ pub(super) fn released(
     Ok((LinearMachine::new(built.machine)?.with_swinging_bodies(), bodies))
 }
 
-/// Modes, diagram and torques.
+/// Modes and diagram of a train, and the torques of the machine as it is `driven`.
 pub(super) fn found(
-    case: &Case,
+    (case, driven): (&Case, &LinearMachine),
     linear: &LinearMachine,
     (analysis, wanted): (&Analysis, &Wanted),
     released: &[usize],
@@ -100,7 +100,13 @@ pub(super) fn found(
             branches.push(place);
         }
     }
-    let torques = linear.torques(&at);
+    let torques = match released {
+        [] => linear.torques(&at),
+        _ => {
+            let speeds = driven.speeds(of, operation[1], &analysis.ratios);
+            driven.torques(&driven.standing(&speeds, None)?)
+        }
+    };
     let train = Train {
         case,
         linear,
@@ -123,15 +129,19 @@ pub(super) fn found(
         files.extend(drawn(name, &train.figure()));
     }
     let mut text = train.text(&torques);
+    let before = text.len();
+    let mut facts = train.facts();
     for body in released {
         let name = linear.machine().bodies[*body].name();
         let _ = writeln!(
             text,
-            "note: {name} turns freely here, though its speed is prescribed: a drive holds no end of a train"
+            "note: {name} turns freely in these modes, though its speed is prescribed: a drive holds no end of a train"
         );
     }
+    facts.lines(&text[before..]);
     text += &words::doubts(&campbell.doubts);
-    Ok(Found { text, files, interrupted })
+    facts.doubts(&campbell.doubts);
+    Ok(Found { text, files, interrupted, facts })
 }
 
 /// The speed that a case gives a body (rad/s), with its sign.

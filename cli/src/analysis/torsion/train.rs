@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use whirl_solver::linear::{Campbell, Critical, LinearMachine, Mode, Torque, Torsion};
 
 use super::excitation::Excitation;
+use crate::analysis::facts::Facts;
 use crate::case::Case;
 
 /// A mode of the train at the speed of operation.
@@ -62,6 +63,18 @@ impl Train<'_> {
             })
         });
         pairs.collect()
+    }
+
+    /// Frequencies in operation, how near one comes to what excites it, and how many come too close.
+    pub(super) fn facts(&self) -> Facts {
+        let mut facts = Facts::default();
+        facts.each("frequency_hz.", self.modes.iter().map(|own| own.mode.hertz()));
+        let pairs = self.modes.iter().flat_map(|own| {
+            self.excitations.iter().filter_map(|other| self.separation(&own.mode, other))
+        });
+        facts.put("least_separation", pairs.map(f64::abs).reduce(f64::min));
+        facts.put("close", self.close().len() as f64);
+        facts
     }
 
     /// Critical speeds, each with its mode of torsion and its excitation.

@@ -144,7 +144,7 @@ fn over_speed(store: FileStore, table: &Table) -> Option<(Located, NamedLaw)> {
             return None;
         }
     };
-    if !has_columns(table, &name, &file) {
+    if !has_columns(table, &name, &file) || !has_units(table, &name, &file) {
         return None;
     }
     let mut rows = file.clone();
@@ -186,11 +186,39 @@ fn over_speed(store: FileStore, table: &Table) -> Option<(Located, NamedLaw)> {
     }
 }
 
-/// Whether the first line of a file names a column.
-fn has(file: &Source, wanted: &str) -> bool {
+/// The line of a file that names its columns.
+fn heads(file: &Source) -> String {
     let text = |line: &str| line.split('#').next().unwrap_or("").trim().to_owned();
     let heads = file.text.trim_start_matches('\u{feff}').lines().map(text);
-    let heads = heads.into_iter().find(|line| !line.is_empty()).unwrap_or_default();
+    heads.into_iter().find(|line| !line.is_empty()).unwrap_or_default()
+}
+
+/// Whether the columns of stiffness and damping have such units; those that have not are noted.
+fn has_units(table: &Table, name: &Located, file: &Source) -> bool {
+    let before = table.errors();
+    let heads = heads(file);
+    for cell in heads.split([',', ';', '\t']) {
+        let Some((called, rest)) = cell.trim().split_once('[') else { continue };
+        let (called, unit) = (called.trim(), rest.trim_end_matches(']').trim());
+        let expected = match called.split_once('_') {
+            Some(("k", axes)) if DIRECTIONS.contains(&axes) => "N/m",
+            Some(("c", axes)) if DIRECTIONS.contains(&axes) => "N*s/m",
+            _ => continue,
+        };
+        let of = |unit: &str| Quantity::parse(&format!("0 {unit}"));
+        let (Ok(own), Ok(wanted)) = (of(unit), of(expected)) else { continue };
+        if own.dimension() != wanted.dimension() {
+            let message = format!("`{called}` of `{}` is in {unit}", name.text());
+            let help = format!("give it a unit such as `{called} [{expected}]`");
+            table.push(name.error_here(Code::WRONG_UNIT, message).help(help));
+        }
+    }
+    table.errors() == before
+}
+
+/// Whether the first line of a file names a column.
+fn has(file: &Source, wanted: &str) -> bool {
+    let heads = heads(file);
     heads.split(|c: char| !(c.is_alphanumeric() || c == '_')).any(|head| head == wanted)
 }
 

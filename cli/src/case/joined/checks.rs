@@ -8,6 +8,7 @@ use whirl_specs::Motion;
 
 use super::{fit, gear};
 use crate::case::gravity::Gravity;
+use crate::case::ground::GroundMotion;
 use crate::case::joined_machine::{Drive, JoinedMachine};
 use crate::case::joint::{Joint, JointKind, Side};
 use crate::case::machine;
@@ -263,7 +264,7 @@ impl Checks<'_, '_> {
         }
     }
 
-    /// Whether its weight may turn a body: its centre of mass may be beside its axis.
+    /// Whether its weight, or the motion of the ground, may turn a body: its centre of mass may be beside its axis.
     fn is_weighed(&self, body: &NamedBody) -> bool {
         let across = |gravity: &Gravity| gravity.acceleration[..2].iter().any(|own| *own != 0.0);
         let beside = |own: &Attached| match own.what {
@@ -271,7 +272,9 @@ impl Checks<'_, '_> {
             AttachmentKind::Unbalance(moment) => moment != [0.0; 2],
             AttachmentKind::Disc { .. } => false,
         };
-        self.machine.gravity.as_ref().is_some_and(across) && body.attached.iter().any(beside)
+        let shaken = self.machine.ground.as_ref().is_some_and(GroundMotion::is_across);
+        let acts = shaken || self.machine.gravity.as_ref().is_some_and(across);
+        acts && body.attached.iter().any(beside)
     }
 
     /// Notes a body that nothing holds along z.

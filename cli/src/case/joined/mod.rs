@@ -26,7 +26,7 @@ use super::joint::Joint;
 use super::library::FileStore;
 use super::machine::Materials;
 use super::named_body::NamedBody;
-use super::{gravity, law, names};
+use super::{gravity, ground, law, names};
 
 /// Keys that make a file one of named bodies.
 const NAMED: [&str; 4] = ["body", "joint", "drives", "loads"];
@@ -99,6 +99,7 @@ impl JoinedMachine {
         });
         let loads: Vec<Option<Load>> = loads.collect();
         let gravity = gravity::read(file);
+        let ground = ground::read(store, file);
         let motion = checks::one_motion(file, motions);
         if file.errors() > before {
             return None;
@@ -112,6 +113,7 @@ impl JoinedMachine {
             loads: loads.into_iter().collect::<Option<_>>()?,
             motion: motion?,
             gravity,
+            ground,
             form: InputForm::Named,
         };
         machine.check(file, goes_on);

@@ -6,7 +6,7 @@ use whirl_codegen::diagnostic::Code;
 use whirl_codegen::document::Table;
 
 /// Beyond any machine, but far below where numbers end (rad/s): ten million revolutions per minute.
-const MOST_SPEED: f64 = 1e7 * TAU / 60.0;
+pub(in crate::case) const MOST_SPEED: f64 = 1e7 * TAU / 60.0;
 
 /// A speed of rotation (rad/s); one that no machine has is noted.
 pub(in crate::case) fn speed(table: &Table, key: &str) -> Option<f64> {

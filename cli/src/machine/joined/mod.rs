@@ -232,6 +232,7 @@ pub(super) fn model<'a>(
         bearings,
         loads: loads.chain(spinning.flatten()).chain(drives).collect(),
         gravity: forces::acceleration(joined.gravity.as_ref()),
+        ground: forces::ground(joined.ground.as_ref()),
         outputs: plan.outputs.clone(),
         fields: plan.fields.clone(),
     };

@@ -179,7 +179,7 @@ impl Making<'_> {
         let (first, second) = (turns(ends.first()), turns(ends.get(1)));
         let varies = STIFFNESS.iter().chain(&DAMPING).any(|own| !bearing.is_constant(*own));
         let at = |which: usize| bearing.at(which, speed);
-        if varies && !(first && !second) {
+        if varies && (!first || second) {
             notes.of(tag, "differs: its coefficients are those at the speed of the case, not a table: both its sides turn, or none does");
         }
         if ALONG.iter().any(|own| !bearing.is_constant(*own)) {

@@ -66,7 +66,7 @@ fn panel(group: &Group, grid: &Grid, cells: &[Cell]) -> Panel {
 
 /// The name of a series on its way.
 pub(super) fn called(series: &Series, way: Option<&str>) -> String {
-    way.map_or(series.name.to_owned(), |way| format!("{}, {way}", series.name))
+    way.map_or(series.name.clone(), |way| format!("{}, {way}", series.name))
 }
 
 /// Adds points with lines between them, where there are some on both sides; without lines over texts.

@@ -44,7 +44,7 @@ fn panel(
         }
     }
     let what = match series.columns.len() {
-        1 => series.symbol.to_owned(),
+        1 => series.symbol.clone(),
         _ => format!("largest |{}|", series.symbol),
     };
     let way = name.map_or(String::new(), |way| format!(", {way}"));

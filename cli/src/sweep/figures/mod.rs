@@ -1,6 +1,7 @@
 //! Figures of a sweep: functions of its journal. Over one value curves, a bifurcation diagram and spectra, over two values
 //! maps, of a Latin hypercube its points over every key.
 
+mod analysed;
 mod cell;
 mod curves;
 mod grid;
@@ -23,6 +24,9 @@ use crate::figures::{Figure, put_figure};
 /// Whether figures need what [`super::trace`] finds: those of sweeps over one key, up to a bound. One over a single value may get
 /// others later.
 pub(super) fn need_traces(sweep: &Sweep) -> bool {
+    if !sweep.marches {
+        return false;
+    }
     match grid::varying(sweep).as_slice() {
         [] => sweep.samples.is_none(),
         [axis] => grid::values(sweep, *axis) <= MOST_OF_CURVE,
@@ -44,7 +48,10 @@ pub(super) fn draw(
         _ => return Vec::new(),
     };
     let Some(case) = first_case(sweep, kept, points) else { return Vec::new() };
-    let Quantities { topics, wanted } = Quantities::of(&case, &kept.names);
+    let Quantities { topics, wanted } = {
+        let analyses: Vec<&str> = sweep.analyses.iter().map(|own| own.text()).collect();
+        Quantities::of(&case, &analyses, &kept.names)
+    };
     let cells = match cells(kept, points, &wanted) {
         Ok(cells) => cells,
         Err(reason) => return vec![reason],

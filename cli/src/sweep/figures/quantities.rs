@@ -1,7 +1,8 @@
-//! Which numbers of the table are drawn: those of the supports, amplitudes of orders, and stresses.
+//! Which numbers of the table are drawn: those of the supports, amplitudes of orders, stresses, and those of analyses.
 
 use std::collections::BTreeSet;
 
+use super::analysed::{KINDS, Panelled, panels};
 use crate::case::Case;
 
 /// A panel of a figure: numbers with one unit.
@@ -10,7 +11,7 @@ pub(super) struct Group {
     /// Shown above the panel.
     pub(super) title: String,
     /// What its numbers are, without their unit.
-    pub(super) quantity: &'static str,
+    pub(super) quantity: String,
     pub(super) unit: String,
     pub(super) series: Vec<Series>,
     /// The column of a limit on both sides of zero, among those that are wanted.
@@ -21,9 +22,9 @@ pub(super) struct Group {
 #[derive(Debug, Clone)]
 pub(super) struct Series {
     /// What the legend calls it.
-    pub(super) name: &'static str,
+    pub(super) name: String,
     /// The letters of its quantity.
-    pub(super) symbol: &'static str,
+    pub(super) symbol: String,
     /// One column, or those of its least and its largest value, among those that are wanted.
     pub(super) columns: Vec<usize>,
 }
@@ -47,8 +48,8 @@ pub(super) struct Quantities {
 }
 
 impl Quantities {
-    /// Of a case whose rows have these numbers.
-    pub(super) fn of(case: &Case, names: &[Vec<String>]) -> Self {
+    /// Of a case and analyses whose rows have these numbers.
+    pub(super) fn of(case: &Case, analyses: &[&str], names: &[Vec<String>]) -> Self {
         let mut wanted = Wanted { known: names.iter().flatten().collect(), names: Vec::new() };
         let mut topics = Vec::new();
         let mut add = |stem, title, groups: Vec<Group>| {
@@ -75,6 +76,10 @@ impl Quantities {
         }
         add("orders", "Amplitudes at 1X and 2X", orders(&mut wanted));
         add("stresses", "Largest von Mises stresses", stresses(&mut wanted));
+        for kind in &KINDS {
+            let panels = panels(kind, analyses, &wanted.known);
+            add(kind.stem, kind.title, panels.into_iter().map(|own| wanted.panel(own)).collect());
+        }
         Quantities { topics, wanted: wanted.names }
     }
 }
@@ -99,8 +104,27 @@ impl Wanted<'_> {
         ["min", "max"].map(|end| self.place(format!("{column}.{end}"))).into_iter().collect()
     }
 
-    fn series(&mut self, column: &str, symbol: &'static str, name: &'static str) -> Option<Series> {
-        Some(Series { name, symbol, columns: self.ends(column)? })
+    /// Numbers of analyses.
+    fn panel(&mut self, own: Panelled) -> Group {
+        let series = own.series.into_iter().filter_map(|(name, column)| {
+            let columns = vec![self.place(column)?];
+            Some(Series { symbol: name.clone(), name, columns })
+        });
+        Group {
+            title: own.title,
+            quantity: own.quantity.to_owned(),
+            unit: own.unit.to_owned(),
+            series: series.collect(),
+            limit: None,
+        }
+    }
+
+    fn series(&mut self, column: &str, symbol: &str, name: &str) -> Option<Series> {
+        Some(Series {
+            name: name.to_owned(),
+            symbol: symbol.to_owned(),
+            columns: self.ends(column)?,
+        })
     }
 }
 
@@ -113,7 +137,7 @@ fn reactions(case: &Case, wanted: &mut Wanted) -> Vec<Group> {
         if !series.is_empty() {
             groups.push(Group {
                 title: own.title,
-                quantity: "force on the shaft",
+                quantity: "force on the shaft".to_owned(),
                 unit: "N".to_owned(),
                 series,
                 limit: None,
@@ -133,7 +157,7 @@ fn eccentricities(case: &Case, wanted: &mut Wanted) -> Vec<Group> {
             groups.push(Group {
                 limit: wanted.place(own.column("clearance", "um")),
                 title: own.title,
-                quantity: "eccentricity",
+                quantity: "eccentricity".to_owned(),
                 unit: "µm".to_owned(),
                 series,
             });
@@ -148,7 +172,7 @@ fn displacement(case: &Case, wanted: &mut Wanted) -> Vec<Group> {
     let series = wanted.series(&first.column("X", "um"), "X", "X, vertical");
     let group = |series| Group {
         title: String::new(),
-        quantity: "displacement",
+        quantity: "displacement".to_owned(),
         unit: "µm".to_owned(),
         series: vec![series],
         limit: None,
@@ -166,14 +190,16 @@ fn orders(wanted: &mut Wanted) -> Vec<Group> {
         .collect();
     let mut groups = Vec::new();
     for signal in signals {
-        let mut order = |symbol, name| {
+        let mut order = |symbol: &str, name: &str| {
             let place = wanted.place(format!("{signal}.{symbol}.amplitude"))?;
-            Some(Series { name, symbol, columns: vec![place] })
+            let columns = vec![place];
+            Some(Series { name: String::from(name), symbol: String::from(symbol), columns })
         };
         let series = [order("1X", "1X, once a revolution"), order("2X", "2X, twice a revolution")];
         let unit = unit(&signal).to_owned();
         let series = series.into_iter().flatten().collect();
-        groups.push(Group { title: signal, quantity: "amplitude", unit, series, limit: None });
+        let quantity = "amplitude".to_owned();
+        groups.push(Group { title: signal, quantity, unit, series, limit: None });
     }
     groups
 }
@@ -184,10 +210,11 @@ fn stresses(wanted: &mut Wanted) -> Vec<Group> {
         wanted.known.iter().filter_map(|name| name.strip_prefix(HEAD)).map(str::to_owned).collect();
     let group = |body: String| {
         let place = wanted.place(format!("{HEAD}{body}"))?;
-        let series = Series { name: "largest stress", symbol: "σ", columns: vec![place] };
+        let (name, symbol) = ("largest stress".to_owned(), "σ".to_owned());
+        let series = Series { name, symbol, columns: vec![place] };
         Some(Group {
             title: body,
-            quantity: "von Mises stress",
+            quantity: "von Mises stress".to_owned(),
             unit: "MPa".to_owned(),
             series: vec![series],
             limit: None,

@@ -65,7 +65,7 @@ fn panel(group: &Group, (label, values): &(String, Vec<f64>), cells: &[Cell]) ->
         let all: Vec<(f64, f64)> = values.iter().zip(cells).map(at).collect();
         let doubted = values.iter().zip(cells).filter(|(_, cell)| cell.is_doubted()).map(at);
         let points = all.iter().copied().filter(|own| own.1.is_finite()).collect();
-        let name = series.name.to_owned();
+        let name = series.name.clone();
         panel.clouds.push(Cloud { points, style: style(k, 0), radius: 2.0, name });
         mark(&mut panel, doubted.collect());
     }

@@ -1,0 +1,83 @@
+//! What analyses are of, and which one does what.
+
+use whirl_solver::cache::Cache;
+use whirl_solver::linear::LinearMachine;
+
+use super::found::Found;
+use super::{
+    campbell, coefficients, forces, lateral, map, matrices, modes, response, speeds, stability,
+    torsion,
+};
+use crate::case::{Analysis, AnalysisKind, Case, CaseText};
+use crate::errors::Failure;
+use crate::signals::Interruption;
+
+/// A case with all that its analyses take.
+pub(crate) struct Subject<'a> {
+    pub(crate) case: &'a Case,
+    /// Its text, for the variants of a lateral analysis; without it there are none.
+    pub(crate) text: Option<&'a CaseText>,
+    /// Its machine, for all that have no machine of their own.
+    pub(crate) linear: Option<&'a LinearMachine>,
+    pub(crate) cache: Option<&'a Cache>,
+    pub(crate) interruption: &'a Interruption,
+    /// Whether figures are wanted.
+    pub(crate) figures: bool,
+}
+
+impl Subject<'_> {
+    /// Whether an analysis builds a machine of its own, with what it looks at.
+    pub(crate) fn is_alone(kind: AnalysisKind) -> bool {
+        matches!(kind, AnalysisKind::Lateral | AnalysisKind::Forces)
+    }
+
+    /// What an analysis comes to; `warnings` are added to.
+    ///
+    /// # Errors
+    /// As of the analysis; that it was interrupted before anything was done.
+    pub(crate) fn found(
+        &self,
+        analysis: &Analysis,
+        warnings: &mut Vec<String>,
+    ) -> Result<Found, Failure> {
+        let Subject { case, text, cache, interruption, figures, .. } = *self;
+        match analysis.kind {
+            AnalysisKind::Forces => {
+                forces::found(case, analysis, (cache, warnings), interruption, figures)
+            }
+            AnalysisKind::Lateral => {
+                lateral::found((case, text), analysis, (cache, warnings), interruption, figures)
+            }
+            _ => self.of_machine(self.linear.expect("it was built"), analysis),
+        }
+    }
+
+    fn of_machine(&self, linear: &LinearMachine, analysis: &Analysis) -> Result<Found, Failure> {
+        let Subject { case, cache, interruption, figures, .. } = *self;
+        let wanted = speeds::wanted(case, linear, analysis)?;
+        let wanted = (analysis, &wanted);
+        match analysis.kind {
+            AnalysisKind::Modes => {
+                let figures = figures.then_some(cache);
+                modes::found(case, linear, wanted, interruption, figures)
+            }
+            AnalysisKind::Campbell => campbell::found(case, linear, wanted, interruption, figures),
+            AnalysisKind::Response => response::found(case, linear, wanted, interruption, figures),
+            AnalysisKind::Coefficients => {
+                coefficients::found(case, linear, wanted, interruption, figures)
+            }
+            AnalysisKind::Stability => {
+                stability::found(case, linear, wanted, interruption, figures)
+            }
+            AnalysisKind::Map => map::found(case, linear, wanted, interruption, figures),
+            AnalysisKind::Matrices => matrices::found(case, linear, wanted, interruption),
+            AnalysisKind::Torsion => {
+                let (train, released) = torsion::released((case, linear), wanted.1.of, cache)?;
+                torsion::found((case, linear), &train, wanted, &released, interruption, figures)
+            }
+            AnalysisKind::Forces | AnalysisKind::Lateral => {
+                unreachable!("they have machines of their own")
+            }
+        }
+    }
+}

@@ -1,0 +1,235 @@
+//! How far small motions may go: where what joints do against them changes, and whether laws are used where they may be believed.
+
+use std::f64::consts::TAU;
+
+use whirl_specs::ContactTangent;
+
+use super::linearised::Standstill;
+use super::round::LinearMachine;
+use crate::bearing::{Measure, Poses, SpringState, Springs, Worst};
+use crate::error::Error;
+use crate::machine::Machine;
+
+/// Share of the largest stiffness and damping of a joint by which they may change.
+const TENTH: f64 = 0.1;
+/// Directions in the plane in which journals are moved.
+const DIRECTIONS: usize = 8;
+/// Distances (m) between which the change is looked for, so many a decade, and halvings of the step in which it is.
+const NEAREST: f64 = 1e-9;
+const FARTHEST: f64 = 1e-3;
+const A_DECADE: i32 = 3;
+const HALVINGS: usize = 8;
+/// Share of the largest stiffness of the machine that is nothing.
+const NOTHING: f64 = 1e-9;
+/// Rate that tells damping from stiffness (1/s).
+const RATE: f64 = 1e6;
+/// Motions (m, m/s) over which a force that changes by as much in a hundredth of them jumps.
+const JUMP: f64 = 1e-9;
+const HUNDREDTH: f64 = 0.01;
+/// Share of the largest force that may be rounding.
+const ROUNDING: f64 = 1e-7;
+
+/// How far a journal may move from where it stands before its joint is another one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Limit {
+    /// The joint.
+    pub joint: String,
+    /// The amplitude (m) at which its stiffness or damping has changed by a tenth of the largest; none up to 1 mm.
+    pub within: Option<f64>,
+}
+
+/// The joints at a state.
+struct Probe<'m> {
+    springs: &'m Springs,
+    state: SpringState,
+    from: Poses,
+    /// Planes of each joint.
+    joints: Vec<Vec<usize>>,
+    tangent: Vec<ContactTangent>,
+}
+
+/// K and C of a joint.
+type Coefficients = [[[f64; 2]; 2]; 2];
+
+impl LinearMachine {
+    /// How far small motions about a state may go at each joint, in the order of the joints.
+    pub fn limits(&self, at: &Standstill) -> Vec<Limit> {
+        let machine = self.machine_of(at);
+        let mut probe = Probe::new(machine, at);
+        let joints = machine.monitors.iter().zip(probe.within());
+        joints.map(|(joint, within)| Limit { joint: joint.name.clone(), within }).collect()
+    }
+
+    /// The joints whose laws are used at a state where they may not be believed, with what is beyond its limit.
+    pub(super) fn unbelieved(&self, at: &Standstill) -> Vec<(String, Measure, f64)> {
+        let machine = self.machine_of(at);
+        let mut state = SpringState::new(&machine.springs);
+        state.update(&machine.springs, 0.0, &at.found.state.q, &at.found.state.v);
+        state.observe(&machine.springs, 0.0);
+        let measures = machine.springs.measures().iter().zip(state.worst());
+        let beyond = measures.filter_map(|(measure, worst)| {
+            let Worst { value, .. } = (*worst)?;
+            let name = machine.monitors[measure.bearing].name.clone();
+            (measure.excess(value) > 0.0).then(|| (name, measure.clone(), value))
+        });
+        beyond.collect()
+    }
+
+    /// Whether every force has a derivative at a state with bodies at these speeds.
+    ///
+    /// # Errors
+    /// A joint whose force jumps there.
+    pub(super) fn has_no_jump(&self, speeds: &[Option<f64>], at: &Standstill) -> Result<(), Error> {
+        let machine = self.machine_of(at);
+        let jumps = Probe::new(machine, at).jumps();
+        let first = machine.monitors.iter().zip(jumps).find_map(|(own, jump)| Some((own, jump?)));
+        let Some((joint, jump)) = first else { return Ok(()) };
+        Err(Error::Jumps { at: self.told(speeds), joint: joint.name.clone(), jump })
+    }
+}
+
+impl<'m> Probe<'m> {
+    fn new(machine: &'m Machine, at: &Standstill) -> Self {
+        let springs = &machine.springs;
+        let mut state = SpringState::new(springs);
+        state.update(springs, 0.0, &at.found.state.q, &at.found.state.v);
+        let tangent = springs.planes.iter().map(|plane| {
+            ContactTangent::new(plane.springs.len(), springs.laws[plane.law].motions.len())
+        });
+        let joints = machine.monitors.iter().map(|joint| joint.planes.clone()).collect();
+        Probe { springs, from: state.poses(), state, joints, tangent: tangent.collect() }
+    }
+
+    /// Moves the journals of all joints in a direction, each by its own amplitude, or lets them move so.
+    fn stand(&mut self, amplitudes: &[f64], direction: usize, moves: bool) {
+        let angle = TAU * direction as f64 / DIRECTIONS as f64;
+        let mut by = vec![[[0.0; 2]; 2]; self.springs.planes.len()];
+        for (planes, amplitude) in self.joints.iter().zip(amplitudes) {
+            for &plane in planes {
+                by[plane][usize::from(moves)] =
+                    [angle.cos(), angle.sin()].map(|own| amplitude * own);
+            }
+        }
+        self.state.stand_beside(self.springs, &self.from, &by);
+    }
+
+    /// K and C of all joints where they were put.
+    fn coefficients(&mut self) -> Vec<Coefficients> {
+        let mut all = Vec::with_capacity(self.joints.len());
+        for planes in &self.joints {
+            let mut sum = [[[0.0; 2]; 2]; 2];
+            for &plane in planes {
+                let own = self.state.stiffness_and_damping(
+                    self.springs,
+                    plane,
+                    RATE,
+                    &mut self.tangent[plane],
+                );
+                let cells = sum.iter_mut().flatten().flatten().zip(own.iter().flatten().flatten());
+                cells.for_each(|(sum, own)| *sum += own);
+            }
+            all.push(sum);
+        }
+        all
+    }
+
+    /// Forces of all joints where they were put.
+    fn forces(&self) -> Vec<[f64; 2]> {
+        let force = |planes: &Vec<usize>| {
+            planes.iter().fold([0.0; 2], |sum, &plane| {
+                let [_, x, y] = self.state.plane_force(plane);
+                [sum[0] + x, sum[1] + y]
+            })
+        };
+        self.joints.iter().map(force).collect()
+    }
+
+    /// For every joint whether K or C are others by a tenth at an amplitude of its own, in any direction.
+    fn changed(&mut self, first: &[Coefficients], amplitudes: &[f64]) -> Vec<bool> {
+        let stiffest = first.iter().map(|own| most(&own[0])).fold(0.0, f64::max);
+        let mut changed = vec![false; first.len()];
+        for direction in 0..DIRECTIONS {
+            self.stand(amplitudes, direction, false);
+            for ((changed, own), first) in changed.iter_mut().zip(self.coefficients()).zip(first) {
+                let floors = [NOTHING * stiffest, NOTHING * stiffest.max(most(&first[0])) / RATE];
+                for ((own, first), floor) in own.iter().zip(first).zip(floors) {
+                    let apart = own.iter().flatten().zip(first.iter().flatten());
+                    let apart = apart.map(|(own, first)| (own - first).abs());
+                    let apart =
+                        apart.fold(
+                            0.0,
+                            |most: f64, own| if own > most || own.is_nan() { own } else { most },
+                        );
+                    // What is no number is another one.
+                    *changed |= !(apart <= (TENTH * most(first)).max(floor));
+                }
+            }
+        }
+        changed
+    }
+
+    /// The amplitudes at which K or C have changed by a tenth.
+    fn within(&mut self) -> Vec<Option<f64>> {
+        let count = self.joints.len();
+        self.stand(&vec![0.0; count], 0, false);
+        let first = self.coefficients();
+        let steps = A_DECADE * (FARTHEST / NEAREST).log10().round() as i32;
+        let at = |step: i32| NEAREST * 10.0_f64.powf(f64::from(step) / f64::from(A_DECADE));
+        let mut between: Vec<Option<[f64; 2]>> = vec![None; count];
+        for step in 0..=steps {
+            if between.iter().all(Option::is_some) {
+                break;
+            }
+            let before = if step == 0 { 0.0 } else { at(step - 1) };
+            let changed = self.changed(&first, &vec![at(step); count]);
+            for (between, _) in
+                between.iter_mut().zip(changed).filter(|(own, changed)| own.is_none() && *changed)
+            {
+                *between = Some([before, at(step)]);
+            }
+        }
+        for _ in 0..HALVINGS {
+            let middle = |own: &Option<[f64; 2]>| {
+                own.map_or(0.0, |[a, b]| if a > 0.0 { (a * b).sqrt() } else { 0.5 * b })
+            };
+            let amplitudes: Vec<f64> = between.iter().map(middle).collect();
+            let changed = self.changed(&first, &amplitudes);
+            for ((between, amplitude), changed) in between.iter_mut().zip(amplitudes).zip(changed) {
+                if let Some(own) = between {
+                    own[usize::from(changed)] = amplitude;
+                }
+            }
+        }
+        between.into_iter().map(|own| own.map(|[_, last]| last)).collect()
+    }
+
+    /// By how much forces jump where the journals stand and move.
+    fn jumps(&mut self) -> Vec<Option<f64>> {
+        let count = self.joints.len();
+        self.stand(&vec![0.0; count], 0, false);
+        let first = self.forces();
+        let largest = first.iter().flatten().fold(0.0, |most: f64, own| most.max(own.abs()));
+        let mut jumps = vec![None; count];
+        for (direction, moves) in (0..DIRECTIONS).flat_map(|own| [(own, false), (own, true)]) {
+            let mut by = [JUMP, HUNDREDTH * JUMP].map(|amplitude| {
+                self.stand(&vec![amplitude; count], direction, moves);
+                self.forces()
+            });
+            let [far, near] = &mut by;
+            for (joint, jump) in jumps.iter_mut().enumerate() {
+                let apart =
+                    |own: [f64; 2]| (own[0] - first[joint][0]).hypot(own[1] - first[joint][1]);
+                let (far, near) = (apart(far[joint]), apart(near[joint]));
+                if near > 0.5 * far && near > ROUNDING * largest.max(1.0) {
+                    *jump = Some(jump.map_or(near, |own: f64| own.max(near)));
+                }
+            }
+        }
+        jumps
+    }
+}
+
+/// The largest entry of a matrix.
+fn most(own: &[[f64; 2]; 2]) -> f64 {
+    own.iter().flatten().fold(0.0, |most, own| most.max(own.abs()))
+}

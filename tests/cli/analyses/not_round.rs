@@ -1,0 +1,77 @@
+//! Shafts that are not round, as matrices: where they are unstable, and what is fixed to them.
+
+use std::f64::consts::TAU;
+
+use super::closed_forms::{dofs, market};
+use super::{column, numbers, ran};
+use crate::workbench::Workbench;
+
+/// A mass of 10 kg on a spring that turns, with these stiffnesses across (N/m), and a damper (N·s/m) that stands.
+fn shaft(stiffness: [f64; 2], damper: f64, more: &str) -> Workbench {
+    let spring = market(2, &|i, j, axis| {
+        let k = [stiffness[0], stiffness[1], 1e6][axis];
+        if i == j { k } else { -k }
+    });
+    let mass = market(2, &|i, j, _| if i == j { 10.0 } else { 0.0 });
+    let case = format!(
+        "title = \"a mass on a flat shaft\"\n{more}\n[body.rotor]\nturns = \"prescribed\"\nspeed = \"300 rad/s\"\n\
+         stiffening = false\nmatrices = {{ stiffness = \"K.mtx\", mass = \"M.mtx\", dofs = \"dofs.csv\" }}\n\
+         units = \"m, N, kg\"\nheld = [\"NODE_1\"]\n[joint.ground]\nkind = \"bushing\"\n\
+         first = {{ body = \"rotor\", sets = \"NODE_2\" }}\ndamping = {{ xx = \"{damper} N*s/m\", yy = \"{damper} N*s/m\" }}\n\
+         [output.mass]\nquantity = \"displacement\"\nbody = \"rotor\"\nset = \"NODE_2\"\n"
+    );
+    Workbench::new()
+        .file("K.mtx", &spring)
+        .file("M.mtx", &mass)
+        .file("dofs.csv", &dofs(&[0.0, 0.0]))
+        .file("case.toml", &case)
+}
+
+/// Ω² = ½(s ∓ √(s² − 4ω₁²ω₂²)), s = ω₁² + ω₂² − (c/m)²: between steps of 20 rad/s as between those of 1 rad/s.
+#[test]
+fn an_interval_of_instability_between_two_speeds_is_found() {
+    let (one, two, damper) = (1.0e6, 1.02e6, 20.0);
+    let workbench = shaft([one, two], damper, "");
+    let sum = (one + two) / 10.0 - (damper / 10.0_f64).powi(2);
+    let root = (sum * sum - 4.0 * one * two / 100.0).sqrt();
+    let expected = [-1.0, 1.0].map(|sign| (0.5 * (sum + sign * root)).sqrt() * 60.0 / TAU);
+    for speeds in ["250 rad/s .. 390 rad/s, 8", "300 rad/s .. 330 rad/s, 31"] {
+        ran(
+            &workbench,
+            &["stability", "case.toml", "--speeds", speeds, "--out", "out", "--no-figures"],
+        );
+        let found = numbers(&workbench, "out/stability.thresholds.csv", "speed_rpm");
+        assert_eq!(found.len(), 2, "{speeds}: {found:?}");
+        for (found, expected) in found.iter().zip(expected) {
+            assert!((found / expected - 1.0).abs() < 1e-6, "{speeds}: {found}, not {expected}");
+        }
+    }
+}
+
+/// What is fixed to the shaft turns with it: it moves nothing but once a turn.
+#[test]
+fn a_force_fixed_to_the_shaft_acts_once_a_turn_only() {
+    let of = |load: &str| {
+        let more = format!("gravity = [\"-9.81 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]\n{load}");
+        let workbench = shaft([1.0e6, 1.2e6], 500.0, &more);
+        ran(&workbench, &["response", "case.toml", "--speeds", "100 rad/s", "--out", "out"]);
+        let of = |name: &str| numbers(&workbench, "out/response.csv", name);
+        let (orders, points) = (of("order"), column(&workbench, "out/response.csv", "point"));
+        let sizes = [of("x_um"), of("y_um")];
+        [0.0, 1.0, 2.0].map(|order| {
+            let is_own = |row: &usize| orders[*row] == order && points[*row] == "output.mass";
+            (0..orders.len()).find(is_own).map(|row| [sizes[0][row], sizes[1][row]])
+        })
+    };
+    let fixed = "[loads.fixed]\nbody = \"rotor\"\nsets = [\"NODE_2\"]\nforce = [\"300 N\", \"50 N\", \"0 N\"]\nframe = \"body\"\n";
+    let (without, with) = (of(""), of(fixed));
+    assert!(without[1].is_none() && with[1].is_some(), "{without:?} {with:?}");
+    for order in [0, 2] {
+        let (Some(a), Some(b)) = (without[order], with[order]) else {
+            panic!("{without:?} {with:?}")
+        };
+        for axis in 0..2 {
+            assert!((a[axis] - b[axis]).abs() < 1e-6 * a[0].abs(), "{order}: {a:?} {b:?}");
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! What analyses refuse: each with what, where and how to mend it, and nothing written.
+
+use crate::workbench::Workbench;
+
+const ROTOR: &str = r#"
+title = "a rotor"
+[body.rotor]
+turns = "prescribed"
+speed = "3000 rpm"
+mass = "10 kg"
+polar_inertia = "1e-3 kg*m^2"
+[body.block]
+turns = "no"
+mass = "10 kg"
+[joint.spring]
+kind = "bushing"
+first = { body = "rotor" }
+second = { body = "block" }
+TABLE
+[joint.foot]
+kind = "bushing"
+first = { body = "block" }
+stiffness = { xx = "1e6 N/m", yy = "1e6 N/m" }
+"#;
+
+const STIFFNESS: &str = "stiffness = { xx = \"1e6 N/m\", yy = \"1e6 N/m\" }";
+const HEADS: &str = "speed [rpm], k_xx [N], k_xy [N/m], k_yx [N/m], k_yy [N/m], c_xx [N*s/m], c_xy [N*s/m], \
+                     c_yx [N*s/m], c_yy [N/m]\n0, 1, 0, 0, 1, 0, 0, 0, 0\n9000, 1, 0, 0, 1, 0, 0, 0, 0\n";
+
+fn refused(case: &str, arguments: &[&str], words: &[&str]) {
+    let workbench = Workbench::new().file("case.toml", case).file("table.csv", HEADS);
+    let outcome = workbench.whirl(arguments);
+    assert_eq!(outcome.status, 2, "{arguments:?}: {}{}", outcome.stdout, outcome.stderr);
+    for word in words {
+        assert!(outcome.stderr.contains(word), "{arguments:?}: `{word}` is in\n{}", outcome.stderr);
+    }
+    assert!(!workbench.listing().iter().any(|own| own.contains("results")), "nothing is written");
+}
+
+#[test]
+fn speeds_that_no_machine_has_are_refused() {
+    let case = ROTOR.replace("TABLE", STIFFNESS);
+    for (speeds, words) in [
+        ("1.1e7 rpm", ["no shaft turns with more than 10 million rpm", "--speeds:1:1"]),
+        ("0 rpm .. 10 rpm, 1000000000", ["no more than 10000 values", "--speeds:1:1"]),
+        ("0 rpm .. 10 rpm, 20000", ["no more than 10000 values", "--speeds:1:1"]),
+        ("3000", ["without unit", "0 rpm .. 30000 rpm, 61"]),
+        ("3 mm", ["speeds are angular speeds", "0 rpm .. 30000 rpm, 61"]),
+    ] {
+        refused(&case, &["campbell", "case.toml", "--speeds", speeds], &words);
+    }
+}
+
+#[test]
+fn bodies_that_stand_have_neither_speeds_nor_orders() {
+    let case = ROTOR.replace("TABLE", STIFFNESS);
+    for kind in ["modes", "campbell", "response", "stability", "coefficients", "map", "torsion"] {
+        let words = ["there is no body `block` that turns", "known: `rotor`"];
+        refused(&case, &[kind, "case.toml", "--of", "block"], &words);
+    }
+    let still = case.replace("turns = \"prescribed\"\nspeed = \"3000 rpm\"\n", "turns = \"no\"\n");
+    let still = still.replace("polar_inertia = \"1e-3 kg*m^2\"\n", "");
+    for kind in ["campbell", "response", "stability", "map", "torsion"] {
+        refused(&still, &[kind, "case.toml"], &["nothing turns in `case`", "whirl modes"]);
+    }
+    let orders = format!("{case}[analysis.own]\nkind = \"campbell\"\norders = [-1]\n");
+    refused(&orders, &["analyse", "case.toml"], &["orders", "case.toml"]);
+    let of = format!("{case}[analysis.own]\nkind = \"campbell\"\nof = \"block\"\n");
+    refused(&of, &["analyse", "case.toml"], &["block", "case.toml:"]);
+}
+
+#[test]
+fn columns_of_a_table_with_other_units_are_named() {
+    let case = ROTOR.replace("TABLE", "table = \"table.csv\"");
+    let words =
+        ["`k_xx` of `table.csv` is in N", "`k_xx [N/m]`", "`c_yy` of `table.csv` is in N/m"];
+    refused(&case, &["modes", "case.toml"], &words);
+}
+
+#[test]
+fn a_machine_that_does_not_stand_says_with_which_speeds() {
+    let case = ROTOR.replace("TABLE", STIFFNESS).replace("[joint.foot]", "[joint.other]")
+        + "[loads.pull]\nbody = \"rotor\"\nforce = \"1e9 N\"\n";
+    let film = case.replace(
+        "kind = \"bushing\"\nfirst = { body = \"rotor\" }\nsecond = { body = \"block\" }\nstiffness = { xx = \"1e6 N/m\", yy = \"1e6 N/m\" }",
+        "kind = \"bearing\"\njournal = { body = \"rotor\" }\nlaw = \"ocvirk\"\nparameters = { mu = \"20 mPa*s\" }\n\
+         radial_clearance = \"60 um\"\njournal_radius = \"30 mm\"\nlength = \"30 mm\"",
+    );
+    let words = ["no equilibrium was found with rotor at 3000 rpm", "film", "Lower the loads"];
+    let words = &words.map(|own| if own == "film" { "bearing spring" } else { own });
+    refused(&film, &["modes", "case.toml"], words);
+    refused(&film, &["campbell", "case.toml", "--speeds", "0 rpm .. 3000 rpm, 3"], words);
+}
