@@ -165,13 +165,14 @@ fn units_of_the_file_are_applied() {
     let factors = "  1.0000000000000000D+00  1.0000000000000000D+00  1.0";
     assert!(GOOD.contains(factors));
     let with = |length: &str| GOOD.replace(factors, &format!("  {length}  1.0D+00  1.0"));
-    let far = |units: MeshUnits, text: &str| {
+    let read_in = |units: MeshUnits, units_given: bool, text: &str| {
         let elements = elements();
-        let options = ReadOptions { open: true, units, ..ReadOptions::new(&elements) };
+        let options = ReadOptions { open: true, units, units_given, ..ReadOptions::new(&elements) };
         let read = read(text.as_bytes().to_vec(), "a.unv", &options).expect("a mesh");
         let said: Vec<String> = read.warnings.iter().map(|own| own.what.clone()).collect();
         (read.mesh.nodes()[1][0], said.into_iter().find(|own| own.contains("dataset 164")))
     };
+    let far = |units, text: &str| read_in(units, false, text);
     let (si, mm) = (MeshUnits::default(), MeshUnits { length: 1e-3, force: 1.0, mass: 1e3 });
     assert_eq!(far(si, GOOD), (1.0, None));
     assert_eq!(far(mm, GOOD), (0.001, None));
@@ -183,6 +184,9 @@ fn units_of_the_file_are_applied() {
     assert_eq!(far(si, &with("39.37007874015748")), (0.0254, inches));
     let differs = "the file says (dataset 164) that its unit of length is 0.0254 m, but it is read in units of 0.001 m";
     assert_eq!(far(mm, &with("39.37007874015748")), (0.001, said(differs)));
+    // Metres that are asked for are metres.
+    let differs = "the file says (dataset 164) that its unit of length is 0.001 m, but it is read in units of 1 m";
+    assert_eq!(read_in(si, true, &with("1.0D+03")), (1.0, said(differs)));
     let errors = refused(&with("0.0"));
     assert_eq!((errors.0[0].line, errors.0.len()), (4, 1), "{errors}");
     assert!(errors.0[0].what.starts_with("the factors of units should stand here"), "{errors}");
@@ -241,6 +245,18 @@ fn what_is_wrong_is_said_where_it_is() {
             20,
             "coordinate system 1, which is cylindrical",
         ),
+        (
+            "        30         1         1        11\n",
+            "        30         3         1        11\n",
+            25,
+            "node 30 is in the coordinate system 3, which is not defined in dataset 2420",
+        ),
+        (
+            "    -1\n  1710\n",
+            "    -1\n    18\n",
+            20,
+            "coordinate system 1, which is in dataset 18, which is not read",
+        ),
         ("  2467\n", "  24x7\n", 40, "`24x7` is not the number of a dataset"),
     ] {
         assert!(GOOD.contains(from), "{from}");
@@ -278,4 +294,47 @@ fn damaged_files_are_meshes_or_refused() {
         }
     }
     assert!(refused > 300, "{refused}");
+    // One field at a time, and lines that are lost or stand twice.
+    const FIELDS: [&str; 12] = [
+        "", "-1", "0", "7", "8", "999999999", "-9223372036854775808", "18446744073709551616", "1e308", "nan", "-0.0",
+        "x",
+    ];
+    let mut refused = 0;
+    let (small, whole) = (GOOD.to_owned(), String::from_utf8(data("gmsh/wedge15.unv")).expect("a text"));
+    let words = small.split_whitespace().count();
+    let every = (0..words).flat_map(|word| FIELDS.map(|field| (word, field)));
+    for (word, field) in every {
+        refused += usize::from(open(with_field(&small, word, field).as_bytes(), "a.unv").is_err());
+    }
+    assert!(refused > 4 * words, "{refused} of {} fields", 12 * words);
+    let words = whole.split_whitespace().count();
+    for _ in 0..300 {
+        let changed = with_field(&whole, next(words), FIELDS[next(FIELDS.len())]);
+        refused += usize::from(open(changed.as_bytes(), "a.unv").is_err());
+    }
+    let lines: Vec<&str> = small.lines().collect();
+    for line in 0..lines.len() {
+        let mut twice = lines.clone();
+        twice.insert(line, lines[line]);
+        let mut lost = lines.clone();
+        lost.remove(line);
+        for text in [twice, lost] {
+            refused += usize::from(open((text.join("\n") + "\n").as_bytes(), "a.unv").is_err());
+        }
+    }
+    assert!(refused > 4 * words.min(400), "{refused}");
+}
+
+/// A text with another word in place of one of its words, counted from 0.
+fn with_field(text: &str, word: usize, field: &str) -> String {
+    let mut at = 0;
+    let piece = |own: &str, changed: &mut usize| {
+        let begins = !own.trim().is_empty();
+        *changed += usize::from(begins);
+        match begins && *changed == word + 1 {
+            true => field.to_owned() + &own[own.trim_end().len()..],
+            false => own.to_owned(),
+        }
+    };
+    text.split_inclusive(char::is_whitespace).map(|own| piece(own, &mut at)).collect()
 }

@@ -29,8 +29,10 @@ pub(super) struct Contents {
     pub(super) groups: Vec<Group>,
     /// How many of its units of length and of force are 1 m and 1 N, where the file says so.
     pub(super) units: Option<[f64; 2]>,
-    /// Coordinate systems that are not the global one, with what they are.
-    systems: BTreeMap<i64, &'static str>,
+    /// Coordinate systems, with what they are; none of the global one.
+    systems: BTreeMap<i64, Option<&'static str>>,
+    /// Whether there are systems of dataset 18.
+    older_systems: bool,
     /// Numbers of datasets that say nothing of the mesh.
     pub(super) left_out: BTreeSet<u64>,
     /// Members of groups that are neither nodes nor elements.
@@ -48,6 +50,7 @@ const MOST_NODES: i64 = 1000;
 impl Contents {
     /// Coordinate systems, which nodes may name before they stand.
     pub(super) fn systems(&mut self, data: &mut Dataset) -> Result<(), Stop> {
+        self.older_systems |= data.number == 18;
         if data.number != 2420 {
             return Ok(());
         }
@@ -67,12 +70,13 @@ impl Contents {
                 .flatten()
                 .zip(unit.iter().flatten())
                 .all(|(a, b)| (a - b).abs() < 1e-12);
-            match head[1] {
-                0 if near => {}
-                0 => drop(self.systems.insert(head[0], "displaced or turned")),
-                1 => drop(self.systems.insert(head[0], "cylindrical")),
-                _ => drop(self.systems.insert(head[0], "spherical")),
-            }
+            let what = match head[1] {
+                0 if near => None,
+                0 => Some("displaced or turned"),
+                1 => Some("cylindrical"),
+                _ => Some("spherical"),
+            };
+            self.systems.insert(head[0], what);
         }
         Ok(())
     }
@@ -92,7 +96,7 @@ impl Contents {
             2435 | 2452 | 2467 | 2477 => self.groups(data, 4),
             164 => self.units(data),
             // What the file is, and what was read before.
-            151 | 2420 => Ok(()),
+            18 | 151 | 2420 => Ok(()),
             other => {
                 self.left_out.insert(other);
                 Ok(())
@@ -155,7 +159,14 @@ impl Contents {
         nodes: &mut NodeTable,
         report: &mut MeshReport,
     ) -> Result<(), Stop> {
-        if let Some(what) = self.systems.get(&system) {
+        let known = match self.systems.get(&system) {
+            Some(known) => *known,
+            // Files without systems number the global one so.
+            None if system == 0 || (system == 1 && !self.older_systems) => None,
+            None if self.older_systems => Some("in dataset 18, which is not read"),
+            None => Some("not defined in dataset 2420"),
+        };
+        if let Some(what) = known {
             let what =
                 format!("node {label} is in the coordinate system {system}, which is {what}");
             return Err(Stop {

@@ -77,7 +77,7 @@ fn units(contents: &Contents, options: &ReadOptions, report: &mut MeshReport) ->
     let near = |value: f64, known: f64| (value / known - 1.0).abs() < SAME;
     let own = [1e-3, 0.01, 0.0254, 0.3048].into_iter().find(|known| near(1.0 / length, *known));
     let own = own.unwrap_or(1.0 / length);
-    if options.units == MeshUnits::default() {
+    if !options.units_given && options.units == MeshUnits::default() {
         let what = format!("lengths are in units of {own} m, as dataset 164 says");
         report.warn(
             LinePosition::default(),
