@@ -4,6 +4,8 @@ mod calculix;
 mod errors;
 mod formats;
 mod mutants;
+mod op4;
+mod programs;
 mod superelement;
 mod turning;
 

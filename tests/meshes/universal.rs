@@ -296,11 +296,22 @@ fn damaged_files_are_meshes_or_refused() {
     assert!(refused > 300, "{refused}");
     // One field at a time, and lines that are lost or stand twice.
     const FIELDS: [&str; 12] = [
-        "", "-1", "0", "7", "8", "999999999", "-9223372036854775808", "18446744073709551616", "1e308", "nan", "-0.0",
+        "",
+        "-1",
+        "0",
+        "7",
+        "8",
+        "999999999",
+        "-9223372036854775808",
+        "18446744073709551616",
+        "1e308",
+        "nan",
+        "-0.0",
         "x",
     ];
     let mut refused = 0;
-    let (small, whole) = (GOOD.to_owned(), String::from_utf8(data("gmsh/wedge15.unv")).expect("a text"));
+    let (small, whole) =
+        (GOOD.to_owned(), String::from_utf8(data("gmsh/wedge15.unv")).expect("a text"));
     let words = small.split_whitespace().count();
     let every = (0..words).flat_map(|word| FIELDS.map(|field| (word, field)));
     for (word, field) in every {
