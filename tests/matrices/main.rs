@@ -8,6 +8,7 @@ mod op4;
 mod programs;
 mod superelement;
 mod turning;
+mod wrong_programs;
 
 use std::collections::BTreeMap;
 use std::io;

@@ -318,6 +318,7 @@ fn damaged_files_are_meshes_or_refused() {
         refused += usize::from(open(with_field(&small, word, field).as_bytes(), "a.unv").is_err());
     }
     assert!(refused > 4 * words, "{refused} of {} fields", 12 * words);
+    refused = 0;
     let words = whole.split_whitespace().count();
     for _ in 0..300 {
         let changed = with_field(&whole, next(words), FIELDS[next(FIELDS.len())]);
@@ -333,7 +334,7 @@ fn damaged_files_are_meshes_or_refused() {
             refused += usize::from(open((text.join("\n") + "\n").as_bytes(), "a.unv").is_err());
         }
     }
-    assert!(refused > 4 * words.min(400), "{refused}");
+    assert!(refused > 60, "{refused}");
 }
 
 /// A text with another word in place of one of its words, counted from 0.

@@ -18,6 +18,7 @@ mod market;
 mod modes;
 mod op4;
 mod read;
+mod request;
 mod rigid;
 mod spin;
 mod table;
@@ -25,7 +26,8 @@ mod table;
 use std::path::Path;
 
 pub use self::kinds::file_and_name;
-pub use self::read::{Files, Load, ReadMatrices, Request, read};
+pub use self::read::{Load, ReadMatrices, read};
+pub use self::request::{Files, Request};
 pub use self::rigid::TurnAboutZ;
 pub use super::body_matrices::{BodyMatrices, Slot};
 
