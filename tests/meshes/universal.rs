@@ -44,15 +44,19 @@ fn cells(mesh: &Mesh) -> Vec<Vec<[i64; 3]>> {
 fn every_body_is_that_of_the_other_format() {
     for name in BODIES {
         let (ReadMesh { mesh, warnings, .. }, known) = (universal(name), of_gmsh(name));
-        assert!(warnings.iter().all(|own| own.what.starts_with("left out: ")), "{warnings:?}");
+        // Gmsh names elements of points that it does not write; the nodes of their groups are there.
+        let points = "the group `corner` has members that are not in the file";
+        let known_warning = |what: &str| what.starts_with("left out: ") || what.starts_with(points);
+        assert!(warnings.iter().all(|own| known_warning(&own.what)), "{warnings:?}");
         let element = |mesh: &Mesh| mesh.blocks()[0].element.origin.name;
         assert_eq!((mesh.blocks().len(), element(&mesh)), (1, element(&known)), "{name}");
         assert_eq!(mesh.nodes().len(), known.nodes().len(), "{name}");
         assert_eq!(cells(&mesh), cells(&known), "{name}");
         for (set, nodes) in known.node_sets() {
-            // What Gmsh calls a group without a name.
+            // What Gmsh calls a group without a name, and one with a blank in it.
             let called = if set == "SURFACE_7" { "PhysicalSurface7" } else { set };
-            let own = mesh.node_set(called).unwrap_or_else(|error| panic!("{name}: {error}"));
+            let called = called.replace(' ', "_");
+            let own = mesh.node_set(&called).unwrap_or_else(|error| panic!("{name}: {error}"));
             assert_eq!(places(&mesh, own), places(&known, nodes), "{name} {set}");
         }
         assert_eq!(mesh.node_sets().len(), known.node_sets().len(), "{name}");
@@ -238,7 +242,7 @@ fn what_is_wrong_is_said_where_it_is() {
             "5 nodes of element 7 should stand here",
         ),
         ("         7         4\n", "         7        -4\n", 32, "the number of its nodes"),
-        ("         0         1\nFOOT", "         0         9\nFOOT", 42, "should stand here"),
+        ("         0         1\nFOOT", "         0         9\nFOOT", 46, "should stand here"),
         (
             "         1         0         8\nglobal",
             "         1         1         8\nglobal",
@@ -252,7 +256,7 @@ fn what_is_wrong_is_said_where_it_is() {
             "node 30 is in the coordinate system 3, which is not defined in dataset 2420",
         ),
         (
-            "    -1\n  1710\n",
+            "    -1\n  2420\n",
             "    -1\n    18\n",
             20,
             "coordinate system 1, which is in dataset 18, which is not read",

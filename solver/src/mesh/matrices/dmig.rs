@@ -101,7 +101,7 @@ impl DmigFile {
             }
         }
         let file = matrix.place.file;
-        (report.error_count() == before).then(|| Entries { name: known, file, form, list })
+        (report.error_count() == before).then_some(Entries { name: known, file, form, list })
     }
 
     /// A matrix of one column, by the dofs.

@@ -75,7 +75,7 @@ impl Building {
             list: Vec::new(),
         };
         let words = if kind % 2 == 0 { words } else { 1 };
-        Ok(Building { matrix, big: rows < 0 || rows >= BIG, words, last: (0, 0) })
+        Ok(Building { matrix, big: !(0..BIG).contains(&rows), words, last: (0, 0) })
     }
 
     /// A column begins; none where it is behind the last one.
