@@ -1,6 +1,6 @@
 //! Binary files: records of Fortran, with their lengths before and behind them.
 
-use super::{Building, Matrix, Stop};
+use super::building::{Building, Matrix, Stop};
 
 /// How numbers are written.
 #[derive(Debug, Clone, Copy)]

@@ -1,6 +1,6 @@
 //! Files of text: whole numbers in eight columns, values in fields of the format that the head of a matrix names.
 
-use super::{Building, Matrix, Stop};
+use super::building::{Building, Matrix, Stop};
 
 /// Whole numbers of a head, and of one with sizes of 16 digits.
 const WIDTHS: [[usize; 4]; 2] = [[8, 8, 8, 8], [16, 16, 8, 8]];
