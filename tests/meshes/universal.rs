@@ -261,7 +261,7 @@ fn what_is_wrong_is_said_where_it_is() {
             20,
             "coordinate system 1, which is in dataset 18, which is not read",
         ),
-        ("  2467\n", "  24x7\n", 40, "`24x7` is not the number of a dataset"),
+        ("  2467\n", "  24x7\n", 41, "`24x7` is not the number of a dataset"),
     ] {
         assert!(GOOD.contains(from), "{from}");
         let errors = refused(&GOOD.replacen(from, to, 1));
