@@ -66,7 +66,7 @@ pub(crate) enum Command {
 /// Arguments of `whirl mesh`.
 #[derive(Debug, Args)]
 pub(crate) struct MeshArguments {
-    /// A mesh of Gmsh, Abaqus, CalculiX or Nastran
+    /// A mesh of Gmsh, Abaqus, CalculiX or Nastran, or a universal file (UNV)
     pub(crate) file: PathBuf,
     /// Units of length, force and mass in the file, such as "mm, N, t"
     #[arg(long, value_name = "UNITS")]

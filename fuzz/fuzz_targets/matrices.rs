@@ -10,7 +10,7 @@ use whirl_solver::mesh::matrices::{Files, Request, read};
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
     let Some((kind, rest)) = bytes.split_first() else { return };
     let path = |name: &str| PathBuf::from(name);
-    let files = match kind % 3 {
+    let files = match kind % 4 {
         0 => Files::Market { stiffness: path("0"), mass: path("1"), dofs: path("2") },
         1 => Files::Dmig {
             file: path("0"),
@@ -18,7 +18,8 @@ libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
             stiffness: "KAAX".to_owned(),
             mass: "MAAX".to_owned(),
         },
-        _ => Files::Calculix { job: path("j"), nodes: path("0") },
+        2 => Files::Calculix { job: path("j"), nodes: path("0") },
+        _ => Files::Abaqus { stiffness: path("0"), mass: path("1"), nodes: path("2") },
     };
     let texts: Vec<&[u8]> = rest.split(|byte| *byte == 0).collect();
     let load = |path: &Path| -> io::Result<Vec<u8>> {

@@ -32,7 +32,7 @@ fn blocks() -> Vec<&'static str> {
 
 #[test]
 fn the_case_of_the_page_runs_on_files_of_every_program() {
-    let [case, punched, stored, spin] = blocks()[..] else { panic!("four blocks") };
+    let [case, punched, output4, abaqus, stored, spin] = blocks()[..] else { panic!("six blocks") };
     let input = fs::read_to_string(data("bar20.inp")).expect("the input");
     let files: Vec<(&str, String)> = ["bar20.sti", "bar20.mas", "bar20.dof"]
         .into_iter()
@@ -54,6 +54,10 @@ fn the_case_of_the_page_runs_on_files_of_every_program() {
     let punch = written::dmig("KAAX", &k, &mesh) + &written::dmig("MAAX", &m, &mesh);
     let files = [
         ("bar.pch", punch),
+        ("bar.op4", written::op4("KAA", &k) + &written::op4("MAA", &m)),
+        ("bar_STIF1.mtx", written::abaqus(&k, &mesh)),
+        ("bar_MASS1.mtx", written::abaqus(&m, &mesh)),
+        ("bar.inp", written::input(&mesh)),
         ("bar.bdf", written::grids(&mesh)),
         ("K.mtx", written::market(&k, "symmetric")),
         ("M.mtx", written::market(&m, "symmetric")),
@@ -62,7 +66,7 @@ fn the_case_of_the_page_runs_on_files_of_every_program() {
     let beside: Vec<(&str, &str)> =
         files.iter().map(|(name, text)| (*name, text.as_str())).collect();
     let own = "matrices = { calculix = \"bar20\", nodes = \"bar20.inp\" }\nunits = \"mm, N, t\"\n";
-    for other in [punched, stored] {
+    for other in [punched, output4, abaqus, stored] {
         assert!(case.contains(own));
         let found = run(&case.replace(own, other), &beside);
         let (a, b) = (made.history.column("X_tip_um"), found.history.column("X_tip_um"));

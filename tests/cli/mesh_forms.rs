@@ -112,21 +112,79 @@ fn a_warning_of_a_mesh_comes_once_for_all_bodies_of_it() {
     }
 }
 
+/// A cube of 100 mm in mm, as dataset 164 says.
+const UNIVERSAL: &str = "    -1
+   164
+         5SI: mm (newton)           2
+  1.0D+03  1.0D+00  1.0D+00
+  2.7315D+02
+    -1
+    -1
+  2411
+         1         1         1        11
+  0.0D+00  0.0D+00  0.0D+00
+         2         1         1        11
+  1.0D+02  0.0D+00  0.0D+00
+         3         1         1        11
+  1.0D+02  1.0D+02  0.0D+00
+         4         1         1        11
+  0.0D+00  1.0D+02  0.0D+00
+         5         1         1        11
+  0.0D+00  0.0D+00  1.0D+02
+         6         1         1        11
+  1.0D+02  0.0D+00  1.0D+02
+         7         1         1        11
+  1.0D+02  1.0D+02  1.0D+02
+         8         1         1        11
+  0.0D+00  1.0D+02  1.0D+02
+    -1
+    -1
+  2412
+         1       115         1         1         7         8
+         1         2         3         4         5         6         7         8
+    -1
+    -1
+  2467
+         1         0         0         0         0         0         0         2
+FOOT
+         7         1         0         0         7         2         0         0
+    -1
+";
+
+#[test]
+fn universal_files_are_read_in_their_own_units() {
+    let inverted = UNIVERSAL.replace(
+        "         2         3         4         5",
+        "         4         3         2         5",
+    );
+    let bench = Workbench::new().file("cube.unv", UNIVERSAL).file("turned.unv", &inverted);
+    let found = bench.whirl(&["mesh", "cube.unv"]);
+    assert_eq!(found.status, 0, "{}", found.stderr);
+    for word in ["cube.unv: universal file", "dataset 164", "FOOT"] {
+        assert!(found.stdout.contains(word), "{word}: {}", found.stdout);
+    }
+    assert!(found.stderr.contains("in units of 0.001 m"), "{}", found.stderr);
+    let found = bench.whirl(&["mesh", "turned.unv"]);
+    assert!(found.stdout.contains("turned inside out at a node: 1 cells"), "{}", found.stdout);
+}
+
 #[test]
 fn files_of_other_formats_and_encodings_are_named() {
     let bench = Workbench::new()
-        .file("part.unv", "    -1\n  2411\n")
+        .file("part.su2", "NDIME= 3\n")
+        .file("part.cdb", "/COM,part\n")
         .file("part.msh", "version https://git-lfs.github.com/spec/v1\noid sha256:1\n")
-        .file("part.toml", &case("part.unv", &["bar"], ""));
+        .file("part.toml", &case("part.su2", &["bar"], ""));
     for (arguments, words) in [
         (
-            ["mesh", "part.unv"],
+            ["mesh", "part.su2"],
             [
-                "this is a UNV file, which is not read",
-                "`gmsh part.unv -save -format msh41 -o part.msh`",
+                "this is a mesh of SU2, which is not read",
+                "`gmsh part.su2 -save -format msh41 -o part.msh`",
             ],
         ),
-        (["check", "part.toml"], ["this is a UNV file, which is not read", "part.unv"]),
+        (["mesh", "part.cdb"], ["this is an archive of ANSYS (CDB)", "mapdl-archive"]),
+        (["check", "part.toml"], ["this is a mesh of SU2, which is not read", "part.su2"]),
         (["mesh", "part.msh"], ["this is a pointer of Git LFS", "git lfs pull"]),
     ] {
         let found = bench.whirl(&arguments);

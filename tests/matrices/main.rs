@@ -4,8 +4,11 @@ mod calculix;
 mod errors;
 mod formats;
 mod mutants;
+mod op4;
+mod programs;
 mod superelement;
 mod turning;
+mod wrong_programs;
 
 use std::collections::BTreeMap;
 use std::io;

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use whirl_solver::mesh::matrices::Request;
 
 use super::formats::{as_calculix, as_dmig, as_market};
+use super::programs::{Folder, by_labels, by_rows, data};
 use super::{Texts, bar, calculix, dmig, market};
 
 /// Words and lines that no file of matrices expects.
@@ -171,4 +172,85 @@ fn mutants_of_whole_bodies_are_read_or_refused() {
     all(&as_market(&mesh), &market(), 40);
     all(&as_calculix(&mesh), &calculix(), 40);
     all(&as_dmig(&mesh), &dmig(), 40);
+}
+
+/// Bytes with some changed, words of four bytes set to other numbers, or cut.
+fn mutant_of_bytes(random: &mut Random, bytes: &[u8]) -> Vec<u8> {
+    const NUMBERS: [i32; 12] =
+        [0, 1, -1, 2, 24, 37, 65535, 65537, 131_072, i32::MAX, i32::MIN, 0x7ff0_0000];
+    let mut own = bytes.to_vec();
+    for _ in 0..1 + random.below(3) {
+        match random.below(8) {
+            0 => own.truncate(random.below(own.len().max(1))),
+            1..=2 if !own.is_empty() => {
+                let at = random.below(own.len());
+                own[at] = random.below(256) as u8;
+            }
+            _ if own.len() >= 4 => {
+                // Most of what is at the beginning counts most.
+                let words = own.len() / 4;
+                let reach = [words, words.min(20)][random.below(2)];
+                let at = 4 * random.below(reach);
+                let number = NUMBERS[random.below(NUMBERS.len())];
+                let number = [number.to_le_bytes(), number.to_be_bytes()][random.below(2)];
+                own[at..at + 4].copy_from_slice(&number);
+            }
+            _ => {}
+        }
+    }
+    own
+}
+
+/// What other programs wrote: lines and fields of texts, bytes and words of binary files.
+#[test]
+fn mutants_of_files_of_other_programs_are_read_or_refused() {
+    let op4 = |name: &str| by_rows(&format!("{name}:KAA"), &format!("{name}:MAA"));
+    let mut all: Vec<(Request, String)> = Vec::new();
+    for kind in ["dense", "bigmat", "nonbigmat"] {
+        for order in ["text", "little", "big"] {
+            let name = format!("yeti-{kind}-{order}.op4");
+            all.push((op4(&name), name));
+        }
+    }
+    for kind in ["input", "labels"] {
+        all.push((by_labels(kind), format!("{kind}_STIF1.mtx")));
+    }
+    let mtx = ["coordinate_STIF1.mtx", "coordinate_MASS1.mtx"];
+    all.push((by_rows(mtx[0], mtx[1]), mtx[1].to_owned()));
+    for (request, name) in all {
+        let whole = data(&name);
+        let text = String::from_utf8(whole.clone()).ok();
+        let mut refused = 0;
+        for number in 0..300 {
+            let mut random = Random(number ^ 0x5eed_0000_0000_0000);
+            let changed = match &text {
+                Some(text) if number % 2 == 0 => mutant(&mut random, text).into_bytes(),
+                Some(text) => mutant_of_fields(&mut random, text),
+                None => mutant_of_bytes(&mut random, &whole),
+            };
+            if let Err(errors) = Folder::default().with(&name, changed).read(&request) {
+                refused += 1;
+                assert!(!errors.0.is_empty() && !errors.to_string().is_empty(), "{name} {number}");
+            }
+        }
+        assert!(refused > 60, "{name}: {refused} of 300 are refused");
+    }
+}
+
+/// One to three fields of a text changed, each without a change of its width.
+fn mutant_of_fields(random: &mut Random, text: &str) -> Vec<u8> {
+    let mut own = text.as_bytes().to_vec();
+    for _ in 0..1 + random.below(3) {
+        // Heads are at the beginning.
+        let reach = [own.len(), own.len().min(120)][random.below(2)];
+        let at = random.below(reach);
+        let field = |byte: &u8| byte.is_ascii_digit() || b".-+ED".contains(byte);
+        let start = own[..at].iter().rposition(|byte| !field(byte)).map_or(0, |place| place + 1);
+        let end = at + own[at..].iter().position(|byte| !field(byte)).unwrap_or(0);
+        let word = WORDS[random.below(WORDS.len())].as_bytes();
+        for (place, byte) in own[start..end.max(start)].iter_mut().enumerate() {
+            *byte = word.get(place).copied().filter(u8::is_ascii).unwrap_or(b' ');
+        }
+    }
+    own
 }

@@ -232,8 +232,8 @@ fn byte_order_marks_are_read_and_other_formats_are_named() {
         [0xff, 0xfe].into_iter().chain(NODES.bytes().flat_map(|byte| [byte, 0])).collect();
     let errors = open(&utf16, "bar.inp").map(|_| ()).unwrap_err().to_string();
     assert!(errors.starts_with("bar.inp: this is text in UTF-16, which is not read"), "{errors}");
-    let errors = open(b"    -1\n   164\n", "part.unv").map(|_| ()).unwrap_err().to_string();
-    assert!(errors.contains("`gmsh part.unv -save -format msh41 -o part.msh`"), "{errors}");
+    let errors = open(b"\x89HDF\r\n\x1a\n", "part.med").map(|_| ()).unwrap_err().to_string();
+    assert!(errors.contains("`gmsh part.med -save -format msh41 -o part.msh`"), "{errors}");
     let bulk = "\u{feff}$ part\nGRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nGRID,3,,0.,1.,0.\nGRID,4,,0.,0.,1.\nCTETRA,1,1,1,2,3,4\n";
     let read = open(bulk.as_bytes(), "a.bdf").unwrap_or_else(|errors| panic!("{errors}"));
     assert_eq!(read.mesh.cell_count(), 1);

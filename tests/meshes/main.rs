@@ -11,6 +11,7 @@ mod packed;
 mod seams;
 mod through;
 mod ties;
+mod universal;
 mod writer;
 
 use whirl_solver::error::InputErrors;

@@ -110,3 +110,31 @@ pub fn grids(mesh: &Mesh) -> String {
     }
     text
 }
+
+/// A matrix as OUTPUT4 of Nastran writes it: as text, one run of values a column.
+pub fn op4(name: &str, matrix: &SparseColumns) -> String {
+    let (rows, columns) = (matrix.height, matrix.width());
+    let mut text = format!("{columns:8}{rows:8}{:8}{:8}{name:<8}1P,1E26.17\n", 6, 2);
+    for j in 0..columns {
+        let column: Vec<(usize, f64)> = matrix.column(j).collect();
+        let (Some(first), Some(last)) = (column.first(), column.last()) else { continue };
+        let mut values = vec![0.0; last.0 - first.0 + 1];
+        column.iter().for_each(|(i, value)| values[i - first.0] = *value);
+        writeln!(text, "{:8}{:8}{:8}", j + 1, first.0 + 1, values.len()).expect("text");
+        values.iter().for_each(|own| writeln!(text, "{own:26.17E}").expect("text"));
+    }
+    writeln!(text, "{:8}{:8}{:8}\n{:26.17E}", columns + 1, 1, 1, 1.0).expect("text");
+    text
+}
+
+/// A matrix as Abaqus writes it: the lower triangle by nodes and dofs.
+pub fn abaqus(matrix: &SparseColumns, mesh: &Mesh) -> String {
+    let dof = |dof: usize| format!("{},{}", mesh.labels()[dof / 3], dof % 3 + 1);
+    let mut text = String::new();
+    for j in 0..matrix.width() {
+        for (i, value) in matrix.column(j).filter(|(i, _)| *i >= j) {
+            writeln!(text, "{}, {}, {value:.17e}", dof(i), dof(j)).expect("text");
+        }
+    }
+    text
+}

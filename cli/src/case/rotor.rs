@@ -86,6 +86,8 @@ pub(crate) struct MeshFile {
     pub(crate) name: Located,
     /// Units of its numbers.
     pub(crate) units: MeshUnits,
+    /// Whether the case says them.
+    pub(crate) units_given: bool,
     /// Nodes that are at most so far apart (m) become one.
     pub(crate) merge: Option<f64>,
 }

@@ -68,7 +68,7 @@ const MATERIAL: &[Key] = &[
 ];
 
 const BODY: &[Key] = &[
-    key("mesh", Text, "a mesh file: Gmsh, or input of Abaqus or CalculiX"),
+    key("mesh", Text, "a mesh file: Gmsh, Nastran, UNV, or input of Abaqus or CalculiX"),
     key("units", Text, "of length, force and mass in the mesh file; m, N, kg if left out")
         .like("\"mm, N, t\""),
     MERGE,

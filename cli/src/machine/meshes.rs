@@ -106,7 +106,8 @@ fn read(
     })?;
     let path = file.path.display().to_string();
     let open = material.is_some() || !regions.is_empty();
-    let options = ReadOptions { elements: &elements(), open, units: file.units, merge: file.merge };
+    let MeshFile { units, units_given, merge, .. } = *file;
+    let options = ReadOptions { elements: &elements(), open, units, units_given, merge };
     let read = format::read(bytes, &path, &options).map_err(|errors| placed(&errors))?;
     warnings.extend(read.warnings.iter().map(ToString::to_string));
     warnings.extend(read.masses.iter().map(|mass| masses::in_case(&path, mass)));

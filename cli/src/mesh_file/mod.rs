@@ -40,6 +40,7 @@ pub(crate) fn mesh(arguments: &MeshArguments) -> Result<String, Failure> {
         Format::Inp => "Abaqus or CalculiX input",
         Format::Msh => "Gmsh",
         Format::Bdf => "Nastran bulk data",
+        Format::Unv => "universal file",
     };
     line!(text, "{path}: {called}");
     match (&units, &arguments.units) {
@@ -47,6 +48,9 @@ pub(crate) fn mesh(arguments: &MeshArguments) -> Result<String, Failure> {
             line!(text, "units: taken for \"{units}\", by its size; else give `--units`")
         }
         (Some(units), Some(_)) => line!(text, "units: \"{units}\""),
+        (None, _) if format == Format::Unv => {
+            line!(text, "units: those of the file (dataset 164), or m; else give `--units`")
+        }
         (None, _) => line!(text, "units: m, N, kg, by its size; else give `--units`"),
     }
     say(&mut text, &mesh);

@@ -51,12 +51,13 @@ pub(crate) fn open(
     let merge = merge.map(distance).transpose()?;
     let read = |units: MeshUnits| -> Result<ReadMesh, Failure> {
         let elements: Vec<_> = ELEMENTS.iter().collect();
-        let options = ReadOptions { elements: &elements, open: true, units, merge };
+        let units_given = given.is_some();
+        let options = ReadOptions { elements: &elements, open: true, units, units_given, merge };
         let read = format::read(bytes.clone(), &path, &options);
         read.map_err(|errors| Failure::from(placed_errors(&errors)))
     };
-    let (units, found) = match given {
-        Some((text, units)) => (Some(text), read(units)?),
+    let (units, found) = match &given {
+        Some((text, units)) => (Some(text.clone()), read(*units)?),
         None => {
             let in_millimetres = || read(mesh_units(MILLIMETRES).unwrap_or_default());
             let found = match read(MeshUnits::default()) {

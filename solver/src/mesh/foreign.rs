@@ -5,7 +5,7 @@ use std::path::Path;
 /// What a file is, and what to do with it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Foreign {
-    /// In words, such as `a UNV file`.
+    /// In words, such as `a STEP file`.
     pub what: &'static str,
     /// The remedy, with the file's own name in commands.
     pub help: String,
@@ -31,7 +31,8 @@ impl Remedy {
         let own = Path::new(path);
         let name = own.file_name().map_or(path.into(), |name| name.to_string_lossy());
         let stem = own.file_stem().map_or("mesh".into(), |stem| stem.to_string_lossy());
-        let read = "read are meshes of Gmsh, Abaqus, CalculiX and Nastran";
+        let read =
+            "read are meshes of Gmsh, Abaqus, CalculiX and Nastran, and universal files (UNV)";
         // Not over the file itself.
         let target =
             if *name == format!("{stem}.msh") { format!("{stem}-41") } else { stem.to_string() };
@@ -59,7 +60,7 @@ impl Remedy {
 }
 
 const ANSYS: Remedy = Remedy::Other(
-    "read are meshes of Gmsh, Abaqus, CalculiX and Nastran: convert it, `pip install mapdl-archive meshio`, `python -c \
+    "read are meshes of Gmsh, Abaqus, CalculiX and Nastran, and universal files (UNV): convert it, `pip install mapdl-archive meshio`, `python -c \
      \"import mapdl_archive; mapdl_archive.Archive('{}').grid.save('{stem}.vtk')\"` and `meshio convert {stem}.vtk \
      {stem}.inp`",
 );
@@ -154,16 +155,12 @@ const TEXT: [(&str, &str, Remedy); 38] = [
     (
         "titre",
         "a mesh of Code_Aster",
-        Remedy::Other(
-            "read it in Salome, and export UNV: `gmsh {stem}.unv -save -format msh41 -o {stem}.msh`",
-        ),
+        Remedy::Other("read it in Salome, and export UNV, which is read: `{stem}.unv`"),
     ),
     (
         "coor_3d",
         "a mesh of Code_Aster",
-        Remedy::Other(
-            "read it in Salome, and export UNV: `gmsh {stem}.unv -save -format msh41 -o {stem}.msh`",
-        ),
+        Remedy::Other("read it in Salome, and export UNV, which is read: `{stem}.unv`"),
     ),
     ("x3d", "a mesh of LaGriT", Remedy::Meshio),
     ("1c", "a file of results of CalculiX (FRD)", Remedy::Other("name its input, `{stem}.inp`")),
@@ -217,12 +214,7 @@ pub fn foreign(bytes: &[u8], path: &str) -> Option<Foreign> {
     if words.starts_with('$') && body == Some("*keyword") {
         return named("an input of LS-DYNA", DYNA);
     }
-    let mut lines = start.lines();
-    let first = lines.next().unwrap_or_default();
-    let second = lines.next().unwrap_or_default().trim();
-    if first.trim() == "-1" && !second.is_empty() && second.bytes().all(|c| c.is_ascii_digit()) {
-        return named("a UNV file", Remedy::Gmsh);
-    }
+    let first = start.lines().next().unwrap_or_default();
     // 80 columns, of which the last eight are a section and a number.
     if first.len() == 80 && first.as_bytes()[72] == b's' && first[73..].trim() == "1" {
         return named("an IGES file", Remedy::GmshShape);
@@ -237,7 +229,6 @@ pub fn foreign(bytes: &[u8], path: &str) -> Option<Foreign> {
         "iges" | "igs" => named("an IGES file", Remedy::GmshShape),
         "stl" => named("an STL file", Remedy::Surface),
         "med" | "rmed" | "mmed" => named("a MED file", Remedy::Gmsh),
-        "unv" => named("a UNV file", Remedy::Gmsh),
         "vtk" | "vtu" => named("a VTK file", Remedy::Meshio),
         "odb" | "cae" => {
             named("a database of Abaqus", Remedy::Other("write the input, `{stem}.inp`"))
@@ -275,16 +266,10 @@ mod tests {
         stl[80..84].copy_from_slice(&1u32.to_le_bytes());
         for (bytes, path, known, command) in [
             (
-                &b"    -1\n  2411\n"[..],
-                "a/part.unv",
-                "a UNV file",
-                "`gmsh part.unv -save -format msh41 -o part.msh`",
-            ),
-            (
-                b"\x89HDF\r\n\x1a\n",
-                "part.med",
+                &b"\x89HDF\r\n\x1a\n"[..],
+                "a/part.med",
                 "a MED file of Salome (HDF5)",
-                "`gmsh part.med -save",
+                "`gmsh part.med -save -format msh41 -o part.msh`",
             ),
             (b"/COM,my part\n", "part.cdb", "an archive of ANSYS (CDB)", "Archive('part.cdb')"),
             (b"! ANSYS\n", "part.cdb", "an archive of ANSYS (CDB)", "Archive('part.cdb')"),
@@ -342,6 +327,8 @@ mod tests {
             (b"\xef\xbb\xbf*NODE\n", "a.inp"),
             (b"$MeshFormat\n4.1 0 8\n", "a.med"),
             (b"$ bulk\nGRID,1\n", "a.unv"),
+            (b"    -1\n  2411\n", "a.unv"),
+            (b"", "a.unv"),
             (b"SOL 101\nCEND\n", "a.dat"),
             (b"GRID,1", "a"),
             (b"1, 0., 0., 0.\n", "nodes.txt"),

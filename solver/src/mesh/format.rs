@@ -8,7 +8,7 @@ use super::foreign::{Foreign, foreign};
 pub use super::reading::{ReadMesh, ReadOptions};
 use super::text::decode;
 pub use super::units::MeshUnits;
-use super::{bdf, inp, msh};
+use super::{bdf, inp, msh, unv};
 use crate::error::{InputError, InputErrors};
 
 /// Formats that are read.
@@ -20,6 +20,8 @@ pub enum Format {
     Msh,
     /// Bulk data of Nastran.
     Bdf,
+    /// Universal file, as of Salome and I-DEAS.
+    Unv,
 }
 
 impl Format {
@@ -37,7 +39,9 @@ impl Format {
             {
                 Format::Msh
             }
+            _ if unv::is_universal(bytes) => Format::Unv,
             _ if bdf::is_bulk_data(bytes) => Format::Bdf,
+            _ if extension == "unv" => Format::Unv,
             _ if extension == "msh" => Format::Msh,
             _ if ["bdf", "nas", "nastran"].contains(&extension.as_str()) => Format::Bdf,
             _ => Format::Inp,
@@ -46,15 +50,17 @@ impl Format {
 
     /// The line of a text, from 1, in which a cell has its label; the cell may go on in the next lines.
     pub fn line_of_cell(self, text: &str, label: u64) -> Option<usize> {
-        if self == Format::Bdf {
-            return bdf::line_of_element(text, label);
+        match self {
+            Format::Bdf => return bdf::line_of_element(text, label),
+            Format::Unv => return unv::line_of_element(text, label),
+            Format::Inp | Format::Msh => {}
         }
         let mut among_elements = false;
         for (number, line) in text.lines().enumerate() {
             let words = line.trim();
             let keyword = match self {
-                Format::Inp | Format::Bdf => words.starts_with('*').then_some("*ELEMENT"),
                 Format::Msh => words.starts_with('$').then_some("$ELEMENTS"),
+                _ => words.starts_with('*').then_some("*ELEMENT"),
             };
             if let Some(keyword) = keyword {
                 if !words.starts_with("**") {
@@ -88,6 +94,7 @@ pub fn read(bytes: Vec<u8>, path: &str, options: &ReadOptions) -> Result<ReadMes
         Format::Inp => inp::read_with(&decode(bytes), path, options),
         Format::Msh => msh::read(&bytes, path, options),
         Format::Bdf => bdf::read(&decode(bytes), path, options, &load),
+        Format::Unv => unv::read(&decode(bytes), path, options),
     }
 }
 
@@ -120,6 +127,10 @@ mod tests {
         assert_eq!(Format::of(b"", "a.nas"), Format::Bdf);
         assert_eq!(Format::of(b"$ shaft\n\nSOL 103\nCEND\n", "a.inp"), Format::Bdf);
         assert_eq!(Format::of(b"$ shaft\nGRID,1", "a.dat"), Format::Bdf);
+        assert_eq!(Format::of(b"    -1\n  2411\n", "a.inp"), Format::Unv);
+        assert_eq!(Format::of(b"    -1\r\n   164\r\n", "a"), Format::Unv);
+        assert_eq!(Format::of(b"", "a.UNV"), Format::Unv);
+        assert_eq!(Format::of(b"$ bulk\nGRID,1\n", "a.unv"), Format::Bdf);
         assert_eq!(Format::of(b"$ shaft\ninclude 'more.dat'", "a"), Format::Bdf);
     }
 
@@ -134,5 +145,8 @@ mod tests {
         let text = "GRID           7\n$CHEXA        7\nCHEXA          7       1\nCPENTA*                8\nCTETRA,9,1\n";
         let lines = [7, 8, 9, 1].map(|label| Format::Bdf.line_of_cell(text, label));
         assert_eq!(lines, [Some(3), Some(4), Some(5), None]);
+        let text = "    -1\n  2411\n 7 1 1 11\n 0 0 0\n    -1\n    -1\n  2412\n 9 111 1 1 7 4\n 7 8 9 10\n 7 111 1 1 7 4\n 7 8 9 11\n    -1\n";
+        let lines = [7, 8, 9].map(|label| Format::Unv.line_of_cell(text, label));
+        assert_eq!(lines, [Some(10), None, Some(8)]);
     }
 }

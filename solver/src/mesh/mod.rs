@@ -1,6 +1,6 @@
 //! Meshes of solid bodies: nodes, blocks of cells of one element and material, named sets.
 //!
-//! A mesh is read ([`mod@format`]: [`inp`], [`msh`], [`bdf`]), made from a few dimensions ([`shaft`], [`crank`], [`support`]) or from a table of
+//! A mesh is read ([`mod@format`]: [`inp`], [`msh`], [`bdf`], universal files), made from a few dimensions ([`shaft`], [`crank`], [`support`]) or from a table of
 //! sections ([`sections`]), and does not change afterwards. Degree of freedom 3a + i is displacement component i (x, y, z) of node a.
 
 pub mod bdf;
@@ -34,6 +34,7 @@ mod surface_face;
 mod text;
 mod ties;
 mod units;
+mod unv;
 
 pub use fineness::Fineness;
 pub use material::{ImplausibleProperty, Material};

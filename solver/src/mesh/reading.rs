@@ -27,6 +27,8 @@ pub struct ReadOptions<'a> {
     pub open: bool,
     /// Units of the file.
     pub units: MeshUnits,
+    /// Whether these count where the file itself says others.
+    pub units_given: bool,
     /// Nodes that are at most so far apart (m) become one.
     pub merge: Option<f64>,
 }
@@ -34,7 +36,8 @@ pub struct ReadOptions<'a> {
 impl<'a> ReadOptions<'a> {
     /// Every cell must have a material, and the file is in SI units.
     pub fn new(elements: &'a [&'static Element]) -> ReadOptions<'a> {
-        ReadOptions { elements, open: false, units: MeshUnits::default(), merge: None }
+        let units = MeshUnits::default();
+        ReadOptions { elements, open: false, units, units_given: false, merge: None }
     }
 }
 

@@ -131,7 +131,10 @@ def outputs_of_ccx():
 
 
 def foreign():
-    for ending, what in [("unv", "a UNV file"), ("med", "a MED file of Salome (HDF5)"), ("vtk", "a VTK file"), ("stl", "an STL file"), ("mesh", "a mesh of Medit"), ("key", "an input of LS-DYNA"), ("su2", "a mesh of SU2"), ("step", "a STEP file"), ("brep", "a BREP file of Open Cascade")]:
+    # This one is read.
+    gmsh.write(str(FOLDER / "foreign.unv"))
+    note("foreign.unv", count())
+    for ending, what in [("med", "a MED file of Salome (HDF5)"), ("vtk", "a VTK file"), ("stl", "an STL file"), ("mesh", "a mesh of Medit"), ("key", "an input of LS-DYNA"), ("su2", "a mesh of SU2"), ("step", "a STEP file"), ("brep", "a BREP file of Open Cascade")]:
         gmsh.write(str(FOLDER / f"foreign.{ending}"))
         rows.append(f"foreign.{ending},refused,{what},")
     gmsh.write(str(FOLDER / "scratch.msh"))

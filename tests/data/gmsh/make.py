@@ -1,6 +1,6 @@
 """Writes the meshes of this folder with Gmsh (pip install gmsh; made with 4.15.2): python make.py
 
-Every body is written as version 2.2 and 4.1, as text and as binary, and compressed with gzip.
+Every body is written as version 2.2 and 4.1, as text and as binary, and in UNV, and compressed with gzip.
 """
 
 import gzip
@@ -30,12 +30,18 @@ def write(name):
         for binary in (0, 1):
             gmsh.option.setNumber("Mesh.MshFileVersion", version)
             gmsh.option.setNumber("Mesh.Binary", binary)
-            path = HERE / f"{name}-{digits}-{'binary' if binary else 'text'}.msh"
-            gmsh.write(str(path))
-            with open(f"{path}.gz", "wb") as packed:
-                with gzip.GzipFile(filename="", mode="wb", fileobj=packed, mtime=0) as file:
-                    file.write(path.read_bytes())
-            path.unlink()
+            pack(HERE / f"{name}-{digits}-{'binary' if binary else 'text'}.msh")
+    # Its groups of faces and lines as elements, and once more as nodes.
+    gmsh.option.setNumber("Mesh.SaveGroupsOfNodes", 1)
+    pack(HERE / f"{name}.unv")
+
+
+def pack(path):
+    gmsh.write(str(path))
+    with open(f"{path}.gz", "wb") as packed:
+        with gzip.GzipFile(filename="", mode="wb", fileobj=packed, mtime=0) as file:
+            file.write(path.read_bytes())
+    path.unlink()
 
 
 def start(name):

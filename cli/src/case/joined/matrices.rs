@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 use whirl_solver::mesh::format::MeshUnits;
-use whirl_solver::mesh::matrices::{Files, Request};
+use whirl_solver::mesh::matrices::{Files, Request, file_and_name};
 
 use crate::case::library::{FileStore, resolve};
 use crate::case::rotor::{Body, MatrixFiles, Mesh, StaticCorrection};
@@ -130,9 +130,16 @@ fn request(store: FileStore, own: &Table, units: MeshUnits) -> Option<Request> {
             own.conflict(first, second);
             return None;
         }
+        [] if nodes.is_some() => {
+            own.demand("stiffness");
+            own.demand("mass");
+            let [stiffness, mass, nodes] =
+                [stiffness?, mass?, nodes?].map(|name| file(store, own, &name));
+            Files::Abaqus { stiffness: stiffness?, mass: mass?, nodes: nodes? }
+        }
         [] => {
-            let help = "add `dofs = \"dofs.csv\"` for Matrix Market files, `dmig = \"model.pch\"` for Nastran, or \
-                        `calculix = \"JOB\"`";
+            let help = "add `dofs = \"dofs.csv\"` for files of Matrix Market or OUTPUT4, `nodes = \"JOB.inp\"` for those of \
+                        Abaqus, `dmig = \"model.pch\"` for a punch file of Nastran, or `calculix = \"JOB\"`";
             own.absent("dofs", help);
             return None;
         }
@@ -157,7 +164,7 @@ fn together(own: &Table) {
 /// The path of a file, if there is one.
 fn file(store: FileStore, table: &Table, name: &Located) -> Option<PathBuf> {
     let path = resolve(name.source(), name.text());
-    exists(store, table, name, &path).then_some(path)
+    exists(store, table, name, &file_and_name(&path).0).then_some(path)
 }
 
 fn exists(store: FileStore, table: &Table, name: &Located, path: &std::path::Path) -> bool {

@@ -25,7 +25,7 @@ const PLACE_EXAMPLE: &str = "[\"0 mm\", \"0 mm\"]";
 pub(crate) const BODY: &[Key] = &[
     merged("turns", Words(&["free", "prescribed", "no"]), "whether it turns about its axis"),
     key("axis", PLACE, "x and y of its axis, 0 if left out").like(PLACE_EXAMPLE),
-    key("mesh", Text, "a mesh file: Gmsh, or input of Abaqus or CalculiX"),
+    key("mesh", Text, "a mesh file: Gmsh, Nastran, UNV, or input of Abaqus or CalculiX"),
     key(
         "matrices",
         Table(&[MATRICES]),
@@ -128,22 +128,30 @@ const SECTION_CELLS: &[Key] = &[
 ];
 
 const MATRICES: &[Key] = &[
-    key("stiffness", Text, "a Matrix Market file of K; of DMIG the name of K, KAAX if left out")
+    key(
+        "stiffness",
+        Text,
+        "a file of K: Matrix Market, OUTPUT4 of Nastran (`\"model.op4:KAA\"`), .mtx of Abaqus; of DMIG the name of K, KAAX if left out",
+    )
         .like("\"K.mtx\""),
-    key("mass", Text, "a Matrix Market file of M; of DMIG the name of M, MAAX if left out")
+    key("mass", Text, "a file of M; of DMIG the name of M, MAAX if left out")
         .like("\"M.mtx\""),
-    key("dofs", Text, "a table of the dofs of Matrix Market files: node, direction, x, y, z")
+    key("dofs", Text, "a table of the dofs of files without labels: node, direction, x, y, z")
         .like("\"dofs.csv\""),
     key("dmig", Text, "a file with cards DMIG of Nastran, in place of `dofs`")
         .like("\"model.pch\""),
     key("calculix", Text, "the job of CalculiX that wrote .sti, .mas and .dof, in place of `dofs`")
         .like("\"JOB\""),
-    key("nodes", Text, "the input file of `dmig` or `calculix`, with the places of the nodes")
+    key(
+        "nodes",
+        Text,
+        "the input file of `dmig`, `calculix` or of .mtx of Abaqus with labels, with the places of the nodes",
+    )
         .like("\"model.bdf\""),
     key(
         "spin_inertia",
         Text,
-        "Y of a body that turns: a Matrix Market file, or the name of a DMIG",
+        "Y of a body that turns: a file such as that of K, or the name of a DMIG",
     )
     .like("\"Y.mtx\""),
     key("spin_coupling", Text, "H of a body that turns").like("\"H.mtx\""),

@@ -145,7 +145,8 @@ fn mesh(
                 table.push(error.help("paths are relative to the file that names them"));
                 return None;
             }
-            Some(Mesh::File(MeshFile { path, name, units: units?, merge }))
+            let units_given = table.gives("units");
+            Some(Mesh::File(MeshFile { path, name, units: units?, units_given, merge }))
         }
         (None, Some(dimensions)) => {
             if !table.has("material") {

@@ -33,7 +33,7 @@ mod values;
 
 use std::collections::BTreeSet;
 
-pub(super) use self::dmig::{Dmig, DmigColumn, grid_points, matrices};
+pub(super) use self::dmig::{Dmig, DmigColumn, DmigEntry, grid_points, matrices};
 pub use self::files::Load;
 use super::raw::{Cells, MeshReport, NodeTable, RawCell, RawMesh, Remedies, in_own_order};
 pub use super::reading::AddedMass;

@@ -76,12 +76,13 @@ impl DmigFile {
     ) -> Option<Entries> {
         let before = report.error_count();
         let matrix = self.get(name, key, report)?;
+        let known = if name == called { called.to_owned() } else { format!("{called} ({name})") };
         let form = match matrix.form {
             6 => Form::Symmetric,
             1 => Form::General,
             other => {
                 let what = format!(
-                    "{called} ({name}) has the form {other}, and must be square (1) or symmetric (6)"
+                    "{known} has the form {other}, and must be square (1) or symmetric (6)"
                 );
                 report.error(matrix.place, what, "export it as a square or symmetric matrix");
                 return None;
@@ -100,12 +101,7 @@ impl DmigFile {
             }
         }
         let file = matrix.place.file;
-        (report.error_count() == before).then(|| Entries {
-            name: format!("{called} ({name})"),
-            file,
-            form,
-            list,
-        })
+        (report.error_count() == before).then_some(Entries { name: known, file, form, list })
     }
 
     /// A matrix of one column, by the dofs.

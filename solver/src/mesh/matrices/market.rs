@@ -3,6 +3,19 @@
 use super::super::raw::{LinePosition, MeshReport, count};
 use super::entries::{Entries, Entry, Form};
 
+/// Notes that a matrix has not a row for each dof.
+pub(super) fn rows_differ(
+    name: &str,
+    rows: usize,
+    dofs: usize,
+    at: LinePosition,
+    report: &mut MeshReport,
+) {
+    let what = format!("{name} has {rows} rows, but {} listed", are(dofs));
+    let help = "list each dof once, in the order of the rows of K and M";
+    report.error(at, what, help);
+}
+
 const HEAD: &str = "begin the file with `%%MatrixMarket matrix coordinate real symmetric`; scipy.io.mmwrite writes such files";
 
 /// A line with its number, from 1.
@@ -119,9 +132,7 @@ fn read(
         }
     };
     if rows != wanted {
-        let what = format!("{name} has {rows} rows, but {} listed", are(wanted));
-        let help = "list each dof once, in the order of the rows of K and M";
-        report.error(place(sizes.number), what, help);
+        rows_differ(name, rows, wanted, place(sizes.number), report);
         return None;
     }
     if form != Form::General && rows != columns {

@@ -1,6 +1,7 @@
-//! Which files a body of matrices has, and their reading.
+//! Reading the files of a body of matrices.
 
-use std::path::{Path, PathBuf};
+use std::collections::BTreeMap;
+use std::path::Path;
 
 use super::super::format::Format;
 use super::super::placed_nodes::PlacedNodes;
@@ -11,85 +12,13 @@ use super::super::{Mesh, bdf, inp};
 use super::build::{Others, RawMatrices};
 use super::dmig::{DmigFile, Dofs};
 use super::entries::Entries;
-use super::{calculix, market, shown, table};
+use super::kinds::{self, Kind, file_and_name};
+use super::request::{Files, Request, of_job};
+use super::{abaqus, calculix, shown, table};
 use crate::error::{InputError, InputErrors};
 
 /// Gives the bytes of a file.
 pub type Load<'a> = &'a dyn Fn(&Path) -> std::io::Result<Vec<u8>>;
-
-/// The files of K and M, by the program that wrote them.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Files {
-    /// Matrix Market files.
-    Market {
-        /// K.
-        stiffness: PathBuf,
-        /// M.
-        mass: PathBuf,
-        /// A table of the dofs.
-        dofs: PathBuf,
-    },
-    /// Cards `DMIG` of Nastran.
-    Dmig {
-        /// The punch file, or bulk data.
-        file: PathBuf,
-        /// Bulk data with the grid points.
-        nodes: PathBuf,
-        /// Name of K.
-        stiffness: String,
-        /// Name of M.
-        mass: String,
-    },
-    /// `JOB.sti`, `JOB.mas` and `JOB.dof` of CalculiX.
-    Calculix {
-        /// Path of the job, without what stands behind the point.
-        job: PathBuf,
-        /// The input file, with the nodes.
-        nodes: PathBuf,
-    },
-}
-
-/// What is to be read.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Request {
-    /// K and M.
-    pub files: Files,
-    /// Y, H, Y x0 and G, where they are given: Matrix Market files, or names of DMIG in the file of K.
-    pub spin_inertia: Option<String>,
-    /// H.
-    pub spin_coupling: Option<String>,
-    /// Y x0, one column.
-    pub spin_load: Option<String>,
-    /// G.
-    pub stiffening: Option<String>,
-    /// Folder from which the names of these files count.
-    pub folder: PathBuf,
-    /// Units of all numbers.
-    pub units: MeshUnits,
-}
-
-impl Request {
-    /// All files that it names.
-    pub fn paths(&self) -> Vec<PathBuf> {
-        let (mut paths, others) = match &self.files {
-            Files::Market { stiffness, mass, dofs } => {
-                (vec![stiffness.clone(), mass.clone(), dofs.clone()], true)
-            }
-            // Others are names of cards in it.
-            Files::Dmig { file, nodes, .. } => (vec![file.clone(), nodes.clone()], false),
-            Files::Calculix { job, nodes } => {
-                let [dofs, stiffness, mass] = of_job(job);
-                (vec![dofs, stiffness, mass, nodes.clone()], true)
-            }
-        };
-        if others {
-            let Request { spin_inertia, spin_coupling, spin_load, stiffening, .. } = self;
-            let more = [spin_inertia, spin_coupling, spin_load, stiffening].into_iter().flatten();
-            paths.extend(more.map(|own| self.folder.join(own)));
-        }
-        paths
-    }
-}
 
 /// A body of matrices with what is to be said of it.
 #[derive(Debug, Clone)]
@@ -105,7 +34,12 @@ pub struct ReadMatrices {
 /// # Errors
 /// All that is wrong, each with its file and place, and how to fix it.
 pub fn read(request: &Request, load: Load<'_>) -> Result<ReadMatrices, InputErrors> {
-    let mut reader = Reader { report: MeshReport::new(&shown(request.main())), load, files: 0 };
+    let mut reader = Reader {
+        report: MeshReport::new(&shown(request.main())),
+        load,
+        files: 0,
+        by_coordinates: false,
+    };
     let read = reader.read(request);
     let Reader { report, .. } = reader;
     let Some(raw) = read.filter(|_| report.error_count() == 0) else {
@@ -115,36 +49,24 @@ pub fn read(request: &Request, load: Load<'_>) -> Result<ReadMatrices, InputErro
     Ok(ReadMatrices { mesh, warnings: report.into_warnings() })
 }
 
-impl Request {
-    /// The file that the others are beside.
-    fn main(&self) -> &Path {
-        match &self.files {
-            Files::Market { stiffness, .. } => stiffness,
-            Files::Dmig { file, .. } => file,
-            Files::Calculix { job, .. } => job,
-        }
-    }
-}
-
-/// The files of the dofs, of K and of M that a job of CalculiX leaves.
-fn of_job(job: &Path) -> [PathBuf; 3] {
-    [".dof", ".sti", ".mas"].map(|end| {
-        let mut path = job.as_os_str().to_owned();
-        path.push(end);
-        PathBuf::from(path)
-    })
-}
-
 struct Reader<'a> {
     report: MeshReport,
     load: Load<'a>,
     /// Files that were asked for.
     files: usize,
+    /// Whether K or M are of Abaqus by rows and columns.
+    by_coordinates: bool,
 }
 
 impl Reader<'_> {
     /// The text of a file, and its index in the report; of one that cannot be read there is none.
     fn text(&mut self, path: &Path) -> (String, usize) {
+        let (bytes, file) = self.bytes(path);
+        (decode(bytes), file)
+    }
+
+    /// The bytes of a file, and its index in the report; of one that cannot be read there are none.
+    fn bytes(&mut self, path: &Path) -> (Vec<u8>, usize) {
         // The report begins with a file, which is the first one that is read.
         match self.files {
             0 => self.report.files[0] = shown(path),
@@ -153,12 +75,12 @@ impl Reader<'_> {
         self.files += 1;
         let file = self.report.files.len() - 1;
         match (self.load)(path) {
-            Ok(bytes) => (decode(bytes), file),
+            Ok(bytes) => (bytes, file),
             Err(error) => {
                 let at = LinePosition { file, line: 0, column: 0 };
                 let help = "paths are relative to the case; its name is as the case has it";
                 self.report.error(at, format!("it cannot be read: {error}"), help);
-                (String::new(), file)
+                (Vec::new(), file)
             }
         }
     }
@@ -173,6 +95,9 @@ impl Reader<'_> {
                 self.of_market(request, [stiffness, mass], dofs)
             }
             Files::Calculix { job, nodes } => self.of_calculix(request, job, nodes),
+            Files::Abaqus { stiffness, mass, nodes } => {
+                self.of_abaqus(request, [stiffness, mass], nodes)
+            }
             Files::Dmig { file, nodes, stiffness, mass } => {
                 self.of_nastran(request, (file, nodes), [stiffness, mass])
             }
@@ -195,13 +120,17 @@ impl Reader<'_> {
         }
         let size = list.len();
         let [k, m] =
-            [(stiffness, "K"), (mass, "M")].map(|(path, name)| self.market(path, name, size));
+            [(stiffness, "K"), (mass, "M")].map(|(path, name)| self.matrix(path, name, size));
         let others = self.others(request, size);
+        let (k, m) = (k?, m?);
+        if self.by_coordinates {
+            abaqus::complete([&k, &m], |dof| list[dof].called(), size, &mut self.report);
+        }
         Some(RawMatrices {
             dofs: list,
             nodes,
-            stiffness: k?,
-            mass: m?,
+            stiffness: k,
+            mass: m,
             others,
             units: request.units,
             origin: shown(stiffness),
@@ -277,28 +206,102 @@ impl Reader<'_> {
         })
     }
 
-    fn market(&mut self, path: &Path, name: &str, size: usize) -> Option<Entries> {
-        let (before, (text, file)) = (self.report.error_count(), self.text(path));
-        match self.report.error_count() > before {
-            true => None,
-            false => market::matrix(&text, (name, file), size, &mut self.report),
+    fn of_abaqus(
+        &mut self,
+        request: &Request,
+        [stiffness, mass]: [&Path; 2],
+        nodes: &Path,
+    ) -> Option<RawMatrices> {
+        let mut own = DmigFile { matrices: BTreeMap::new(), file: 0 };
+        let Request { spin_inertia, spin_coupling, spin_load, stiffening, .. } = request;
+        let beside = |name: &String| request.folder.join(name);
+        let others = [spin_inertia, spin_coupling, stiffening].map(|own| own.as_ref().map(beside));
+        let [inertia, coupling, stiff] = others;
+        let named = [
+            ("K", Some(stiffness.to_owned())),
+            ("M", Some(mass.to_owned())),
+            ("Y", inertia),
+            ("H", coupling),
+            ("G", stiff),
+        ];
+        let load = spin_load.as_ref().map(|name| ("Y x0", beside(name)));
+        for (name, path) in
+            named.into_iter().filter_map(|(name, path)| Some((name, path?))).chain(load)
+        {
+            let before = self.report.error_count();
+            let (bytes, file) = self.bytes(&path);
+            if self.report.error_count() == before {
+                let read = kinds::labelled(bytes, (name, file), &mut self.report);
+                own.matrices.extend(read.map(|read| (name.to_ascii_uppercase(), read)));
+            }
         }
+        let placed = self.nodes(nodes, request.units);
+        if self.failed() {
+            return None;
+        }
+        let names = [("stiffness", "K"), ("mass", "M")];
+        let dofs = own.dofs(&names, &mut self.report);
+        let report = &mut self.report;
+        let mut entries = |key: &str, name: &str| own.entries((key, name), name, &dofs, report);
+        let (k, m) = (entries("stiffness", "K")?, entries("mass", "M")?);
+        let inertia = spin_inertia.as_ref().and_then(|_| entries("spin_inertia", "Y"));
+        let coupling = spin_coupling.as_ref().and_then(|_| entries("spin_coupling", "H"));
+        let stiffening = stiffening.as_ref().and_then(|_| entries("stiffening", "G"));
+        let load = spin_load.as_ref();
+        let spin_load =
+            load.and_then(|_| own.column(("spin_load", "Y x0"), &dofs, &mut self.report));
+        abaqus::complete(
+            [&k, &m],
+            |dof| dofs.list[dof].called(),
+            dofs.list.len(),
+            &mut self.report,
+        );
+        Some(RawMatrices {
+            dofs: dofs.list,
+            nodes: placed,
+            stiffness: k,
+            mass: m,
+            others: Others {
+                spin_inertia: inertia,
+                spin_coupling: coupling,
+                stiffening,
+                spin_load,
+            },
+            units: request.units,
+            origin: shown(stiffness),
+            placed_by: shown(nodes),
+        })
     }
 
-    /// The other matrices as Matrix Market files.
+    /// A matrix by rows and columns, in whichever format it is.
+    fn matrix(&mut self, path: &Path, name: &str, size: usize) -> Option<Entries> {
+        let (path, wanted) = file_and_name(path);
+        let (before, (bytes, file)) = (self.report.error_count(), self.bytes(&path));
+        if self.report.error_count() > before {
+            return None;
+        }
+        let kind = kinds::kind(&bytes);
+        self.by_coordinates |= kind == Kind::Coordinate;
+        kinds::matrix(kind, bytes, (name, file), wanted.as_deref(), size, &mut self.report)
+    }
+
+    /// The other matrices as files of their own.
     fn others(&mut self, request: &Request, size: usize) -> Others {
         let mut matrix = |own: &Option<String>, name: &str| {
             let path = request.folder.join(own.as_ref()?);
-            self.market(&path, name, size)
+            self.matrix(&path, name, size)
         };
         let inertia = matrix(&request.spin_inertia, "Y");
         let coupling = matrix(&request.spin_coupling, "H");
         let stiffening = matrix(&request.stiffening, "G");
         let load = request.spin_load.as_ref().and_then(|own| {
-            let (text, file) = self.text(&request.folder.join(own));
+            let (path, wanted) = file_and_name(&request.folder.join(own));
+            let (bytes, file) = self.bytes(&path);
             match self.failed() {
                 true => None,
-                false => market::column(&text, ("Y x0", file), size, &mut self.report),
+                false => {
+                    kinds::column(bytes, ("Y x0", file), wanted.as_deref(), size, &mut self.report)
+                }
             }
         });
         Others { spin_inertia: inertia, spin_coupling: coupling, stiffening, spin_load: load }
@@ -334,9 +337,12 @@ impl Reader<'_> {
         let mut nodes = match Format::of(text.as_bytes(), &path) {
             Format::Inp => inp::placed_nodes(text, &path, &mut self.report),
             Format::Bdf => bdf::grid_points(text, &include, &mut self.report),
-            Format::Msh => {
+            other @ (Format::Msh | Format::Unv) => {
                 let file = self.report.files.len() - 1;
-                let what = "nodes of matrices are not read from meshes of Gmsh";
+                let what = match other {
+                    Format::Msh => "nodes of matrices are not read from meshes of Gmsh",
+                    _ => "nodes of matrices are not read from universal files",
+                };
                 let help = "name the input file of CalculiX or Abaqus, or bulk data of Nastran";
                 self.report.error(LinePosition { file, line: 0, column: 0 }, what, help);
                 PlacedNodes::default()
