@@ -280,10 +280,7 @@ fn peaks_of_unbalance_are_those_of_other_programs() {
         ),
     ] {
         let workbench = Workbench::new().file("case.toml", case);
-        ran(
-            &workbench,
-            &["response", "case.toml", "--speeds", speeds, "--out", "out", "--no-figures"],
-        );
+        ran(&workbench, &["response", "case.toml", "--speeds", speeds, "--out", "out"]);
         assert!(workbench.path("out/response.svg").is_file());
         let points = column(&workbench, "out/response.peaks.csv", "point");
         let of_disc = |name: &str| -> Vec<f64> {

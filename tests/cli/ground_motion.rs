@@ -260,3 +260,25 @@ fn what_is_wrong_with_a_record_is_said_at_its_place() {
         outcome.stderr
     );
 }
+
+/// A record that does not begin and end at rest, and one beside the run, are warned of; one that does is not.
+#[test]
+fn records_that_leave_the_ground_moving_are_warned_of() {
+    let head = "time [s], x [g]\n";
+    for (rows, words) in [
+        ("0, 0\n0.1, 1\n0.2, 0\n", &[][..]),
+        // The run ends before it.
+        ("0, 0\n0.1, 1\n0.4, 1\n", &[]),
+        ("0, 0\n0.1, 1\n", &["ends at 0.1 s with 9.807 m/s² along x"]),
+        ("0.1, 1\n0.2, 0\n", &["begins with 9.807 m/s² along x"]),
+        ("-1, 0\n0.1, 1\n0.2, 0\n", &["what is before t = 0 does not act"]),
+        ("5, 1\n6, 0\n", &["begins at 5 s, and the run ends at", "begins with 9.807 m/s²"]),
+    ] {
+        let bench = Workbench::new()
+            .file("case.toml", &mass(SHAKEN, "8e3 N/m", STEPS))
+            .file("record.csv", &format!("{head}{rows}"));
+        let said = ran(&bench, &["check", "case.toml"]).stderr;
+        assert_eq!(said.matches("the record `record.csv`").count(), words.len(), "{rows}: {said}");
+        words.iter().for_each(|own| assert!(said.contains(own), "{own} in {said}"));
+    }
+}

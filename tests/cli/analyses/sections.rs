@@ -218,6 +218,47 @@ fn a_body_from_sections_is_round() {
     assert!(!said.contains("not round"), "{said}");
 }
 
+/// With as many modes as leave one of a pair of bending modes without the other the body would not be round, and modes at
+/// speed those of its mean over a turn.
+#[test]
+fn modes_that_would_part_a_pair_are_kept_together() {
+    let shaft = |modes: usize| {
+        format!(
+            "title = \"a shaft\"\n[material.steel]\nyoungs_modulus = \"210 GPa\"\npoissons_ratio = 0.3\n\
+             density = \"7800 kg/m^3\"\n[body.shaft]\nturns = \"prescribed\"\nspeed = \"6000 rpm\"\n\
+             material = \"steel\"\nmodes = {modes}\ncells = {{ sectors = 6, tolerance = 0.001 }}\n\
+             sections = [{{ length = \"1 m\", outer = \"50 mm\" }}]\n\
+             [joint.left]\nkind = \"bushing\"\nfirst = {{ body = \"shaft\", z = \"0 mm\" }}\n\
+             stiffness = {{ xx = \"1e7 N/m\", yy = \"1e7 N/m\" }}\n\
+             [joint.right]\nkind = \"bushing\"\nfirst = {{ body = \"shaft\", z = \"1 m\" }}\n\
+             stiffness = {{ xx = \"1e7 N/m\", yy = \"1e7 N/m\" }}\n"
+        )
+    };
+    let found = |modes: usize| {
+        let workbench = Workbench::new().file("case.toml", &shaft(modes));
+        let arguments = ["--speeds", "6000 rpm", "--count", "4", "--out", "out", "--no-figures"];
+        ran(&workbench, &[&["modes", "case.toml"][..], &arguments].concat());
+        numbers(&workbench, "out/modes.csv", "frequency_hz")
+    };
+    let many = found(24);
+    for modes in 12..=16 {
+        for (own, known) in found(modes).iter().zip(&many) {
+            assert!((own / known - 1.0).abs() < 5e-4, "{modes} modes: {own} Hz, not {known} Hz");
+        }
+    }
+}
+
+/// What a row lacks is said only where the row could be read.
+#[test]
+fn a_row_with_a_wrong_length_does_not_lack_it() {
+    let case = pipe("").replace("length = \"1 m\"", "length = \"1 yard\"");
+    let workbench = Workbench::new().file("case.toml", &case);
+    let outcome = workbench.whirl(&["check", "case.toml"]);
+    assert_eq!(outcome.status, 2);
+    assert!(outcome.stderr.contains("unknown unit `yard`"), "{}", outcome.stderr);
+    assert!(!outcome.stderr.contains("a row has no"), "{}", outcome.stderr);
+}
+
 /// A force at a z is carried once, whatever the cells there: the statics of a beam on hinges.
 #[test]
 fn a_load_at_a_z_is_the_whole_force() {

@@ -35,7 +35,7 @@ fn files_that_are_no_rotors_are_told_so() {
             "title = \"x\"\n[body.rotor]\nturns = \"no\"\n",
             "looks like a case of whirl",
         ),
-        ("list.json", "[1, 2]", "this is no valid TOML"),
+        ("list.json", "[1, 2]", no_rotor),
         ("words.toml", "a rotor", "this is no valid TOML"),
         ("bad.json", "{\"a\": 1,, }", "this is no valid JSON"),
     ] {
