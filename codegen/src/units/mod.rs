@@ -183,6 +183,26 @@ mod tests {
         assert_eq!(si("3 1/s"), 3.0);
     }
 
+    /// By definition: 25.4 mm, 0.453 592 37 kg, and standard gravity.
+    #[test]
+    fn inches_and_pounds_are_exact() {
+        assert_eq!(si("1 in"), 0.0254);
+        assert_eq!(si("5 mil"), 5.0 * 25.4e-6);
+        assert_eq!(si("2 ft"), 0.6096);
+        assert_eq!(si("1 lb"), 0.45359237);
+        assert_eq!(si("1 lbf"), 4.4482216152605);
+        // 6894.757 293 168 361 336… Pa.
+        assert_eq!(si("1 psi"), 6894.757293168362);
+        for (text, known) in
+            [("30 ksi", 30e3 * 6894.757293168362), ("1 lb/in^3", 0.45359237 / 0.0254_f64.powi(3))]
+        {
+            assert!((si(text) / known - 1.0).abs() < 1e-15, "{text}: {}", si(text));
+        }
+        assert_eq!(si("980.665 Gal"), 9.80665);
+        let help = Unit::parse("inch").unwrap_err().help.expect("a help");
+        assert!(help.contains("`in`"), "{help}");
+    }
+
     #[test]
     fn angles_carry_pi() {
         use std::f64::consts::PI;
