@@ -199,7 +199,7 @@ mod tests {
             assert!((si(text) / known - 1.0).abs() < 1e-15, "{text}: {}", si(text));
         }
         assert_eq!(si("980.665 Gal"), 9.80665);
-        let help = Unit::parse("inch").unwrap_err().help.expect("a help");
+        let help = Unit::parse("inches").unwrap_err().help.expect("a help");
         assert!(help.contains("`in`"), "{help}");
     }
 
