@@ -109,9 +109,15 @@ pub(super) fn case(source: &Arc<Source>, stem: &str) -> Result<FromRotor, Failur
 fn tree(source: &Arc<Source>) -> Result<Value, Diagnostics> {
     let text = source.text.trim_start_matches('\u{feff}');
     let skipped = source.text.len() - text.len();
+    // What is called `.json` may be TOML all the same.
     let named = source.path.extension().is_some_and(|own| own.eq_ignore_ascii_case("json"));
-    let of_json = named || text.trim_start().starts_with('{');
-    let tree = if of_json { json::of_json(&source.text) } else { value::of_toml(text) };
+    let (of_json, tree) = match text.trim_start().starts_with('{') {
+        true => (true, json::of_json(&source.text)),
+        false => match value::of_toml(text) {
+            Err(_) if named => (true, json::of_json(&source.text)),
+            tree => (false, tree),
+        },
+    };
     tree.map_err(|(place, what)| {
         let skipped = if of_json { 0 } else { skipped };
         let place = place.start + skipped..place.end + skipped;
