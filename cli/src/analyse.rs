@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use whirl_codegen::diagnostic::{Diagnostics, Located, suggest};
+use whirl_solver::cache::write_whole;
 use whirl_solver::linear::LinearMachine;
 
 use crate::analysis::Subject;
@@ -13,11 +14,13 @@ use crate::arguments::{
 use crate::case::{self, Analysis, AnalysisKind, Case, CaseText};
 use crate::errors::Failure;
 use crate::output::Output;
+use crate::page::{self, Analyses, AnalysisFacts};
 use crate::progress::{self, ProgressMode};
+use crate::results::{ANALYSES, REPORT};
 use crate::signals::Interruption;
 use crate::streams::say;
 use crate::table_files::TableFiles;
-use crate::{machine, streams};
+use crate::{check, machine, streams};
 
 /// Does the analyses of a case.
 ///
@@ -101,8 +104,15 @@ pub(crate) fn matrices(arguments: &MatricesArguments) -> Result<(), Failure> {
     };
     let folder = arguments.out.clone().unwrap_or_else(|| usual(&case));
     let (quiet, cache) = (arguments.quiet, arguments.cache.clone());
-    let results =
-        AnalysisOutput { out: None, parquet: false, mat: false, no_figures: true, quiet, cache };
+    let results = AnalysisOutput {
+        out: None,
+        parquet: false,
+        mat: false,
+        no_figures: true,
+        no_report: true,
+        quiet,
+        cache,
+    };
     run((&case, &arguments.case), &[analysis], Some(&folder), &results)
 }
 
@@ -206,15 +216,20 @@ fn run(
         help: None,
     })?;
     let cache = arguments.cache.open();
-    let build =
-        || streams::warned(|warnings| machine::build_planned(case, cache.as_ref(), warnings));
-    let linear = match analyses.iter().any(|own| !Subject::is_alone(own.kind)) {
-        true => {
-            let built = progress::during(show, case.reducing(), build)?;
-            Some(LinearMachine::new(built.machine)?)
-        }
-        false => None,
-    };
+    let whole = analyses.iter().any(|own| !Subject::is_alone(own.kind));
+    let mut words = Vec::new();
+    let mut linear = None;
+    if whole || folder.is_some() {
+        let (built, said) = streams::warned(|warnings| {
+            let plan = machine::plan(case, warnings)?;
+            let words = check::words(case, &plan)?;
+            let build = || machine::build(case, &plan, cache.as_ref(), warnings);
+            let built = whole.then(|| progress::during(show, case.reducing(), build)).transpose();
+            Ok::<_, Failure>((built?, words))
+        })?;
+        linear = built.map(|own| LinearMachine::new(own.machine)).transpose()?;
+        words = said;
+    }
     // Variants of a case are read anew.
     let text = match analyses.iter().any(|own| own.kind == AnalysisKind::Lateral) {
         true => Some(CaseText::find(file, None)?),
@@ -228,14 +243,14 @@ fn run(
         interruption: &interruption,
         figures: !arguments.no_figures && output.is_some(),
     };
-    let (mut done, mut interrupted) = (0, false);
+    let (mut done, mut interrupted) = (Vec::new(), false);
     for analysis in analyses {
         let name = &analysis.name;
         let work = || streams::warned(|warnings| subject.found(analysis, warnings));
         let found = match progress::during(show, "analysing", work) {
             Ok(found) => found,
             // What the ones before came to is kept.
-            Err(Failure::Unfinished { .. }) if done > 0 => {
+            Err(Failure::Unfinished { .. }) if !done.is_empty() => {
                 show.note(&format!("`{name}` was interrupted before anything was found"));
                 interrupted = true;
                 break;
@@ -245,25 +260,37 @@ fn run(
         if !arguments.quiet {
             say(&found.text)?;
         }
+        let mut files = Vec::new();
         if let Some(output) = &mut output {
             for (file, content) in found.files {
                 // Matrices have formats of their own.
-                if analysis.kind != AnalysisKind::Matrices {
-                    let others = tables.made(&file, &content);
-                    others.into_iter().for_each(|(name, own)| output.put(&name, own));
+                let others = match analysis.kind == AnalysisKind::Matrices {
+                    true => Vec::new(),
+                    false => tables.made(&file, &content),
+                };
+                for (name, own) in others.into_iter().chain([(file, content)]) {
+                    output.put(&name, own);
+                    files.push(name);
                 }
-                output.put(&file, content);
             }
         }
-        done += 1;
+        done.push(AnalysisFacts::new(analysis, &found.text, files, found.interrupted));
         interrupted |= found.interrupted;
         if interrupted {
             show.note(&format!("`{name}` was interrupted: what was found is kept"));
             break;
         }
     }
-    if let (Some(output), Some(folder)) = (output, folder) {
+    if let (Some(mut output), Some(folder)) = (output, folder) {
+        output.put(ANALYSES, Analyses::with(folder, case, words, done).json());
         output.commit()?;
+        if !arguments.no_report {
+            let path = folder.join(REPORT);
+            let written = page::made(folder).and_then(|page| {
+                write_whole(&path, page.as_bytes()).map_err(|error| error.to_string())
+            });
+            written.map_err(|reason| Failure::Output { path, reason })?;
+        }
         show.note(&format!("results are in {}", folder.display()));
     }
     if interrupted {

@@ -49,6 +49,8 @@ pub(crate) enum Command {
     Lateral(LateralArguments),
     /// Mass, damping and stiffness matrices, inputs, outputs and state space, in files for other programs
     Matrices(MatricesArguments),
+    /// Make the page report.html of a folder of results again
+    Report(ReportArguments),
     /// Check a case, sweep or spec file: describe it, and report every error
     Check(CheckArguments),
     /// Show what a spec defines and what is derived from it: equations, shapes, costs, report, plot, code
@@ -90,6 +92,9 @@ pub(crate) struct RunArguments {
     /// Write no figures
     #[arg(long)]
     pub(crate) no_figures: bool,
+    /// Write no report.html
+    #[arg(long)]
+    pub(crate) no_report: bool,
     /// Also write the history as history.npz, for NumPy, with one array per column
     #[arg(long)]
     pub(crate) npz: bool,
@@ -130,6 +135,9 @@ pub(crate) struct SweepArguments {
     /// Write no figures
     #[arg(long)]
     pub(crate) no_figures: bool,
+    /// Write no report.html
+    #[arg(long)]
+    pub(crate) no_report: bool,
     /// Number of points to run at a time [default: one per core]
     #[arg(long, value_name = "N")]
     pub(crate) jobs: Option<NonZeroUsize>,
@@ -153,6 +161,7 @@ impl SweepArguments {
             analyses: &self.analyse,
             out: self.out.as_deref(),
             figures: !self.no_figures,
+            report: !self.no_report,
             jobs: self.jobs,
             resume: self.resume,
             quiet: self.quiet,
@@ -264,12 +273,22 @@ pub(crate) struct AnalysisOutput {
     /// Write no figures
     #[arg(long)]
     pub(crate) no_figures: bool,
+    /// Write no report.html
+    #[arg(long)]
+    pub(crate) no_report: bool,
     /// Print only warnings and errors
     #[arg(long)]
     pub(crate) quiet: bool,
     /// Where reduced bodies are kept
     #[command(flatten)]
     pub(crate) cache: CacheArguments,
+}
+
+/// Arguments of `whirl report`.
+#[derive(Debug, Args)]
+pub(crate) struct ReportArguments {
+    /// A folder of results, such as results/weight
+    pub(crate) folder: PathBuf,
 }
 
 /// Arguments of `whirl check`.

@@ -4,7 +4,6 @@ use std::fmt::Write;
 use std::path::Path;
 
 use whirl_solver::cache::Cache;
-use whirl_solver::dynamics::AutomaticStep;
 
 use crate::arguments::CheckArguments;
 use crate::case::{Case, Joint, JointKind, LawSource};
@@ -28,11 +27,15 @@ mod frequencies;
 mod joints;
 mod laws;
 mod loads;
+mod marched;
 mod mass;
 mod meshes;
 mod picture;
 mod round;
 mod sets;
+mod words;
+
+pub(crate) use self::words::words;
 
 /// What is reported only where it is asked for.
 #[derive(Debug, Clone, Copy, Default)]
@@ -108,7 +111,7 @@ pub(crate) fn of_case(
         line!(text, "\nStart\n{words}");
     }
     match &case.march {
-        Some(_) => say_march(&mut text, case),
+        Some(march) => line!(text, "\nTime\n{}", marched::lines(march).join("\n")),
         None if case.analyses.is_empty() => line!(
             text,
             "\nTime\nno `[march]`, which `whirl run` needs; `whirl modes`, `campbell`, `response`, … do not"
@@ -131,44 +134,4 @@ fn laws_of(case: &Case, plan: &JoinedPlan) -> Vec<LawSource> {
     let chosen = |joint: &Joint| matches!(joint.kind, JointKind::Bearing | JointKind::Stop);
     let laws = case.machine.joints.iter().zip(&plan.laws).filter(|(joint, _)| chosen(joint));
     laws.map(|(_, law)| law.clone()).collect()
-}
-
-fn say_march(text: &mut String, case: &Case) {
-    let march = case.march();
-    let what = if march.automatic.is_some() { "rows, one every" } else { "steps of" };
-    line!(
-        text,
-        "\nTime\n{} {what} {:e} s: {:.6} s; a cycle is {:.6} s",
-        march.steps,
-        march.time_step,
-        march.duration(),
-        march.cycle
-    );
-    if let Some(AutomaticStep { tolerance, longest }) = march.automatic {
-        line!(
-            text,
-            "the program chooses the steps, at most {:e} s, for a local error of {tolerance:e}",
-            longest.min(march.time_step)
-        );
-    }
-    if let Some(radius) = march.spectral_radius {
-        line!(text, "integrated by generalized-α with spectral radius {radius}");
-    }
-    line!(text, "the cycle is {}", march.cycle_called);
-    if march.no_common_cycle {
-        line!(
-            text,
-            "rotation and loads have no common period: give the frequency at which the motion repeats as \
-             `cycle_frequency`"
-        );
-    }
-    if march.stop_when_steady {
-        line!(text, "the run stops at its steady state");
-    }
-    if march.steady_cycle().is_none() {
-        line!(text, "shorter than {}: not checked for a steady state", march.steady_cycles());
-    }
-    if march.output_every > 1 {
-        line!(text, "a row of the history every {} steps", march.output_every);
-    }
 }

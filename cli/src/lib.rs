@@ -23,10 +23,12 @@ mod mesh_file;
 mod new;
 mod other_files;
 mod output;
+mod page;
 mod parquet;
 mod picture_file;
 mod progress;
 mod report;
+mod report_file;
 mod results;
 mod run;
 mod schema;
@@ -81,6 +83,7 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
         Command::Map(arguments) => analyse::map_of(arguments),
         Command::Lateral(arguments) => analyse::lateral_of(arguments),
         Command::Matrices(arguments) => analyse::matrices(arguments),
+        Command::Report(arguments) => report_file::report(arguments).and_then(|text| say(&text)),
         Command::Check(arguments) => check::check(arguments).and_then(|text| say(&text)),
         Command::Explain(arguments) => explain::explain(arguments).and_then(|text| say(&text)),
         Command::New(arguments) => new::new(arguments).and_then(|text| say(&text)),

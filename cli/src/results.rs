@@ -17,6 +17,16 @@ use crate::lock::{Lock, Locked};
 
 /// The summary.
 pub(crate) const SUMMARY: &str = "summary.json";
+/// What the columns are, and the case in words.
+pub(crate) const ABOUT: &str = "about.json";
+/// Surfaces of the bodies, and how they move.
+pub(crate) const SHAPES: &str = "shapes.json";
+/// The analyses that were done, and the case in words.
+pub(crate) const ANALYSES: &str = "analyses.json";
+/// What a sweep was.
+pub(crate) const SWEEP: &str = "sweep.json";
+/// The page that tells of all of them.
+pub(crate) const REPORT: &str = "report.html";
 /// The state after the last step, from which other runs can start.
 pub(crate) const STATE: &str = "state.bin";
 /// From what `--resume` goes on.
@@ -135,6 +145,9 @@ fn names() -> impl Iterator<Item = String> {
         history::PART,
         history::REST,
         SUMMARY,
+        ABOUT,
+        SHAPES,
+        REPORT,
         CHECKPOINT,
         STATE,
         FRAMES,

@@ -15,6 +15,7 @@
 //!    lines to history.csv, and about once a second a checkpoint is written that names the rows before it.
 //! 6. [`crate::report`], [`crate::figures`], [`crate::fields`]: the rows are read again from the store, and summary, tables and
 //!    figures made of them; the verdict comes from what the march measured of its own steps.
+//! 7. [`crate::page`]: report.html, of what is in the folder then.
 
 use std::io;
 use std::panic::resume_unwind;
@@ -30,14 +31,15 @@ use crate::case::Case;
 use crate::checkpoint::{self, Identity};
 use crate::errors::Failure;
 use crate::history::HistoryFile;
-use crate::machine::{self, Built};
-use crate::other_files::{About, OtherFiles};
+use crate::machine::{self, Built, JoinedPlan};
+use crate::other_files::{About as AboutFiles, OtherFiles};
+use crate::page::{About, Meshed, Section, Shapes};
 use crate::progress::{self, ProgressMode, Terminal};
 use crate::report::{Summary, of_orders, stops, supports};
-use crate::results::{Results, SUMMARY};
+use crate::results::{ABOUT, REPORT, Results, SHAPES, SUMMARY};
 use crate::signals::Interruption;
 use crate::simulate::{End, FolderStore, Simulated, simulate};
-use crate::{fields, figures, history, streams};
+use crate::{check, fields, figures, history, page, streams};
 
 /// How often a run that is being built looks for an interruption.
 const PAUSE: Duration = Duration::from_millis(20);
@@ -61,7 +63,7 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         path: results.folder().to_path_buf(),
         reason: format!("signal handlers cannot be installed: {error}"),
     })?;
-    let built = build(&case, &arguments.cache, (show, &interruption))?;
+    let (built, told) = build(&case, &arguments.cache, (show, &interruption))?;
     let identity = Identity::of(&case, &built);
     let from = match arguments.resume {
         true => checkpoint::read(&results, &identity)?,
@@ -91,7 +93,7 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     drop(store);
     simulated.marched.warning.iter().for_each(streams::warn);
     let both = (&results, &identity);
-    report(arguments, (&case, &built), both, (simulated, &interruption), show)
+    report(arguments, (&case, &built, told), both, (simulated, &interruption), show)
 }
 
 fn folder(arguments: &RunArguments, case: &Case) -> PathBuf {
@@ -99,17 +101,36 @@ fn folder(arguments: &RunArguments, case: &Case) -> PathBuf {
     arguments.out.clone().unwrap_or_else(usual)
 }
 
-/// Reads meshes and reduces bodies, on a thread of its own: an interruption does not wait for it.
+/// What a page tells of a case.
+struct Told {
+    words: Vec<Section>,
+    shapes: Option<Shapes>,
+}
+
+/// Surfaces of the bodies with meshes.
+fn shapes(case: &Case, plan: &JoinedPlan) -> Option<Shapes> {
+    let bodies = case.machine.bodies.iter().zip(&plan.bodies);
+    Shapes::of(bodies.filter_map(|(own, plan)| {
+        let turns = own.turns();
+        let axis = if turns { own.axis } else { [0.0; 2] };
+        Some(Meshed { name: own.name.text(), turns, axis, mesh: &plan.meshed()?.mesh })
+    }))
+}
+
+/// Reads meshes and reduces bodies, on a thread of its own: an interruption does not wait for it. Says what the case is, too.
 fn build(
     case: &Case,
     arguments: &CacheArguments,
     (show, interruption): (ProgressMode, &Interruption),
-) -> Result<Built, Failure> {
+) -> Result<(Built, Told), Failure> {
     let cache = arguments.open();
     let (own, (sender, receiver)) = (case.clone(), channel());
     let work = move || {
         let mut warnings = Vec::new();
-        let built = machine::build_planned(&own, cache.as_ref(), &mut warnings);
+        let built = machine::plan(&own, &mut warnings).and_then(|plan| {
+            let built = machine::build(&own, &plan, cache.as_ref(), &mut warnings)?;
+            Ok((built, Told { words: check::words(&own, &plan)?, shapes: shapes(&own, &plan) }))
+        });
         // Nobody waits for it any more where the run has been interrupted.
         let _ = sender.send((built, warnings));
     };
@@ -148,7 +169,7 @@ fn build(
 /// Writes what was made of a history that is on disk, draws its figures, and says how the run has ended.
 fn report(
     arguments: &RunArguments,
-    (case, built): (&Case, &Built),
+    (case, built, told): (&Case, &Built, Told),
     (results, identity): (&Results, &Identity),
     (simulated, interruption): (Simulated, &Interruption),
     show: ProgressMode,
@@ -164,7 +185,7 @@ fn report(
     // Rows that are not all in one file or the other make none of a third kind.
     let complete = matches!(marched.end, End::Done);
     let about = (!matches!(marched.end, End::NotWritten(..)) && made.is_ok())
-        .then(|| About::new((case, built), identity, complete));
+        .then(|| AboutFiles::new((case, built), identity, complete));
     let path = results.path(history::NAME);
     let names = History::for_machine(&built.machine).names().to_vec();
     let made = made.and_then(|summary| Ok((HistoryFile::of_run(&path, &names)?, summary)));
@@ -172,6 +193,16 @@ fn report(
         Err(error) => problems.push(format!("no summary and no figures: {error}")),
         Ok((history, summary)) => {
             problems.extend(results.write(SUMMARY, summary.json().as_bytes()).err());
+            let steady = summary.steadiness(case.march());
+            let page = About::of_run((case, built), told.words, steady);
+            problems.extend(results.write(ABOUT, page.json().as_bytes()).err());
+            if let Some(shapes) = told.shapes {
+                let moved = match &motions {
+                    Some(motions) => shapes.moved(motions),
+                    None => shapes,
+                };
+                problems.extend(results.write(SHAPES, moved.json().as_bytes()).err());
+            }
             problems.extend(motions.and_then(|own| write_fields(&own, results)));
             if arguments.npz {
                 let path = results.path(history::NPZ);
@@ -209,6 +240,14 @@ fn report(
     }
     if over {
         results.forget_checkpoint();
+    }
+    // It tells of all other files.
+    if about.is_some() && !arguments.no_report && results.path(ABOUT).exists() {
+        let made = match matches!(marched.end, End::Done) && interruption.asked() {
+            true => Err("interrupted before the report was made".to_owned()),
+            false => page::made(results.folder()),
+        };
+        problems.extend(made.and_then(|page| results.write(REPORT, page.as_bytes())).err());
     }
     let printed = closing_words.map_or(Ok(()), |words| streams::say(&words));
     let Some(reason) = reason.or_else(|| problems.first().cloned()) else { return printed };

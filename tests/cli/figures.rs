@@ -27,13 +27,22 @@ fn a_mass_without_stops_has_a_history_and_no_figures() {
     let bench = Workbench::new().file("case.toml", case);
     let outcome = bench.whirl(&["run", "case.toml"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-    assert_eq!(bench.listing_of("results/case"), ["history.csv", "state.bin", "summary.json"]);
+    let expected = ["about.json", "history.csv", "report.html", "state.bin", "summary.json"];
+    assert_eq!(bench.listing_of("results/case"), expected);
     assert_eq!(bench.history("results/case").rows(), 90);
     // Laws that the case names are drawn all the same.
     let laws = format!("{case}[figures]\nlaws = [\"gap-linear-1e6\"]\n");
     let bench = bench.file("laws.toml", &laws);
     let outcome = bench.whirl(&["run", "laws.toml"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-    let expected = ["history.csv", "laws.png", "laws.svg", "state.bin", "summary.json"];
+    let expected = [
+        "about.json",
+        "history.csv",
+        "laws.png",
+        "laws.svg",
+        "report.html",
+        "state.bin",
+        "summary.json",
+    ];
     assert_eq!(bench.listing_of("results/laws"), expected);
 }

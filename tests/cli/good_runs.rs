@@ -57,7 +57,7 @@ fn a_bounce_has_the_published_penetration() {
         .map(|entry| entry.expect("an entry").file_name().into_string().expect("UTF-8"))
         .collect();
     files.sort();
-    assert_eq!(files, ["history.csv", "state.bin", "summary.json"]);
+    assert_eq!(files, ["about.json", "history.csv", "report.html", "state.bin", "summary.json"]);
 }
 
 #[test]

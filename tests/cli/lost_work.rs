@@ -112,7 +112,7 @@ pub(super) fn resumes(bench: &Workbench) {
     assert_eq!(bench.listing_of("cut"), names);
     assert_eq!(
         names.iter().filter(|name| !name.contains(".svg") && !name.contains(".png")).count(),
-        3
+        5
     );
 }
 
@@ -277,7 +277,10 @@ fn nothing_of_an_earlier_run_stays_and_bad_input_takes_nothing() {
     assert_eq!(read(bench.path("out/summary.json")), "old");
     let outcome = bench.whirl(&["run", "sdnd101", "--out", "out", "--no-figures"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-    assert_eq!(bench.listing_of("out"), ["history.csv", "notes.txt", "state.bin", "summary.json"]);
+    assert_eq!(
+        bench.listing_of("out"),
+        ["about.json", "history.csv", "notes.txt", "report.html", "state.bin", "summary.json",]
+    );
 }
 
 #[test]

@@ -41,6 +41,7 @@ mod parquet_file;
 mod pulses;
 mod read_meshes;
 mod readme;
+mod report;
 mod rotors_page;
 mod rubs;
 mod schema;

@@ -95,10 +95,12 @@ fn the_files_have_the_rows_the_units_and_the_facts() {
         assert_eq!(
             bench.listing_of("out"),
             [
+                "about.json",
                 "history.csv",
                 "history.h5",
                 "history.mat",
                 "history.parquet",
+                "report.html",
                 "state.bin",
                 "summary.json"
             ]
@@ -125,9 +127,11 @@ fn the_files_have_the_rows_the_units_and_the_facts() {
         }
         in_python(&bench);
         // They go with the next run that does not want them.
-        let outcome = bench.whirl(&["run", "case.toml", "--out", "out", "--no-figures"]);
+        let plain = ["run", "case.toml", "--out", "out", "--no-figures", "--no-report"];
+        let outcome = bench.whirl(&plain);
         assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-        assert_eq!(bench.listing_of("out"), ["history.csv", "state.bin", "summary.json"]);
+        let names = ["about.json", "history.csv", "state.bin", "summary.json"];
+        assert_eq!(bench.listing_of("out"), names);
     }
 }
 
@@ -310,6 +314,7 @@ fn tables_of_analyses_are_written_for_other_programs() {
     let known = ["campbell.critical", "campbell"]
         .map(|name| ["csv", "mat", "parquet"].map(|kind| format!("{name}.{kind}")));
     let mut known: Vec<String> = known.into_iter().flatten().collect();
+    known.extend(["analyses.json", "report.html"].map(str::to_owned));
     known.sort();
     assert_eq!(bench.listing_of("out"), known);
     let text = read(bench.path("out/campbell.csv"));

@@ -56,7 +56,8 @@ fn a_full_device_is_an_error() {
         }
         // What goes to files is whole.
         if arguments[0] == "run" {
-            let expected = ["history.csv", "state.bin", "summary.json"];
+            let expected =
+                ["about.json", "history.csv", "report.html", "state.bin", "summary.json"];
             assert_eq!(bench.listing_of("results/sdnd101"), expected);
         }
     }

@@ -70,7 +70,9 @@ fn the_rows_of_a_sweep_are_those_of_runs_of_its_points() {
         "displacement.svg",
         "reactions.png",
         "reactions.svg",
+        "report.html",
         "sweep.journal",
+        "sweep.json",
         "table.csv",
         "table.parquet",
     ];

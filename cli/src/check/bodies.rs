@@ -22,7 +22,14 @@ pub(super) fn say(
     joined: &JoinedMachine,
     plan: &JoinedPlan,
 ) -> Result<(), Failure> {
-    line!(text, "\nBodies\n{}", masses(joined, plan)?.trim_end());
+    line!(text, "\nBodies\n{}", table(&masses(joined, plan)?).trim_end());
+    carried(joined).iter().for_each(|own| line!(text, "{own}"));
+    Ok(())
+}
+
+/// What bodies carry, a line each.
+pub(super) fn carried(joined: &JoinedMachine) -> Vec<String> {
+    let mut lines = Vec::new();
     for body in &joined.bodies {
         for own in &body.attached {
             let (kind, what) = match own.what {
@@ -41,20 +48,24 @@ pub(super) fn say(
                 // It is a load, and adds to no inertia.
                 AttachmentKind::Unbalance(_) => continue,
             };
+            let (body, name) = (body.name.text(), own.name.text());
             let z = rounded(1e3 * own.z, 6);
-            line!(
-                text,
-                "{} carries {kind} {} at z = {z} mm: {what}",
-                body.name.text(),
-                own.name.text()
-            );
+            lines.push(format!("{body} carries {kind} {name} at z = {z} mm: {what}"));
         }
     }
-    Ok(())
+    lines
 }
 
 /// How each body turns, if it does.
 pub(super) fn say_speeds(text: &mut String, joined: &JoinedMachine, case: &Case) {
+    let lines = speeds(joined, case);
+    if !lines.is_empty() {
+        line!(text, "\nSpeeds\n{}", lines.join("\n"));
+    }
+}
+
+/// The same, a line a body.
+pub(super) fn speeds(joined: &JoinedMachine, case: &Case) -> Vec<String> {
     let run = case.run();
     let told = |rotation: &Rotation| match *rotation {
         Rotation::Prescribed { speed, acceleration: 0.0 } => {
@@ -90,14 +101,17 @@ pub(super) fn say_speeds(text: &mut String, joined: &JoinedMachine, case: &Case)
         let turning = of(body)?;
         Some(format!("{}: {turning}{}", body.name.text(), aim(place).unwrap_or_default()))
     };
-    let lines: Vec<String> = joined.bodies.iter().enumerate().filter_map(line).collect();
-    if !lines.is_empty() {
-        line!(text, "\nSpeeds\n{}", lines.join("\n"));
-    }
+    joined.bodies.iter().enumerate().filter_map(line).collect()
 }
 
-/// The table of masses and inertias, all that bodies carry included.
-fn masses(joined: &JoinedMachine, plan: &JoinedPlan) -> Result<String, Failure> {
+/// The table of masses and inertias, all that bodies carry included: a row a body, below one of heads.
+///
+/// # Errors
+/// Of linear algebra.
+pub(super) fn masses(
+    joined: &JoinedMachine,
+    plan: &JoinedPlan,
+) -> Result<Vec<Vec<String>>, Failure> {
     let heads =
         ["", "mass (kg)", "centre z (mm)", "polar inertia (kg m²)", "transverse inertia (kg m²)"];
     let mut rows = vec![heads.map(str::to_string).to_vec()];
@@ -146,7 +160,7 @@ fn masses(joined: &JoinedMachine, plan: &JoinedPlan) -> Result<String, Failure> 
             shown_across,
         ]);
     }
-    Ok(table(&rows))
+    Ok(rows)
 }
 
 /// Mass, z of the centre, polar and transverse inertia of a body with what it carries.

@@ -7,7 +7,7 @@ use whirl_solver::bearing::MotionKind;
 use whirl_solver::mesh::measure::Circle;
 use whirl_text::rounded;
 
-use crate::case::{self, JoinedMachine, Joint, JointKind, SetParameter};
+use crate::case::{self, JoinedMachine, Joint, JointKind, LawSource, SetParameter};
 use crate::machine::JoinedPlan;
 
 /// Each joint with its law, clearance and place, or its coefficients.
@@ -15,28 +15,36 @@ pub(super) fn say(text: &mut String, joined: &JoinedMachine, plan: &JoinedPlan) 
     if !joined.joints.is_empty() {
         line!(text, "\nJoints");
     }
-    for (place, (joint, law)) in joined.joints.iter().zip(&plan.laws).enumerate() {
+    for (first, more) in all(joined, plan) {
+        line!(text, "{first}");
+        more.iter().for_each(|own| line!(text, "  {own}"));
+    }
+}
+
+/// The same: a line a joint, and what is to be said beside it.
+pub(super) fn all(joined: &JoinedMachine, plan: &JoinedPlan) -> Vec<(String, Vec<String>)> {
+    let of = |(place, (joint, law)): (usize, (&Joint, &LawSource))| {
         let (c, circles) = plan.clearance(place);
-        line!(text, "{}", of_joint((joint, joined), &law.name(), c, &plan.stations(place)));
+        let mut more = Vec::new();
         if let Some([journal, bore]) = circles {
-            line!(
-                text,
-                "  measured on the meshes: journal of radius {}, bore of radius {}",
+            more.push(format!(
+                "measured on the meshes: journal of radius {}, bore of radius {}",
                 round(journal),
                 round(bore)
-            );
+            ));
         }
         let turns = |body: usize| joined.bodies[body].turns();
         let turning = joint.sides[1].body.filter(|body| turns(*body));
         if let Some(bore) = turning.filter(|_| law.damps_against_bore()) {
-            line!(
-                text,
-                "  its damping turns with {}, as its law takes rates without omega: rotating damping, which destabilises \
+            more.push(format!(
+                "its damping turns with {}, as its law takes rates without omega: rotating damping, which destabilises \
                  above a critical speed",
                 joined.bodies[bore].name.text()
-            );
+            ));
         }
-    }
+        (of_joint((joint, joined), &law.name(), c, &plan.stations(place)), more)
+    };
+    joined.joints.iter().zip(&plan.laws).enumerate().map(of).collect()
 }
 
 fn of_joint(

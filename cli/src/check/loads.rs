@@ -9,11 +9,15 @@ use crate::case::{Gravity, GroundMotion, JoinedMachine};
 
 /// Drives, loads, unbalance, gravity and the motion of the ground.
 pub(super) fn say(text: &mut String, joined: &JoinedMachine) {
-    let all = [drives(joined), loads(joined), unbalance(joined), gravity(joined), ground(joined)]
-        .concat();
+    let all = all(joined);
     if !all.is_empty() {
         line!(text, "\nLoads\n{}", all.join("\n"));
     }
+}
+
+/// The same, a line each.
+pub(super) fn all(joined: &JoinedMachine) -> Vec<String> {
+    [drives(joined), loads(joined), unbalance(joined), gravity(joined), ground(joined)].concat()
 }
 
 fn drives(joined: &JoinedMachine) -> Vec<String> {

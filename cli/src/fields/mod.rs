@@ -10,6 +10,9 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
+use whirl_solver::mesh::Mesh;
+use whirl_solver::stress::von_mises;
+
 pub(crate) use self::frames::{FRAMES, FrameWriter, Schedule};
 use self::frames::{Frame, read};
 use self::motion::motion;
@@ -34,6 +37,26 @@ pub(crate) fn clear(results: &Path) -> io::Result<()> {
         }
     }
     Ok(())
+}
+
+/// A body as it moves: in the frames of the last cycle, or in all where none is of it.
+pub(crate) struct Played<'a> {
+    pub(crate) name: &'a str,
+    pub(crate) mesh: &'a Mesh,
+    /// In the order of time.
+    pub(crate) frames: Vec<PlayedFrame>,
+}
+
+/// A body at an instant, by the nodes of its mesh.
+pub(crate) struct PlayedFrame {
+    /// s.
+    pub(crate) time: f64,
+    /// How far its frame has turned (rad).
+    pub(crate) angle: f64,
+    /// In its frame (m).
+    pub(crate) displacement: Vec<[f64; 3]>,
+    /// By von Mises (Pa), where the case wants stresses.
+    pub(crate) stress: Option<Vec<f64>>,
 }
 
 /// The motions of whole bodies that a run has left.
@@ -84,6 +107,28 @@ impl<'a> Motions<'a> {
             Some((name.to_owned(), stresses.as_ref()?.largest(&own.mesh)?))
         });
         largest.collect()
+    }
+
+    /// The bodies as they move.
+    pub(crate) fn played(&self) -> impl Iterator<Item = Played<'_>> {
+        let machine = &self.built.machine;
+        let all = machine.fields.iter().zip(&self.built.fields).zip(&self.stresses);
+        all.map(move |((field, own), stresses)| {
+            let of_frame = |frame: &Frame| {
+                let motion = motion(machine, field, frame);
+                let stress = stresses.as_ref().and_then(|_| motion.in_body(&own.mesh).ok());
+                PlayedFrame {
+                    time: frame.time,
+                    angle: motion.turned_by(),
+                    displacement: motion.displacements().to_vec(),
+                    stress: stress.map(|all| all.iter().map(von_mises).collect()),
+                }
+            };
+            let cycle = self.frames.iter().any(|frame| frame.of_cycle);
+            let frames = self.frames.iter().filter(|frame| !cycle || frame.of_cycle);
+            let name = machine.bodies[field.body].name();
+            Played { name, mesh: &own.mesh, frames: frames.map(of_frame).collect() }
+        })
     }
 
     /// Writes the files of all bodies: one a frame, one of the largest stresses, and one a body that lists those of frames

@@ -14,14 +14,15 @@ pub(super) struct Motion {
     positions: Vec<[f64; 3]>,
     /// By which they are beside that (m), 3·nodes.
     deformation: Vec<f64>,
-    /// sin and cos of the angle.
+    /// How far its frame has turned (rad), and sin and cos of that.
+    rotation: f64,
     angle: [f64; 2],
 }
 
 /// Of a frame.
 pub(super) fn motion(machine: &Machine, field: &Field, frame: &Frame) -> Motion {
     let place = &machine.places()[field.body];
-    let angle = place.rotation.map_or(0.0, |at| frame.q[at]).sin_cos();
+    let rotation = place.rotation.map_or(0.0, |at| frame.q[at]);
     let flexible = &frame.q[place.flexible.clone()];
     let mut deformation = Vec::with_capacity(3 * field.nodes.len());
     for node in &field.nodes {
@@ -29,13 +30,23 @@ pub(super) fn motion(machine: &Machine, field: &Field, frame: &Frame) -> Motion 
         deformation.extend([0, 1, 2].map(along) as [f64; 3]);
     }
     let positions = field.nodes.iter().map(|node| node.position).collect();
-    Motion { positions, deformation, angle: angle.into() }
+    Motion { positions, deformation, rotation, angle: rotation.sin_cos().into() }
 }
 
 impl Motion {
     fn turned(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         let [sin, cos] = self.angle;
         [cos * x - sin * y, sin * x + cos * y, z]
+    }
+
+    /// Beside its place without deformation, in its frame (m), a node each.
+    pub(super) fn displacements(&self) -> &[[f64; 3]] {
+        self.deformation.as_chunks::<3>().0
+    }
+
+    /// How far its frame has turned (rad).
+    pub(super) fn turned_by(&self) -> f64 {
+        self.rotation
     }
 
     /// Points and deformation in space; `axis`: x and y of where the coordinates of the nodes count from (m).

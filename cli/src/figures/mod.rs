@@ -39,7 +39,7 @@ pub(crate) use self::figure::{
     Cells, Cloud, Dot, Figure, Label, Line, Map, Mark, Panel, Stroke, Style,
 };
 pub use self::laws::{Curve, curves};
-pub(crate) use self::spectra::{Spectrum, last_spectra};
+pub(crate) use self::spectra::{Lines, Spectrum, last_spectra, lines};
 pub(crate) use self::stack::{Stacked, stack};
 
 /// Draws a law as `stem.svg` and `stem.png` into `output`.

@@ -8,6 +8,7 @@ use std::collections::VecDeque;
 use std::f64::consts::TAU;
 use std::io;
 
+use num_complex::Complex;
 use realfft::RealFftPlanner;
 
 use super::figure::{Figure, Line, Mark, Panel, Style};
@@ -33,6 +34,33 @@ const VARIES: f64 = 0.2;
 /// Panels of a run-up at most.
 const PANELS: usize = 6;
 
+/// The transform of windowed values, of a mean of 0.
+pub(crate) struct Lines {
+    /// From line to line (Hz).
+    pub(crate) step: f64,
+    /// From 0 Hz to half the frequency of the rows.
+    pub(crate) values: Vec<Complex<f64>>,
+    /// Of the weights of the window.
+    pub(crate) sum: f64,
+}
+
+/// Of values that are `dt` (s) apart, with zeros behind them where they are few.
+pub(crate) fn lines(values: &[f64], dt: f64) -> Lines {
+    let n = values.len();
+    let window = |i: usize| 0.5 - 0.5 * (TAU * i as f64 / n as f64).cos();
+    let sum: f64 = (0..n).map(window).sum();
+    let mean = values.iter().enumerate().map(|(i, x)| window(i) * x).sum::<f64>() / sum;
+    let mut input: Vec<f64> =
+        values.iter().enumerate().map(|(i, x)| window(i) * (x - mean)).collect();
+    // Zeros behind the values: more lines between those that there are.
+    let padded = n * (PADDED / n).max(1);
+    input.resize(padded, 0.0);
+    let transform = RealFftPlanner::<f64>::new().plan_fft_forward(padded);
+    let mut values = transform.make_output_vec();
+    transform.process(&mut input, &mut values).expect("lengths are those of the plan");
+    Lines { step: 1.0 / (padded as f64 * dt), values, sum }
+}
+
 /// Amplitudes by frequency, of a mean of 0.
 pub(crate) struct Spectrum {
     /// Hz.
@@ -43,20 +71,8 @@ pub(crate) struct Spectrum {
 impl Spectrum {
     /// Of values that are `dt` (s) apart.
     fn of(values: &[f64], dt: f64) -> Spectrum {
-        let n = values.len();
-        let window = |i: usize| 0.5 - 0.5 * (TAU * i as f64 / n as f64).cos();
-        let sum: f64 = (0..n).map(window).sum();
-        let mean = values.iter().enumerate().map(|(i, x)| window(i) * x).sum::<f64>() / sum;
-        let mut input: Vec<f64> =
-            values.iter().enumerate().map(|(i, x)| window(i) * (x - mean)).collect();
-        // Zeros behind the values: more lines between those that there are.
-        let padded = n * (PADDED / n).max(1);
-        input.resize(padded, 0.0);
-        let transform = RealFftPlanner::<f64>::new().plan_fft_forward(padded);
-        let mut output = transform.make_output_vec();
-        transform.process(&mut input, &mut output).expect("lengths are those of the plan");
-        let amplitudes = output.iter().map(|x| 2.0 * x.norm() / sum).collect();
-        Spectrum { step: 1.0 / (padded as f64 * dt), amplitudes }
+        let Lines { step, values, sum } = lines(values, dt);
+        Spectrum { step, amplitudes: values.iter().map(|x| 2.0 * x.norm() / sum).collect() }
     }
 
     /// Of all amplitudes.

@@ -62,6 +62,13 @@ pub(crate) fn check(path: &Path, cache: Option<Cache>) -> Result<String, Failure
     Ok(text)
 }
 
+/// What varies, as lines of a text.
+pub(super) fn varied(sweep: &Sweep) -> Vec<String> {
+    let mut text = String::new();
+    say_points(&mut text, sweep);
+    text.lines().skip(2).map(|own| own.trim().to_owned()).collect()
+}
+
 fn say_points(text: &mut String, sweep: &Sweep) {
     match sweep.title.as_str() {
         "" => line!(text, "{}", sweep.name),

@@ -13,7 +13,7 @@ use crate::created::CreatedFolders;
 use crate::errors::Failure;
 use crate::history;
 use crate::lock::{Lock, Locked};
-use crate::results::{self, STATE, SUMMARY};
+use crate::results::{self, REPORT, STATE, SUMMARY, SWEEP};
 use crate::simulate::InMemory;
 
 /// Folder of what is kept of points, each by its number.
@@ -195,5 +195,5 @@ fn absent_is_fine(done: io::Result<()>) -> io::Result<()> {
 /// Every name that a sweep may give to a file in its folder.
 fn files() -> impl Iterator<Item = String> {
     let figures = FIGURES.iter().flat_map(|stem| [format!("{stem}.svg"), format!("{stem}.png")]);
-    LASTING.map(String::from).into_iter().chain(figures)
+    LASTING.into_iter().chain([SWEEP, REPORT]).map(String::from).chain(figures)
 }

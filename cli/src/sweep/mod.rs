@@ -28,6 +28,7 @@ use std::path::{Path, PathBuf};
 use whirl_solver::cache::Cache;
 
 pub(crate) use self::check::check;
+use self::column::Column;
 pub use self::definition::Sweep;
 use self::examine::examine;
 use self::folder::SweepFolder;
@@ -36,7 +37,9 @@ pub use self::points::Point;
 pub(crate) use self::read::is_sweep;
 use self::workers::Ended;
 use crate::errors::Failure;
+use crate::page::{self, SweepFacts};
 use crate::progress::{self, ProgressMode};
+use crate::results::{REPORT, SWEEP};
 use crate::signals::Interruption;
 use crate::streams;
 
@@ -50,6 +53,7 @@ pub(crate) struct Order<'a> {
     /// Folder of the results; one by the name of the sweep if there is none.
     pub(crate) out: Option<&'a Path>,
     pub(crate) figures: bool,
+    pub(crate) report: bool,
     /// Points at a time; as many as there are cores if there is none.
     pub(crate) jobs: Option<NonZeroUsize>,
     pub(crate) resume: bool,
@@ -96,7 +100,7 @@ pub(crate) fn sweep(order: &Order) -> Result<(), Failure> {
         (&cache, jobs),
         (show, &interruption),
     );
-    report((&sweep, order.figures), &results, ended, (show, &interruption))
+    report((&sweep, order), &results, ended, (show, &interruption))
 }
 
 /// The sweep that the command line asks for.
@@ -133,7 +137,7 @@ fn folder(order: &Order, sweep: &Sweep) -> PathBuf {
 
 /// Writes the table of all that is done and, once that is all there is to do, the figures; says how the sweep has ended.
 fn report(
-    (sweep, drawn): (&Sweep, bool),
+    (sweep, order): (&Sweep, &Order),
     results: &SweepFolder,
     ended: Ended,
     (show, interruption): (ProgressMode, &Interruption),
@@ -162,7 +166,7 @@ fn report(
         (None, Ok(found)) => found,
         (Some(reason), _) | (None, Err(reason)) => return Err(unfinished(reason)),
     };
-    if drawn {
+    if order.figures {
         let write = |name: &str, content: &[u8]| results.write(name, content);
         let stop = || interruption.asked();
         let draw = || figures::draw(sweep, &mut kept, &write, &stop);
@@ -172,6 +176,18 @@ fn report(
             return Err(unfinished(reason));
         }
     }
+    let lines = |text: String| text.lines().map(str::to_owned).collect::<Vec<String>>();
+    let facts = SweepFacts::new(
+        (&sweep.name, &sweep.title),
+        (check::varied(sweep), lines(counts.words())),
+        sweep.keys.iter().map(|own| Column::of(own).head).collect(),
+    );
+    let mut written = results.write(SWEEP, facts.json().as_bytes());
+    if order.report {
+        let page = written.and_then(|()| page::made(results.folder()));
+        written = page.and_then(|page| results.write(REPORT, page.as_bytes()));
+    }
+    written.map_err(unfinished)?;
     match show {
         ProgressMode::Nothing => Ok(()),
         _ => streams::say(&format!(

@@ -27,8 +27,37 @@ pub(super) struct ShownSet {
     pub(super) points: Vec<[f64; 3]>,
 }
 
+/// The corners of the faces that only one cell has, as places of nodes, anticlockwise as seen from outside.
+pub(crate) fn outer_corners(mesh: &Mesh) -> Vec<Vec<usize>> {
+    let blocks = mesh.blocks();
+    let of = |(cell, face): (Cell, usize)| {
+        let block = &blocks[cell.block];
+        let nodes = &block.connectivity[cell.cell * block.element.nodes..];
+        let places = corners(block.element, &block.element.faces[face]);
+        places.into_iter().map(|place| nodes[place]).collect()
+    };
+    outer_places(mesh).map(of).collect()
+}
+
 /// The faces that only one cell has.
 pub(super) fn outer_faces(mesh: &Mesh) -> Vec<OuterFace> {
+    let face = |(cell, face): (Cell, usize)| {
+        let block = &mesh.blocks()[cell.block];
+        let nodes = &block.connectivity[cell.cell * block.element.nodes..];
+        let at = |place: usize| mesh.nodes()[nodes[place]];
+        let own = &block.element.faces[face];
+        OuterFace {
+            corners: corners(block.element, own).into_iter().map(at).collect(),
+            nodes: own.nodes.iter().map(|&place| nodes[place]).collect(),
+            cell,
+            set: None,
+        }
+    };
+    outer_places(mesh).map(face).collect()
+}
+
+/// Cells and faces of them that no other cell has, in the order of the cells.
+fn outer_places(mesh: &Mesh) -> impl Iterator<Item = (Cell, usize)> {
     // The corners of a face name it: two cells that share them share the face.
     let mut known: HashMap<[usize; 4], Option<(Cell, usize)>> = HashMap::new();
     let mut order = Vec::new();
@@ -50,19 +79,7 @@ pub(super) fn outer_faces(mesh: &Mesh) -> Vec<OuterFace> {
             }
         }
     }
-    let outer = order.iter().filter_map(|key| known[key]);
-    let face = |(cell, face): (Cell, usize)| {
-        let block = &mesh.blocks()[cell.block];
-        let nodes = &block.connectivity[cell.cell * block.element.nodes..];
-        let at = |&place: &usize| mesh.nodes()[nodes[place]];
-        OuterFace {
-            corners: corners[cell.block][face].iter().map(at).collect(),
-            nodes: block.element.faces[face].nodes.iter().map(|&place| nodes[place]).collect(),
-            cell,
-            set: None,
-        }
-    };
-    outer.map(face).collect()
+    order.into_iter().filter_map(move |key| known[&key])
 }
 
 /// The places of the corners of a face among the nodes of its element, around it.

@@ -1,0 +1,236 @@
+#!/usr/bin/env python3
+"""Opens report.html of folders of results in headless Chromium and compares what it shows with history.csv.
+
+report.py FOLDER… [--shots DIR]: for every folder no message on the console, nothing fetched, axes with units, values of all
+charts over time, the value under the pointer, units that switch, keys that move and zoom. With --shots also pictures, as on
+a desk, on a telephone, in the dark and printed."""
+import base64, csv, json, math, os, shutil, subprocess, sys, tempfile, time
+
+CHROMIUM = next((found for name in ('chromium', 'chromium-browser', 'google-chrome') if (found := shutil.which(name))), None)
+FLAGS = ['--headless', '--no-sandbox', '--disable-gpu', '--remote-debugging-pipe', '--no-first-run', '--hide-scrollbars',
+         '--disable-extensions', '--disable-background-networking', '--force-color-profile=srgb', '--enable-unsafe-swiftshader']
+
+
+class Browser:
+    """Chromium over its pipe for tools: messages of JSON, each ended by a zero."""
+
+    def __init__(self):
+        self.profile = tempfile.mkdtemp()
+        (to_read, self.to), (self.come, from_write) = os.pipe(), os.pipe()
+
+        def pipes():
+            # Chromium reads from 3 and writes to 4.
+            os.dup2(to_read, 13), os.dup2(from_write, 14)
+            os.dup2(13, 3), os.dup2(14, 4)
+
+        self.process = subprocess.Popen([CHROMIUM, *FLAGS, f'--user-data-dir={self.profile}', 'about:blank'], preexec_fn=pipes,
+                                        close_fds=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(to_read), os.close(from_write)
+        self.rest, self.number, self.events, self.session = b'', 0, [], None
+        target = self.send('Target.createTarget', url='about:blank')['targetId']
+        self.session = self.send('Target.attachToTarget', targetId=target, flatten=True)['sessionId']
+        for domain in ('Page', 'Runtime', 'Log', 'Network'):
+            self.send(f'{domain}.enable')
+
+    def message(self):
+        while b'\0' not in self.rest:
+            read = os.read(self.come, 1 << 20)
+            if not read:
+                raise SystemExit('Chromium has ended')
+            self.rest += read
+        one, self.rest = self.rest.split(b'\0', 1)
+        return json.loads(one)
+
+    def send(self, method, **params):
+        self.number += 1
+        own = {'id': self.number, 'method': method, 'params': params}
+        if self.session:
+            own['sessionId'] = self.session
+        os.write(self.to, json.dumps(own).encode() + b'\0')
+        while True:
+            message = self.message()
+            if message.get('id') == self.number:
+                if 'error' in message:
+                    raise SystemExit(f'{method}: {message["error"]}')
+                return message['result']
+            self.events.append(message)
+
+    def wait(self, event):
+        while not any(own.get('method') == event for own in self.events):
+            self.events.append(self.message())
+
+    def run(self, script):
+        """What a script gives, as JSON."""
+        found = self.send('Runtime.evaluate', expression=script, returnByValue=True, awaitPromise=True)
+        if 'exceptionDetails' in found:
+            raise SystemExit(f'{script}: {found["exceptionDetails"]}')
+        return found['result'].get('value')
+
+    def open(self, path, width, height=900, dark=False):
+        self.events = []
+        self.send('Emulation.setDeviceMetricsOverride', width=width, height=height, deviceScaleFactor=1, mobile=width < 600)
+        self.send('Emulation.setEmulatedMedia', features=[{'name': 'prefers-color-scheme', 'value': 'dark' if dark else 'light'}])
+        self.send('Page.navigate', url='file://' + os.path.abspath(path))
+        self.wait('Page.loadEventFired')
+        self.run('new Promise((done) => setTimeout(done, 300))')
+
+    def close(self):
+        self.process.terminate()
+        self.process.wait()
+        shutil.rmtree(self.profile, ignore_errors=True)
+
+
+def table(path):
+    with open(path, newline='') as file:
+        rows = list(csv.reader(file))
+    return {name: [float(row[k]) for row in rows[1:]] for k, name in enumerate(rows[0])}
+
+
+def near(a, b, scale):
+    # Seven digits, of a value and of the largest.
+    return abs(a - b) <= 2e-7 * scale + 1e-30
+
+
+def check(browser, folder):
+    """Everything of one page; how many values were compared."""
+    path = os.path.join(folder, 'report.html')
+    browser.open(path, 1400)
+    said = [own for own in browser.events if own.get('method') in ('Runtime.consoleAPICalled', 'Runtime.exceptionThrown', 'Log.entryAdded')]
+    assert not said, f'{path}: {json.dumps(said)[:2000]}'
+    asked = [own['params']['request']['url'] for own in browser.events if own.get('method') == 'Network.requestWillBeSent']
+    asked = [url for url in asked if not url.startswith('data:')]
+    assert asked == ['file://' + os.path.abspath(path)], asked
+    # All are drawn, so that all can be read back.
+    browser.run('whirl.charts.forEach((own) => own.render())')
+    charts = browser.run('whirl.charts.map((own) => ({ id: own.spec.id, ...own.values() }))')
+    for chart in charts:
+        for axis in (chart['x'], chart['y']):
+            assert '(' in axis or any(word in axis for word in ('|E| / c', 'revolutions', 'iterations', 'log decrement')), (chart['id'], axis)
+        for ends in chart['view'].values():
+            assert all(math.isfinite(own) for own in ends) and ends[1] > ends[0], chart
+    compared = 0
+    if os.path.exists(os.path.join(folder, 'history.csv')):
+        compared = histories(browser, folder, charts)
+    switches(browser)
+    return len(charts), compared
+
+
+def histories(browser, folder, charts):
+    rows, compared = table(os.path.join(folder, 'history.csv')), 0
+    groups = {own['title']: own for own in browser.run('whirl.data.about.groups')}
+    every = browser.run('whirl.data.run.histories.every')
+    for chart in charts:
+        group = groups.get(chart['title'])
+        if not chart['id'].startswith('history-') or not group:
+            continue
+        for line, (column, _) in zip(chart['series'], group['lines']):
+            known = [own * group['factor'] for own in rows[column]]
+            scale = max(map(abs, known), default=0.0)
+            parts = [known[k:k + every] for k in range(0, len(known), every)]
+            assert len(line['x']) == len(parts), (column, len(line['x']), len(parts))
+            for k, part in enumerate(parts):
+                if line.get('y'):
+                    assert near(line['y'][k], part[0], scale) and line['x'][k] == rows['t_s'][k], (column, k)
+                else:
+                    assert near(line['least'][k], min(part), scale) and near(line['most'][k], max(part), scale), (column, k)
+            compared += len(parts)
+    # What stands at the pointer.
+    shown = [own for own in charts if own['id'].startswith('history-') and own['title'] in groups]
+    if shown:
+        own = shown[0]
+        spot = browser.run(f'''(() => {{ const chart = whirl.charts.find((own) => own.spec.id === {json.dumps(own['id'])});
+            chart.figure.scrollIntoView(); const box = chart.svg.getBoundingClientRect();
+            return [box.left + box.width * 0.6, box.top + box.height * 0.4]; }})()''')
+        browser.send('Input.dispatchMouseEvent', type='mouseMoved', x=spot[0], y=spot[1])
+        time.sleep(0.1)
+        at, legend = browser.run(f'''(() => {{ const chart = whirl.charts.find((own) => own.spec.id === {json.dumps(own['id'])});
+            return [chart.cursor, [...chart.legend.querySelectorAll('b')].map((own) => own.textContent)]; }})()''')
+        assert at is not None, own['id']
+        column = groups[own['title']]['lines'][0][0]
+        k = min(range(len(rows['t_s'])), key=lambda k: abs(rows['t_s'][k] - at))
+        part = [value * groups[own['title']]['factor'] for value in rows[column][max(k - every, 0):k + every + 1]]
+        values = [float(text.replace('−', '-')) for text in legend[1].split(' … ')]
+        for value in values:
+            assert min(part) - 1e-4 * abs(value) <= value <= max(part) + 1e-4 * abs(value), (own['id'], legend, part)
+    return compared
+
+
+def switches(browser):
+    """Units, amplitudes and keys."""
+    values = 'whirl.charts.map((own) => own.values())'
+    before = browser.run(values)
+    browser.run('document.getElementById("units").value = "us"; document.getElementById("units").dispatchEvent(new Event("change"))')
+    after = browser.run(values)
+    factors = {'(µm)': ('(mil)', 1 / 25.4), '(N)': ('(lbf)', 1 / 4.4482216152605)}
+    for one, other in zip(before, after):
+        for unit, (shown, factor) in factors.items():
+            if one['y'].endswith(unit):
+                assert other['y'] == one['y'].replace(unit, shown), other['y']
+                assert math.isclose(other['view']['y'][1], one['view']['y'][1] * factor, rel_tol=1e-9)
+    browser.run('document.getElementById("units").value = "si"; document.getElementById("units").dispatchEvent(new Event("change"))')
+    browser.run('document.getElementById("amplitudes").value = "2"; document.getElementById("amplitudes").dispatchEvent(new Event("change"))')
+    after = browser.run(values)
+    for one, other in zip(before, after):
+        if '0-pk' in one['y']:
+            assert 'pk-pk' in other['y'], other['y']
+            assert math.isclose(other['series'][0]['y'][0], 2 * one['series'][0]['y'][0], rel_tol=1e-9)
+    browser.run('document.getElementById("amplitudes").value = "1"; document.getElementById("amplitudes").dispatchEvent(new Event("change"))')
+    keyed = browser.run('(() => { const own = whirl.charts.find((own) => own.spec.sync === "time"); if (!own) return false; own.figure.focus(); return document.activeElement === own.figure; })()')
+    if not keyed:
+        return
+    view = 'whirl.charts.find((own) => own.spec.sync === "time").shownView().x'
+    whole = browser.run(view)
+
+    def press(key):
+        for kind in ('keyDown', 'keyUp'):
+            browser.send('Input.dispatchKeyEvent', type=kind, key=key, text=key if len(key) == 1 and kind == 'keyDown' else '')
+    press('+')
+    zoomed = browser.run(view)
+    assert math.isclose(zoomed[1] - zoomed[0], 0.7 * (whole[1] - whole[0]), rel_tol=1e-6), (whole, zoomed)
+    press('ArrowRight')
+    assert browser.run('whirl.charts.find((own) => own.spec.sync === "time").cursor') is not None
+    press('0')
+    assert browser.run(view) == whole
+
+
+def shots(browser, folder, into):
+    name, path = os.path.basename(os.path.normpath(folder)), os.path.join(folder, 'report.html')
+    for label, width, dark in (('desk', 1400, False), ('phone', 390, False), ('dark', 1400, True)):
+        browser.open(path, width, dark=dark)
+        browser.run('whirl.charts.forEach((own) => own.render())')
+        wide = browser.run('document.documentElement.scrollWidth')
+        assert wide <= width, f'{path}: {wide} px wide on a screen of {width} px'
+        height = int(browser.run('document.documentElement.scrollHeight'))
+        shot = browser.send('Page.captureScreenshot', captureBeyondViewport=True, clip={'x': 0, 'y': 0, 'width': width, 'height': min(height, 16000), 'scale': 1})
+        with open(os.path.join(into, f'{name}-{label}.png'), 'wb') as file:
+            file.write(base64.b64decode(shot['data']))
+    browser.open(path, 1400)
+    pdf = browser.send('Page.printToPDF', preferCSSPageSize=True, printBackground=True)
+    with open(os.path.join(into, f'{name}.pdf'), 'wb') as file:
+        file.write(base64.b64decode(pdf['data']))
+
+
+def main():
+    arguments = sys.argv[1:]
+    if not CHROMIUM:
+        print('skipped: there is no Chromium here')
+        return
+    into = None
+    if '--shots' in arguments:
+        at = arguments.index('--shots')
+        into = arguments[at + 1]
+        del arguments[at:at + 2]
+        os.makedirs(into, exist_ok=True)
+    browser = Browser()
+    try:
+        for folder in arguments:
+            if into:
+                shots(browser, folder, into)
+            charts, compared = check(browser, folder)
+            print(f'{folder}: {charts} charts, {compared} values as in history.csv')
+    finally:
+        browser.close()
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,152 @@
+//! What a page has to know of a case beside its numbers: about.json, written by every run.
+
+use serde::{Deserialize, Serialize};
+
+use super::groups::{Group, groups};
+use crate::case::{Case, JointKind};
+use crate::machine::Built;
+use crate::report::oscillations;
+use crate::version;
+
+/// Layout of the file.
+pub(super) const LAYOUT: u32 = 1;
+
+/// A part of the case in words: rows of a table, the first one of heads, and lines below it.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Section {
+    pub(crate) title: String,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(crate) table: Vec<Vec<String>>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(crate) lines: Vec<String>,
+}
+
+/// A column of the history.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct ColumnFacts {
+    pub(super) name: String,
+    pub(super) unit: String,
+    pub(super) meaning: String,
+}
+
+/// What oscillates: columns that belong together, with what each is called by.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Signal {
+    pub(super) title: String,
+    pub(super) quantity: String,
+    pub(super) unit: String,
+    /// Column, and letter of its axis.
+    pub(super) columns: Vec<(String, String)>,
+    /// The column of the angle by which its orders count.
+    pub(super) angle: Option<String>,
+}
+
+/// The way of a journal in its bore.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Journal {
+    pub(super) title: String,
+    /// Columns of the eccentricity along x and y (µm).
+    pub(super) columns: [String; 2],
+    /// Radial; 0 where there is none.
+    pub(super) clearance_um: f64,
+    /// The column of the angle at which its keyphasor is seen.
+    pub(super) angle: Option<String>,
+}
+
+/// All of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct About {
+    pub(super) layout: u32,
+    pub(super) version: String,
+    pub(super) name: String,
+    pub(super) title: String,
+    pub(super) source: String,
+    /// The case in words.
+    pub(super) words: Vec<Section>,
+    /// Of the history, in its order.
+    pub(super) columns: Vec<ColumnFacts>,
+    /// Columns that are drawn together.
+    pub(super) groups: Vec<Group>,
+    pub(super) signals: Vec<Signal>,
+    pub(super) journals: Vec<Journal>,
+    /// From row to row (s).
+    pub(super) row_s: f64,
+    /// The cycle (s), and what it is.
+    pub(super) cycle_s: f64,
+    pub(super) cycle: String,
+    /// How the summary tells of steadiness, in words.
+    pub(super) steady: String,
+}
+
+impl About {
+    /// Of a run of a case; `steady`: whether it came to a steady state, in words.
+    pub(crate) fn of_run(
+        (case, built): (&Case, &Built),
+        words: Vec<Section>,
+        steady: String,
+    ) -> Self {
+        let (march, columns) = (case.march(), built.columns());
+        let all = oscillations(case, &built.machine);
+        let signals = all.iter().map(|own| Signal {
+            title: own.title.clone(),
+            quantity: own.quantity.to_owned(),
+            unit: own.unit.to_owned(),
+            columns: own.columns.iter().map(|(a, b)| (a.clone(), (*b).to_lowercase())).collect(),
+            angle: own.angle.clone(),
+        });
+        let signals: Vec<Signal> = signals.collect();
+        let angle_of = |column: &str| {
+            let own = signals.iter().find(|own| own.columns.iter().any(|own| own.0 == column));
+            own.and_then(|own| own.angle.clone())
+        };
+        let supports = case.supports();
+        // A coupling has no way in its plane, and stops are all around one mass.
+        let moving = case.machine.joints.iter().zip(&supports).zip(&built.clearances);
+        let moving = moving.filter(|((joint, _), _)| {
+            !case.machine.is_mass() && !matches!(joint.kind, JointKind::Coupling | JointKind::Gear)
+        });
+        let journals = moving.map(|((_, own), clearance)| Journal {
+            title: own.title.clone(),
+            columns: ["EX", "EY"].map(|quantity| own.column(quantity, "um")),
+            clearance_um: whirl_text::rounded(1e6 * clearance, 10),
+            angle: angle_of(&own.column("X", "um")),
+        });
+        About {
+            layout: LAYOUT,
+            version: version::PACKAGE.to_owned(),
+            name: case.name.clone(),
+            title: case.title.clone(),
+            source: case.origin.clone(),
+            words,
+            groups: groups(case, built, &columns),
+            journals: journals.collect(),
+            signals,
+            columns: columns
+                .into_iter()
+                .map(|own| ColumnFacts {
+                    name: own.name,
+                    unit: own.unit.to_owned(),
+                    meaning: own.meaning,
+                })
+                .collect(),
+            row_s: march.time_step * march.output_every as f64,
+            cycle_s: march.cycle,
+            cycle: march.cycle_called.to_owned(),
+            steady,
+        }
+    }
+
+    /// The text of the file.
+    pub(crate) fn json(&self) -> String {
+        serde_json::to_string_pretty(self).expect("the keys are strings") + "\n"
+    }
+
+    /// Of the text of a file; why it is none.
+    pub(super) fn read(text: &str) -> Result<Self, String> {
+        let own: serde_json::Value = serde_json::from_str(text).map_err(|why| why.to_string())?;
+        if own["layout"] != LAYOUT {
+            return Err("it is of another version of the program: run the case again".to_owned());
+        }
+        serde_json::from_value(own).map_err(|why| why.to_string())
+    }
+}

@@ -1,0 +1,140 @@
+//! The files of a folder of results: what each is, and drawings that a page shows.
+
+use std::io;
+use std::path::Path;
+use std::{fs, str};
+
+use serde::Serialize;
+
+use super::encode::base64;
+use crate::history;
+use crate::results::{ABOUT, ANALYSES, REPORT, SHAPES, STATE, SUMMARY, SWEEP};
+
+/// Figures of runs that a page draws itself.
+const DRAWN: [&str; 7] = [
+    "reactions",
+    "eccentricity",
+    "eccentricity-stretched",
+    "rotation",
+    "displacement",
+    "spectrum",
+    "waterfall",
+];
+/// Bytes of all drawings of a page, at most.
+const MOST: usize = 6 << 20;
+
+/// A file.
+#[derive(Debug, Serialize)]
+pub(super) struct FileFacts {
+    name: String,
+    bytes: u64,
+    what: String,
+}
+
+/// A drawing.
+#[derive(Debug, Serialize)]
+pub(super) struct FigureFacts {
+    name: String,
+    title: String,
+    /// SVG.
+    base64: String,
+}
+
+/// A table.
+#[derive(Debug, Serialize)]
+pub(super) struct TableFacts {
+    name: String,
+    /// As the file has it.
+    csv: String,
+}
+
+/// Bytes of a table, and of all, at most.
+const TABLE: usize = 1 << 20;
+const TABLES: usize = 4 << 20;
+
+/// The tables among some files that are there and have room.
+pub(super) fn tables<'a>(folder: &Path, names: impl Iterator<Item = &'a str>) -> Vec<TableFacts> {
+    let mut whole = 0;
+    let read = |name: &str| {
+        let csv = fs::read_to_string(folder.join(name)).ok()?;
+        let has_room = csv.len() <= TABLE && whole + csv.len() <= TABLES;
+        whole += if has_room { csv.len() } else { 0 };
+        has_room.then(|| TableFacts { name: name.to_owned(), csv })
+    };
+    names.filter(|name| name.ends_with(".csv")).filter_map(read).collect()
+}
+
+/// All of both, by name. Files that the program does not write are not told of.
+///
+/// # Errors
+/// The folder cannot be read.
+pub(super) fn all(folder: &Path) -> io::Result<(Vec<FileFacts>, Vec<FigureFacts>)> {
+    let mut names: Vec<String> = fs::read_dir(folder)?
+        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
+        .filter(|name| !name.starts_with('.') && name != REPORT)
+        .collect();
+    names.sort_unstable();
+    let is_run = names.iter().any(|name| name == ABOUT);
+    let (mut files, mut figures, mut drawn) = (Vec::new(), Vec::new(), 0);
+    for name in names {
+        let path = folder.join(&name);
+        let Ok(facts) = fs::metadata(&path) else { continue };
+        let Some(what) = what(&name) else { continue };
+        if !facts.is_file() {
+            continue;
+        }
+        let stem = name.strip_suffix(".svg").filter(|stem| !(is_run && DRAWN.contains(stem)));
+        if let (Some(_), Ok(svg)) = (stem, fs::read(&path))
+            && drawn + svg.len() <= MOST
+        {
+            drawn += svg.len();
+            let base64 = base64(svg.iter().copied());
+            figures.push(FigureFacts { title: title(&svg, &name), name: name.clone(), base64 });
+        }
+        files.push(FileFacts { name, bytes: facts.len(), what });
+    }
+    Ok((files, figures))
+}
+
+/// What a file is, by its name; none of one that is not of the program.
+fn what(name: &str) -> Option<String> {
+    let own = match name {
+        history::NAME => "the history: a row a time, a column a quantity, ten digits",
+        history::NPZ => "the history for NumPy",
+        history::PARQUET => {
+            "the history with all digits and its units, for programs that read columns"
+        }
+        history::MAT => "the history with all digits for MATLAB",
+        history::HDF5 => "the history with all digits as HDF5",
+        SUMMARY => {
+            "the summary: verdict, extremes and means of the last cycle, orders, energy, times"
+        }
+        ABOUT => {
+            "the case in words, and what the columns are: from it `whirl report` makes this page again"
+        }
+        SHAPES => "surfaces of the bodies, and how they move, for this page",
+        SWEEP => "what varies in the sweep",
+        "table.csv" => "the table: a row a point",
+        "table.parquet" => "the same, for programs that read many rows",
+        "sweep.journal" => "what is done, from which the sweep can be resumed",
+        ANALYSES => "what the analyses came to, in words",
+        STATE => "the state at the end, from which another run can start",
+        _ => match name.rsplit_once('.')?.1 {
+            "svg" => "a figure",
+            "png" => "the same figure as an image",
+            "csv" => "a table",
+            "parquet" => "the table for programs that read columns",
+            "mat" => "the table for MATLAB",
+            _ => return None,
+        },
+    };
+    Some(own.to_owned())
+}
+
+/// The first words of a drawing, or its name.
+fn title(svg: &[u8], name: &str) -> String {
+    let text = str::from_utf8(svg).unwrap_or_default();
+    let words = text.split_once("<text").and_then(|(_, rest)| rest.split_once('>'));
+    let words = words.and_then(|(_, rest)| rest.split_once('<')).map(|own| own.0);
+    words.filter(|own| !own.is_empty()).unwrap_or(name).to_owned()
+}

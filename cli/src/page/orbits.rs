@@ -1,0 +1,126 @@
+//! The ways of the journals in their bores over the last revolutions.
+
+use std::f64::consts::TAU;
+
+use serde::Serialize;
+
+use super::about::Journal;
+use super::encode::Packed;
+
+/// Revolutions that are kept, and points of an orbit at most.
+pub(super) const REVOLUTIONS: f64 = 8.0;
+const POINTS: usize = 5000;
+
+/// An orbit as a page has it.
+#[derive(Debug, Serialize)]
+pub(super) struct Orbit {
+    title: String,
+    columns: [String; 2],
+    clearance_um: f64,
+    /// Rows of a point.
+    every: usize,
+    /// Revolutions that the points span; 0 where it does not turn.
+    revolutions: f64,
+    /// How the body turns: 1, −1 or 0.
+    sense: f64,
+    /// µm in space, in the order of time.
+    x_um: Packed,
+    y_um: Packed,
+    /// Revolutions before the end.
+    before: Packed,
+    /// Points at which the keyphasor is seen, θ a multiple of 360°: x, y, and revolutions before the end.
+    keyphasors: Vec<[f64; 3]>,
+}
+
+impl Orbit {
+    /// Of x, y and, if something turns, the angle of rows up to the end; of what does not turn the last `rows`.
+    pub(super) fn of(
+        journal: &Journal,
+        [x, y]: [&[f64]; 2],
+        angle: Option<&[f64]>,
+        rows: usize,
+    ) -> Self {
+        let count = x.len();
+        let last = angle.and_then(|own| own.last().copied()).unwrap_or(0.0);
+        let before = |k: usize| angle.map_or(0.0, |own| (last - own[k]).abs() / TAU);
+        let turned = before(0);
+        let turns = turned > 0.5;
+        let from = match turns {
+            // A row that is a rounding error too early belongs to it.
+            true => (0..count).find(|k| before(*k) <= REVOLUTIONS * (1.0 + 1e-9)).unwrap_or(0),
+            false => count.saturating_sub(rows),
+        };
+        let every = (count - from).div_ceil(POINTS).max(1);
+        // The last row is one of them.
+        let places: Vec<usize> =
+            (from..count).rev().step_by(every).collect::<Vec<usize>>().into_iter().rev().collect();
+        let sense = match turns {
+            true => (last - angle.map_or(0.0, |own| own[from])).signum(),
+            false => 0.0,
+        };
+        let keyphasors = angle.filter(|_| turns).map_or_else(Vec::new, |angle| {
+            let seen = (from + 1..count).filter_map(|k| {
+                let part = passage(sense * angle[k - 1], sense * angle[k])?;
+                let mix =
+                    |all: &[f64]| whirl_text::rounded(all[k - 1] + part * (all[k] - all[k - 1]), 7);
+                let turned = whirl_text::rounded((last - mix(angle)).abs() / TAU, 7);
+                Some([mix(x), mix(y), turned])
+            });
+            seen.collect()
+        });
+        let pick = |all: &[f64]| Packed::single(places.iter().map(|k| all[*k]));
+        Orbit {
+            title: journal.title.clone(),
+            columns: journal.columns.clone(),
+            clearance_um: journal.clearance_um,
+            every,
+            revolutions: if turns { before(from) } else { 0.0 },
+            sense,
+            x_um: pick(x),
+            y_um: pick(y),
+            before: Packed::single(places.iter().map(|k| if turns { before(*k) } else { 0.0 })),
+            keyphasors,
+        }
+    }
+}
+
+/// The part of a step after which a rising angle passes a whole revolution, if it does.
+fn passage(before: f64, after: f64) -> Option<f64> {
+    let (before, after) = (before / TAU, after / TAU);
+    let whole = after.floor();
+    (before < whole && after > before).then(|| (whole - before) / (after - before))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn journal() -> Journal {
+        Journal {
+            title: "left".into(),
+            columns: ["EX_left_um".into(), "EY_left_um".into()],
+            clearance_um: 50.0,
+            angle: Some("theta_rad".into()),
+        }
+    }
+
+    /// Twenty revolutions of a circle, of which eight are kept, and the keyphasor is where cos θ = 1.
+    #[test]
+    fn the_last_revolutions_are_kept_with_their_keyphasors() {
+        for sense in [1.0, -1.0] {
+            let angle: Vec<f64> = (0..=2003).map(|k| sense * TAU * f64::from(k) / 100.0).collect();
+            let x: Vec<f64> = angle.iter().map(|own| 20.0 * own.cos()).collect();
+            let y: Vec<f64> = angle.iter().map(|own| 20.0 * own.sin()).collect();
+            let own = Orbit::of(&journal(), [&x, &y], Some(&angle), 100);
+            assert!((own.revolutions - 8.0).abs() < 1e-9 && own.sense == sense);
+            assert_eq!((own.every, own.keyphasors.len()), (1, 8));
+            for (k, [x, y, before]) in own.keyphasors.iter().enumerate() {
+                assert!((x - 20.0).abs() < 1e-5 && y.abs() < 1e-5, "{x} {y}");
+                assert!((before - (7.03 - k as f64)).abs() < 1e-6, "{before}");
+            }
+            let still = Orbit::of(&journal(), [&x, &y], None, 100);
+            assert_eq!((still.revolutions, still.keyphasors.len()), (0.0, 0));
+            assert_eq!(still.x_um, Packed::single(x[1904..].iter().copied()));
+        }
+    }
+}

@@ -1,0 +1,627 @@
+// The report: its parts in the order of their weight, each only if there is something to say.
+
+const data = JSON.parse(document.getElementById('data').textContent);
+const page = document.getElementById('page');
+const { summary, run, analyses, sweep } = data;
+// A folder of analyses or of a sweep has no run.
+const about = data.about || { source: '', words: [], ...(analyses || sweep), columns: [], groups: [], signals: [], journals: [] };
+const redraw = [];
+
+// Packed numbers, decoded once.
+function numbers(packed) {
+  if (packed.values) return packed.values;
+  const text = atob(packed.base64);
+  const bytes = new Uint8Array(text.length);
+  for (let k = 0; k < text.length; k++) bytes[k] = text.charCodeAt(k);
+  const kind = { f32: Float32Array, f64: Float64Array, u16: Uint16Array, u32: Uint32Array }[packed.type];
+  packed.values = new kind(bytes.buffer);
+  return packed.values;
+}
+
+function add(parent, tag, text, attributes = {}) {
+  const own = document.createElement(tag);
+  if (text !== undefined) own.textContent = text;
+  for (const [name, value] of Object.entries(attributes)) own.setAttribute(name, value);
+  parent.append(own);
+  return own;
+}
+
+function part(id, title) {
+  const own = add(page, 'section', undefined, { id });
+  add(own, 'h2', title);
+  add(document.getElementById('contents'), 'a', title, { href: `#${id}` });
+  return own;
+}
+
+// A table with units that follow the switch: cells are texts, or [value, unit].
+function table(parent, heads, rows, words = []) {
+  const own = add(add(parent, 'div', undefined, { class: 'scroll' }), 'table');
+  const fill = () => {
+    own.replaceChildren();
+    const head = add(add(own, 'thead'), 'tr');
+    heads.forEach((text, k) => add(head, 'th', Array.isArray(text) ? `${text[0]} (${Units.of(text[1])[0]})` : text, words.includes(k) ? { class: 'words' } : {}));
+    const body = add(own, 'tbody');
+    for (const row of rows) {
+      const line = add(body, 'tr');
+      row.forEach((cell, k) => add(line, 'td', Array.isArray(cell) ? shown(cell[0] * Units.of(cell[1])[1], 4) : cell, words.includes(k) ? { class: 'words' } : {}));
+    }
+  };
+  fill();
+  redraw.push(fill);
+  return own;
+}
+
+const kindOf = (unit) => (unit === '1' ? '' : unit);
+const slug = (text) => text.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '');
+const size = (bytes) => (bytes < 1e3 ? `${bytes} B` : bytes < 1e6 ? `${shown(bytes / 1e3, 3)} kB` : `${shown(bytes / 1e6, 3)} MB`);
+
+// The columns of the histories by their names.
+const columns = new Map();
+if (run) {
+  run.names.forEach((name, k) => columns.set(name, run.histories.columns[k]));
+  run.ratios.forEach((title, k) => columns.set(`ratio ${title}`, run.histories.columns[run.names.length + k]));
+}
+
+function series(name, label, factor, style) {
+  const own = columns.get(name);
+  const scaled = (packed) => (factor === 1 ? numbers(packed) : numbers(packed).map((value) => value * factor));
+  const x = numbers(run.histories.time);
+  return own.values ? { name: label, x, y: scaled(own.values), style } : { name: label, x, least: scaled(own.least), most: scaled(own.most), style };
+}
+
+function extremes(name) {
+  const own = columns.get(name);
+  let [least, most] = [Infinity, -Infinity];
+  for (const value of numbers(own.values || own.least)) if (value < least) least = value;
+  for (const value of numbers(own.values || own.most)) if (value > most) most = value;
+  return [least, most];
+}
+
+function head() {
+  add(page, 'h1', about.title || about.name);
+  add(page, 'p', `${about.title ? about.name : ''}${about.source ? ` · ${about.source}` : ''}`, { class: 'soft' });
+  if (!summary) return;
+  if (analyses) add(page, 'p', 'The verdict is on the run; analyses say themselves what limits them.', { class: 'soft' });
+  const { verdict } = summary;
+  const box = add(page, 'div', undefined, { class: verdict.sound ? 'verdict' : 'verdict bad', id: 'verdict' });
+  add(box, 'strong', verdict.sound ? 'Sound' : 'NOT SOUND: do not use these results');
+  if (verdict.sound) add(box, 'p', 'The program judged every step of this run and found nothing that speaks against the results.');
+  else {
+    const list = add(box, 'ul');
+    for (const own of verdict.findings) {
+      const amount = (value) => (value === null ? 'no number' : own.unit === '1' ? `${shown(100 * value, 3)} %` : `${shown(value, 3)} ${own.unit}`);
+      add(list, 'li', `${own.what}: ${amount(own.value)}, limit ${amount(own.limit)}. Remedy: ${own.remedy}`);
+    }
+  }
+  if (summary.error) add(box, 'p', `The run ended early: ${summary.error}.`);
+  facts();
+}
+
+// What is asked first.
+function facts() {
+  const list = add(page, 'dl', undefined, { class: 'facts' });
+  const fact = (name, value, small) => {
+    const own = add(list, 'div');
+    add(own, 'dt', name);
+    const dd = add(own, 'dd');
+    const fill = () => { dd.textContent = Array.isArray(value) ? `${shown(value[0] * Units.of(value[1])[1], 4)} ${Units.of(value[1])[0]}` : value; if (small) add(dd, 'small', typeof small === 'function' ? small() : small); };
+    fill();
+    redraw.push(fill);
+  };
+  const { march, time } = summary;
+  fact('simulated', `${shown(time.simulated_s, 4)} s`, `${march.steps}${march.complete ? '' : ` of ${march.steps_asked}`} steps in ${shown(time.march_wall_s, 3)} s`);
+  const [first, ...rest] = about.steady.split(/[:,] /);
+  fact('steady state', first, rest.join(', '));
+  if (!run) return;
+  const largest = (names, of) => names.map((name) => [name, of(name)]).reduce((best, own) => (own[1] > best[1] ? own : best), ['', -Infinity]);
+  if (run.ratios.length) {
+    const [title, most] = largest(run.ratios, (name) => extremes(`ratio ${name}`)[1]);
+    fact('largest eccentricity', `${shown(100 * most, 3)} % of the clearance`, `${title}, in the whole run`);
+  }
+  const forces = about.groups.filter((own) => own.quantity === 'force' && own.lines.every(([name]) => columns.has(name)));
+  if (forces.length) {
+    const of = (own) => Math.max(...own.lines.map(([name]) => Math.max(...extremes(name).map(Math.abs))));
+    const group = forces.reduce((best, own) => (of(own) > of(best) ? own : best));
+    fact('largest force component', [of(group), group.unit], `${group.title}, in the whole run`);
+  }
+  const top = strongest();
+  if (top) fact('strongest motion', top.words, () => `${top.title}: ${shown(top.amplitude * Units.of(top.unit)[1] * Amplitudes.factor, 3)} ${Units.of(top.unit)[0]} ${Amplitudes.words}`);
+  const orders = (summary.orders?.signals || []).filter((own) => own.signal.endsWith('_um'));
+  if (orders.length) {
+    const top = orders.reduce((best, own) => (own['1X'].amplitude > best['1X'].amplitude ? own : best));
+    const title = about.signals.find((own) => own.columns.some(([name]) => name === top.signal));
+    fact('largest 1X, 0-pk', [top['1X'].amplitude, 'µm'], `${title ? title.title : top.signal}, last ${top.revolutions === 1 ? 'revolution' : `${top.revolutions} revolutions`}`);
+  }
+}
+
+// The largest line of the spectra of displacements, as a multiple of the speed.
+function strongest() {
+  let top = null;
+  run.spectra.forEach((spectrum, k) => {
+    const signal = about.signals[k];
+    if (signal.unit !== 'µm' || !(spectrum.turning_hz > 0)) return;
+    for (const line of spectrum.lines) {
+      const [frequency, amplitude] = [numbers(line.frequency_hz), numbers(line.amplitude)];
+      for (let at = 0; at < frequency.length; at++) {
+        const order = frequency[at] / spectrum.turning_hz;
+        // Nearer to nothing it is a drift.
+        if (Math.abs(order) < 0.1 || (top && amplitude[at] <= top.amplitude)) continue;
+        const way = !spectrum.two_sided ? '' : order > 0 ? ' forward' : ' backward';
+        top = { amplitude: amplitude[at], unit: signal.unit, title: signal.title, words: `${shown(Math.abs(order), 3)} times the speed${way}` };
+      }
+    }
+  });
+  return top;
+}
+
+function theCase() {
+  if (!about.words.length) return;
+  const own = part('case', 'The case');
+  for (const { title, table: rows, lines } of about.words) {
+    add(own, 'h3', title);
+    if (rows) table(own, rows[0], rows.slice(1));
+    if (lines) { const list = add(own, 'ul', undefined, { class: 'plain' }); for (const line of lines) add(list, 'li', line); }
+  }
+}
+
+let scene = null;
+function machine() {
+  const { shapes } = data;
+  if (!shapes) return;
+  const own = part('machine', 'The machine');
+  const moves = shapes.bodies.some((body) => body.motion);
+  const rest = shapes.left_out.length ? ` Too large to be shown here: ${shapes.left_out.join(', ')}.` : '';
+  add(own, 'p', `Bodies that have a mesh, x up.${moves ? '' : ' With [fields] in the case, their motion over the last cycle is shown, too.'}${rest}`, { class: 'soft' });
+  const choose = add(own, 'div', undefined, { class: 'choose screen' });
+  const canvas = add(own, 'canvas', undefined, { class: 'scene', tabindex: 0, role: 'img', 'aria-label': 'The bodies of the machine in space' });
+  try { scene = new Scene(canvas, shapes); } catch (error) {
+    canvas.remove();
+    choose.remove();
+    add(own, 'p', `This browser cannot draw it (${error.message}).`);
+    return;
+  }
+  add(own, 'p', 'Drag turns, Shift and drag moves, Ctrl and the wheel zoom. By keys: arrows turn, + and − zoom, 0 shows all, Space plays.', { class: 'soft screen' });
+  const check = (words, on, change) => { const box = add(add(choose, 'label'), 'input', undefined, { type: 'checkbox' }); box.after(` ${words}`); box.checked = on; box.addEventListener('change', () => { change(box.checked); scene.draw(); }); };
+  const select = (words, options, value, change) => { const box = add(add(choose, 'label', `${words} `), 'select'); for (const [name, text] of options) add(box, 'option', text, { value: name }); box.value = value; box.addEventListener('change', () => { change(box.value); scene.draw(); }); };
+  if (shapes.bodies.length > 1) for (const { name } of shapes.bodies) check(name, true, (on) => { if (on) scene.off.delete(name); else scene.off.add(name); });
+  if (moves) {
+    const said = add(own, 'p', '', { class: 'soft' });
+    const button = add(choose, 'button', 'Play', { type: 'button' });
+    let playing = false;
+    const say = () => {
+      const largest = scene.bodies.filter((one) => one.body.motion).map((one) => `${one.body.name} ${shown(1e6 * one.body.motion.largest * Units.of('µm')[1], 4)} ${Units.of('µm')[0]}${one.body.motion.stress ? `, ${shown(one.body.motion.largest_mpa * Units.of('MPa')[1], 4)} ${Units.of('MPa')[0]} by von Mises` : ''}`).join('; ');
+      said.textContent = `t = ${scene.seconds().toFixed(5)} s, displacements ${scene.scale === 1 ? 'as they are' : `${shown(scene.scale)} times as large`}. Largest on the surface in these frames: ${largest}.`;
+    };
+    const step = () => {
+      if (!playing) return;
+      scene.time = (scene.time + 0.15) % Math.max(scene.frames - 1, 1);
+      scene.draw();
+      say();
+      requestAnimationFrame(step);
+    };
+    scene.play = () => { playing = !playing; button.textContent = playing ? 'Stop' : 'Play'; step(); };
+    button.addEventListener('click', scene.play);
+    const scales = [...new Set([1, 10, 100, 1e3, 1e4, 1e5, scene.scale])].sort((a, b) => a - b).filter((one) => one <= 10 * Math.max(scene.scale, 1));
+    select('displacements', scales.map((one) => [String(one), `\u00d7 ${one}`]), String(scene.scale), (value) => { scene.scale = Number(value); say(); });
+    const stresses = shapes.bodies.some((body) => body.motion?.stress);
+    select('colour', [['body', 'bodies'], ['displacement', 'displacement'], ...(stresses ? [['stress', 'stress (von Mises)']] : [])], stresses ? 'stress' : 'displacement', (value) => { scene.colour = value; });
+    scene.colour = stresses ? 'stress' : 'displacement';
+    check('turn with the bodies', true, (on) => { scene.turning = on; });
+    const bar = add(own, 'p', undefined, { class: 'soft' });
+    const scaleOf = () => {
+      const [end, unit] = scene.colour === 'stress' ? [Math.max(...scene.bodies.map((one) => one.body.motion?.largest_mpa || 0)), 'MPa'] : [1e6 * scene.largest, 'µm'];
+      bar.replaceChildren();
+      if (scene.colour === 'body') return;
+      bar.append('0 ');
+      add(bar, 'span', undefined, { class: 'ramp' });
+      bar.append(` ${shown(end * Units.of(unit)[1], 4)} ${Units.of(unit)[0]}`);
+    };
+    choose.addEventListener('change', scaleOf);
+    scaleOf();
+    say();
+    redraw.push(say, scaleOf);
+  }
+  scene.draw();
+}
+
+function results() {
+  if (!summary || !(summary.supports.length || summary.orders)) return;
+  const own = part('results', 'The last cycle');
+  add(own, 'p', `A cycle is ${shown(1e3 * summary.cycle_s, 5)} ms: ${about.cycle}. ${about.steady[0].toUpperCase()}${about.steady.slice(1)}.`);
+  const moving = summary.supports;
+  if (moving.length) {
+    const heads = ['', '', ['force x', 'N'], ['force y', 'N'], ['eccentricity x', 'µm'], ['eccentricity y', 'µm'], ['clearance', 'µm']];
+    const rows = moving.flatMap((support, k) => ['min', 'mean', 'max'].map((which) => [
+      which === 'min' ? support.joint || supportName(k) : '', which, [support.RX_N[which], 'N'], [support.RY_N[which], 'N'], [support.EX_um[which], 'µm'], [support.EY_um[which], 'µm'],
+      which === 'min' && support.clearance_um > 0 ? [support.clearance_um, 'µm'] : '']));
+    table(own, heads, rows, [1]);
+  }
+  if (summary.orders) {
+    add(own, 'h3', 'Orders');
+    const { signals } = summary.orders;
+    add(own, 'p', `x = A cos(nθ + φ), A from 0 to the peak, fitted over whole revolutions at the end of the run. What is not a multiple of half the speed leaks into these numbers where the revolutions are few: see the spectra.`, { class: 'soft' });
+    const named = (name) => { const signal = about.signals.find((one) => one.columns.some(([column]) => column === name)); return signal ? `${signal.title}: ${signal.quantity} ${signal.columns.find(([column]) => column === name)[1]}` : name; };
+    const unit = (name) => about.signals.find((one) => one.columns.some(([column]) => column === name))?.unit || '';
+    const heads = ['', '1X, 0-pk', '', 'phase (°)', '2X, 0-pk', '', 'phase (°)', 'revolutions'];
+    const rows = () => signals.map((one) => {
+      const u = unit(one.signal);
+      return [named(one.signal), [one['1X'].amplitude, u], Units.of(u)[0], shown(one['1X'].phase_deg, 4), [one['2X'].amplitude, u], Units.of(u)[0], shown(one['2X'].phase_deg, 4), String(one.revolutions)];
+    });
+    const host = add(own, 'div');
+    const fill = () => { host.replaceChildren(); table(host, heads, rows(), [2, 5]); };
+    fill();
+    redraw.push(fill);
+  }
+  const bodies = Object.entries(summary.stresses || {});
+  if (bodies.length) {
+    add(own, 'h3', 'Largest stresses in the frames of the cycle');
+    table(own, ['', ['von Mises', 'MPa'], 'node', 'at (mm)', 'time (s)'], bodies.map(([name, one]) => [name, [one.von_mises_MPa, 'MPa'], String(one.node), one.position_mm.map((x) => shown(x)).join(', '), shown(one.time_s, 6)]));
+  }
+}
+
+const supportName = (k) => about.journals[k]?.title || `Support ${k + 1}`;
+
+function histories() {
+  if (!run) return;
+  const own = part('histories', 'Histories');
+  const every = run.histories.every;
+  add(own, 'p', every === 1
+    ? `All ${run.histories.rows} rows of history.csv, to seven digits.`
+    : `The ${run.histories.rows} rows of history.csv, of every ${every} the least and the largest value, so that no peak is lost; history.csv has all of them.`, { class: 'soft' });
+  add(own, 'p', 'Drag over a chart to zoom into all of them, double-click to see the whole run again; Shift and drag moves. By keys: arrows move the cursor, + and − zoom, 0 shows all. A click on a name in a legend hides its line.', { class: 'soft screen' });
+  const choose = add(own, 'div', undefined, { class: 'choose' });
+  const grid = add(own, 'div', undefined, { class: 'grid' });
+  const groups = [];
+  if (run.ratios.length) {
+    groups.push({ title: 'Eccentricity relative to the clearance', quantity: '|E| / c', unit: '1', shown: true, factor: 1, lines: run.ratios.map((title) => [`ratio ${title}`, title]), levels: [{ y: 1, name: 'clearance' }], zero: true });
+  }
+  groups.push(...about.groups);
+  const varies = (group) => group.lines.some(([name]) => { const [least, most] = extremes(name); return most - least > 1e-3 * Math.max(Math.abs(least), Math.abs(most)); });
+  const make = (group) => new Chart(grid, {
+    id: `history-${slug(group.title)}`, title: group.title, sync: 'time', x: { label: 'time', unit: 's' }, y: { label: group.quantity, unit: group.unit },
+    range: [run.begins, run.ends], levels: group.levels, zero: group.zero,
+    series: group.lines.map(([name, label], k) => series(name, label, group.factor, k % 7)),
+  });
+  for (const group of groups) {
+    const box = add(add(choose, 'label'), 'input', undefined, { type: 'checkbox' });
+    box.after(` ${group.title}`);
+    box.checked = group.shown && (group.unit !== 'rpm' || varies(group));
+    let chart = box.checked ? make(group) : null;
+    box.addEventListener('change', () => {
+      chart = chart || make(group);
+      chart.figure.hidden = !box.checked;
+    });
+  }
+  const hidden = groups.length > 8;
+  if (hidden) { const more = add(own, 'details', undefined, { class: 'screen' }); add(more, 'summary', 'Choose what is shown'); more.append(choose); own.insertBefore(more, grid); }
+}
+
+function orbits() {
+  if (!run || !run.orbits.length) return;
+  const own = part('orbits', 'Orbits');
+  const turns = run.orbits.some((orbit) => orbit.revolutions > 0);
+  add(own, 'p', turns
+    ? 'Centre of each journal in its bore, seen along +z: x up, y to the right, so that positive rotation is clockwise. Heads point the way of time, dots are where the keyphasor is seen (θ a multiple of 360°).'
+    : 'Centre of each journal in its bore in the last cycle, seen along +z: x up, y to the right. Heads point the way of time.', { class: 'soft' });
+  const choose = add(own, 'div', undefined, { class: 'choose screen' });
+  const grid = add(own, 'div', undefined, { class: 'grid squares' });
+  const most = Math.max(...run.orbits.map((orbit) => orbit.revolutions));
+  let shownRevolutions = turns ? Math.min(2, most) : 0;
+  let framed = true;
+  const charts = run.orbits.map((orbit, k) => {
+    const [x, y, before] = [numbers(orbit.x_um), numbers(orbit.y_um), numbers(orbit.before)];
+    const spec = { id: `orbit-${slug(orbit.title)}`, equal: true, x: { label: 'y, lateral', unit: 'µm' }, y: { label: 'x, vertical', unit: 'µm' }, circles: [{ r: orbit.clearance_um, name: 'clearance' }], series: [], dots: [] };
+    spec.update = () => {
+      let from = 0;
+      if (orbit.revolutions > 0) while (from < before.length - 2 && before[from] > shownRevolutions * (1 + 1e-6)) from++;
+      const count = x.length - from;
+      spec.framed = framed;
+      spec.series = [{ name: 'centre of the journal', path: true, x: y.subarray(from), y: x.subarray(from), style: 0, arrows: [Math.floor(0.35 * count), Math.floor(0.8 * count)].filter((at) => at > 0) }];
+      spec.dots = orbit.keyphasors.filter((own) => own[2] <= shownRevolutions * (1 + 1e-6)).map(([px, py]) => ({ x: py, y: px, style: 1, name: 'keyphasor' }));
+      const over = orbit.revolutions > 0 ? (shownRevolutions >= orbit.revolutions ? `last ${shown(orbit.revolutions, 3)} revolutions` : shownRevolutions === 1 ? 'last revolution' : `last ${shown(shownRevolutions, 3)} revolutions`) : 'last cycle';
+      spec.note = orbit.revolutions > 0 ? (orbit.sense > 0 ? `${over}, rotation ↻` : `${over}, rotation ↺`) : over;
+    };
+    spec.update();
+    spec.title = orbit.title;
+    return new Chart(grid, spec);
+  });
+  const update = () => { for (const chart of charts) { chart.spec.update(); if (chart.over) chart.render(); } };
+  if (turns && most > 1) {
+    const label = add(choose, 'label', 'revolutions ');
+    const select = add(label, 'select');
+    for (const many of [1, 2, 4, 8]) if (many <= most || many === 1) add(select, 'option', String(many), { value: many });
+    select.value = String(shownRevolutions);
+    select.addEventListener('change', () => { shownRevolutions = Number(select.value); update(); });
+  }
+  const fit = add(add(choose, 'label'), 'input', undefined, { type: 'checkbox' });
+  fit.after(' fill the frame with the orbit');
+  fit.addEventListener('change', () => { framed = !fit.checked; update(); });
+}
+
+function spectra() {
+  if (!run || !run.spectra.length) return;
+  const own = part('spectra', 'Spectra');
+  const two = run.spectra.some((spectrum) => spectrum.two_sided);
+  add(own, 'p', `Over the last ${shown(1e3 * run.spectrum_s, 4)} ms, Hann window.${two ? ' Where x and y are known, the motion is taken as circles: those that run with the rotation have positive frequencies, those against it negative ones. A circle shows its radius; what moves along a line shows half of its amplitude on both sides.' : ''}`, { class: 'soft' });
+  const grid = add(own, 'div', undefined, { class: 'grid' });
+  run.spectra.forEach((spectrum, k) => {
+    const signal = about.signals[k];
+    const orders = spectrum.turning_hz > 0 ? [0.5, 1, 2] : [];
+    const marks = orders.flatMap((order) => { const name = order === 0.5 ? '½X' : `${order}X`; const at = order * spectrum.turning_hz; return spectrum.two_sided ? [{ x: -at, name: `−${name}` }, { x: at, name }] : [{ x: at, name }]; });
+    marks.sort((a, b) => a.x - b.x);
+    new Chart(grid, {
+      id: `spectrum-${slug(signal.title)}-${slug(signal.quantity)}`, title: `${signal.title}: ${signal.quantity}`, zero: true, sync: `frequency ${spectrum.two_sided}`,
+      x: { label: spectrum.two_sided ? 'frequency, backward < 0 < forward' : 'frequency', unit: 'Hz', short: 'frequency' }, y: { label: signal.quantity, unit: signal.unit, amplitude: true },
+      marks, series: spectrum.lines.map((line, place) => ({ name: line.name, x: numbers(line.frequency_hz), y: numbers(line.amplitude), style: place })),
+    });
+  });
+}
+
+function tracked() {
+  if (!run || !run.tracked.length) return;
+  const own = part('orders', 'Orders over speed');
+  for (const all of run.tracked) {
+    const n = all.revolutions;
+    add(own, 'p', `Amplitudes and phases of x = A cos(nθ + φ), tracked by the angle: each point is a fit over ${shown(n)} revolutions with the weights of a Hann window. It tells an order from what differs from it by ${shown(2 / n, 3)} orders or more; nearer than that, both are in one. Overall is half of largest less least value in the same revolutions: where it is far above 1X, something else moves.`, { class: 'soft' });
+    const [rpm, time] = [numbers(all.rpm), numbers(all.time)];
+    const rises = rpm.every((value, k) => k === 0 || value > rpm[k - 1]);
+    const falls = rpm.every((value, k) => k === 0 || value < rpm[k - 1]);
+    const turn = (values) => (falls ? Float32Array.from(values).reverse() : values);
+    const x = rises || falls ? { label: 'speed', unit: 'rpm', values: turn(rpm) } : { label: 'time', unit: 's', values: time };
+    const grid = add(own, 'div', undefined, { class: 'grid' });
+    for (const signal of all.signals) {
+      const whole = about.signals.find((one) => one.columns.some(([name]) => name === signal.column));
+      const axis = whole.columns.find(([name]) => name === signal.column)[1];
+      const title = `${whole.title}: ${whole.quantity} ${axis}`;
+      const line = (packed, name, style, more) => ({ name, x: x.values, y: turn(numbers(packed)), style, ...more });
+      new Chart(grid, {
+        id: `order-${slug(signal.column)}`, title, zero: true, sync: 'orders', x: { label: x.label, unit: x.unit }, y: { label: whole.quantity, unit: whole.unit, amplitude: true },
+        series: [line(signal.first, '1X', 0), line(signal.second, '2X', 1), line(signal.overall, 'overall', 6, { dash: '2 3' })],
+      });
+      new Chart(grid, {
+        id: `phase-${slug(signal.column)}`, title: `${title}: phase`, sync: 'orders', x: { label: x.label, unit: x.unit }, y: { label: 'phase', unit: '°' },
+        series: [line(signal.first_phase_deg, '1X', 0, { gap: 180 })],
+      });
+    }
+  }
+}
+
+function waterfalls() {
+  if (!run || !run.waterfalls.length) return;
+  const own = part('waterfall', 'Spectra over the run');
+  add(own, 'p', `Spectra of ${run.waterfalls[0].time.length} overlapping parts of the run, each with a Hann window; every cell has the largest amplitude in it. Dashed lines are ½, 1 and 2 times the speed.`, { class: 'soft' });
+  const grid = add(own, 'div', undefined, { class: 'grid' });
+  for (const fall of run.waterfalls) {
+    const signal = about.signals[fall.signal];
+    const { cells, rpm, time } = fall;
+    const across = fall.two_sided ? 2 * cells - 1 : cells;
+    const values = numbers(fall.amplitude);
+    const rises = rpm.every((value, k) => k === 0 || value > rpm[k - 1]);
+    const heights = rises ? rpm : time;
+    const edge = fall.cell_hz * (cells - 0.5);
+    const view = { x0: fall.two_sided ? -edge : -0.5 * fall.cell_hz, x1: edge, y0: heights[0], y1: heights[heights.length - 1] };
+    const row = (y) => heights.reduce((best, own, k) => (Math.abs(own - y) < Math.abs(heights[best] - y) ? k : best), 0);
+    const value = (k, i) => (values[k * across + i] / 65535) * fall.largest;
+    const map = {
+      view, columns: across, largest: fall.largest, row, value,
+      at: (x, y) => { const i = Math.round((x - view.x0) / fall.cell_hz - 0.5); const k = row(y); return i >= 0 && i < across ? { x: view.x0 + (i + 0.5) * fall.cell_hz, y: heights[k], value: value(k, i) } : null; },
+    };
+    const orders = (fall.two_sided ? [-2, -1, -0.5, 0.5, 1, 2] : [0.5, 1, 2]).map((order) => ({ name: `${order}X`, path: true, silent: true, className: 'order', dash: '5 4', x: rpm.map((own) => (order * own) / 60), y: heights }));
+    new Chart(grid, {
+      id: `waterfall-${slug(signal.title)}-${slug(signal.quantity)}`, title: `${signal.title}: ${signal.quantity}${fall.two_sided ? '' : ` ${signal.columns[0][1]}`}`, height: 260, map, series: orders,
+      x: { label: fall.two_sided ? 'frequency, backward < 0 < forward' : 'frequency', unit: 'Hz' }, y: rises ? { label: 'speed', unit: 'rpm' } : { label: 'time', unit: 's' }, z: { label: signal.quantity, unit: signal.unit, amplitude: true },
+    });
+  }
+}
+
+function energy() {
+  if (!summary) return;
+  const own = part('quality', 'Energy and quality of the run');
+  const words = { work_in: 'work of loads, drives and gravity', kinetic: 'kinetic energy', strain: 'strain energy', spring_stored: 'energy stored in joints', spring_dissipated: 'energy dissipated in joints', dissipated: 'energy dissipated in bodies', error: 'error of the balance' };
+  const rows = Object.entries(summary.energy_balance_j).map(([name, value]) => [words[name] || name.replaceAll('_', ' '), [value, 'J']]);
+  add(own, 'p', 'Balance from the start to the end of the run. The error is what the program lost or made; it is part of the verdict.', { class: 'soft' });
+  table(own, ['', ['energy', 'J']], rows);
+  const { march, time, counts } = summary;
+  const list = add(own, 'ul', undefined, { class: 'plain' });
+  const step = march.time_step_s ? `time step ${shown(march.time_step_s)} s` : `steps of ${shown(march.automatic.shortest_step_s, 3)} to ${shown(march.automatic.longest_step_s, 3)} s, chosen by the program`;
+  add(list, 'li', `${march.integrator}, ${step}; ${march.steps} steps, ${march.iterations} iterations, ${march.factorisations} factorisations`);
+  add(list, 'li', `${counts.active} unknowns, ${counts.springs} springs`);
+  add(list, 'li', `${shown(time.total_wall_s, 3)} s in all, of which the march took ${shown(time.march_wall_s, 3)} s and the bodies ${shown(time.reduction_wall_s, 3)} s${time.reduction_cached ? ' (from the cache)' : ''}`);
+  const more = add(own, 'details');
+  add(more, 'summary', 'Measures behind the verdict');
+  table(more, ['', 'measured'], Object.entries(summary.verdict.measures).map(([name, value]) => [name.replaceAll('_', ' '), value === null ? '–' : shown(value, 3)]));
+}
+
+// Figures of files, as they are.
+function drawn(parent, figures) {
+  if (!figures.length) return;
+  const grid = add(parent, 'div', undefined, { class: 'grid' });
+  for (const figure of figures) {
+    figure.shown = true;
+    const frame = add(grid, 'figure', undefined, { class: 'drawing' });
+    add(frame, 'img', undefined, { src: `data:image/svg+xml;base64,${figure.base64}`, alt: figure.title });
+    add(frame, 'figcaption', figure.name, { class: 'soft' });
+  }
+}
+
+function drawings() {
+  const rest = data.figures.filter((figure) => !figure.shown);
+  if (rest.length) drawn(part('figures', 'Figures'), rest);
+}
+
+// The rows of a CSV by the names of its columns; what is a number is one.
+function parsed(csv) {
+  const cells = (line) => [...line.matchAll(/("(?:[^"]|"")*"|[^,]*)(?:,|$)/g)].map((own) => own[1]).slice(0, -1).map((own) => (own.startsWith('"') ? own.slice(1, -1).replaceAll('""', '"') : own));
+  const [head, ...lines] = csv.trimEnd().split('\n');
+  const names = cells(`${head},`);
+  return { names, rows: lines.map((line) => { const own = cells(`${line},`); return Object.fromEntries(names.map((name, k) => [name, own[k] !== '' && Number.isFinite(Number(own[k])) ? Number(own[k]) : own[k]])); }) };
+}
+
+// Rows by what some of their columns say.
+function grouped(rows, ...by) {
+  const all = new Map();
+  for (const row of rows) { const key = by.map((name) => row[name]).join(' · '); if (!all.has(key)) all.set(key, []); all.get(key).push(row); }
+  return all;
+}
+
+const line = (rows, x, y, name, more) => ({ name, x: rows.map((row) => row[x]), y: rows.map((row) => (typeof row[y] === 'number' ? row[y] : NaN)), ...more });
+
+// Charts of an analysis beside its figures, which they replace: names of those.
+const CHARTED = {
+  campbell(host, name, tables) {
+    const rows = tables.get(`${name}.csv`)?.rows;
+    if (!rows?.length) return [];
+    const critical = (tables.get(`${name}.critical.csv`)?.rows || []).filter((row) => row.what === 'critical speed');
+    const speeds = [...new Set(rows.map((row) => row.speed_rpm))];
+    if (speeds.length < 2) return [];
+    const ends = [Math.min(...speeds), Math.max(...speeds)];
+    const top = 1.1 * Math.max(...rows.map((row) => row.frequency_hz));
+    const orders = [...new Set(critical.map((row) => row.order).concat(1))].sort((a, b) => a - b);
+    const across = orders.map((order) => { const x = [ends[0], Math.min(ends[1], (60 * top) / order)]; return { name: `${order}X`, x, y: x.map((rpm) => (order * rpm) / 60), style: 6, dash: { 0.5: '6 2 1 2', 1: '2 3', 2: '1 4' }[order] || '4 4' }; }).filter((own) => own.x[1] > own.x[0]);
+    const modes = [...grouped(rows, 'branch')].filter(([, own]) => own.length > 1);
+    const x = { label: 'speed', unit: 'rpm' };
+    new Chart(host, {
+      id: `campbell-${slug(name)}`, title: 'Natural frequencies', zero: true, sync: `speed ${name}`, x, y: { label: 'frequency', unit: 'Hz' },
+      series: [...modes.map(([branch, own], k) => line(own, 'speed_rpm', 'frequency_hz', `mode ${branch}`, { style: k % 6 })), ...across],
+      dots: critical.map((row) => ({ x: row.speed_rpm, y: row.frequency_hz, style: 1, name: 'critical speed' })),
+    });
+    new Chart(host, {
+      id: `decrement-${slug(name)}`, title: 'Damping: unstable below zero', sync: `speed ${name}`, x, y: { label: 'log decrement', unit: '1' }, levels: [{ y: 0, name: '', framed: true }],
+      series: modes.map(([branch, own], k) => line(own, 'speed_rpm', 'log_decrement', `mode ${branch}`, { style: k % 6 })),
+    });
+    return [`${name}.svg`];
+  },
+  response(host, name, tables) {
+    const rows = tables.get(`${name}.csv`)?.rows;
+    if (!rows?.length) return [];
+    const all = [...grouped(rows, 'point', 'order')].filter(([, own]) => own.length > 1).slice(0, 24);
+    for (const [, own] of all) {
+      const [{ point, order }] = own;
+      const x = { label: 'speed', unit: 'rpm' };
+      const title = `${point}, ${order}X`;
+      const id = slug(`${name} ${title}`);
+      new Chart(host, {
+        id: `bode-${id}`, title, zero: true, sync: `speed ${name}`, x, y: { label: 'displacement', unit: 'µm', amplitude: true },
+        series: [line(own, 'speed_rpm', 'x_um', 'x'), line(own, 'speed_rpm', 'y_um', 'y'), line(own, 'speed_rpm', 'major_um', 'major axis of the orbit', { style: 6, dash: '2 3' })],
+      });
+      new Chart(host, {
+        id: `bode-phase-${id}`, title: `${title}: phase`, sync: `speed ${name}`, x, y: { label: 'phase', unit: '°' },
+        series: [line(own, 'speed_rpm', 'x_phase_deg', 'x', { gap: 180 }), line(own, 'speed_rpm', 'y_phase_deg', 'y', { gap: 180 })],
+      });
+    }
+    return all.length ? [`${name}.svg`] : [];
+  },
+  stability(host, name, tables) {
+    const rows = tables.get(`${name}.csv`)?.rows;
+    if (!rows || rows.length < 2) return [];
+    const marks = (tables.get(`${name}.thresholds.csv`)?.rows || []).map((row) => ({ x: row.speed_rpm, name: row.what }));
+    new Chart(host, {
+      id: `stability-${slug(name)}`, title: 'The least stable mode: unstable below zero', x: { label: 'speed', unit: 'rpm' }, y: { label: 'log decrement', unit: '1' }, marks, levels: [{ y: 0, name: '', framed: true }],
+      series: [line(rows, 'speed_rpm', 'least_log_decrement', 'least log decrement')],
+    });
+    return [`${name}.svg`];
+  },
+};
+
+function swept() {
+  if (!sweep) return;
+  const own = part('sweep', 'The sweep');
+  for (const words of sweep.remarks) add(add(own, 'div', undefined, { class: 'verdict bad' }), 'p', words);
+  const list = add(own, 'ul', undefined, { class: 'plain' });
+  for (const words of sweep.lines) add(list, 'li', words);
+  const file = data.tables.find((one) => one.name === 'table.csv');
+  if (!file) { add(own, 'p', 'table.csv is too large to be shown here.', { class: 'soft' }); drawn(own, data.figures); return; }
+  const { names, rows } = parsed(file.csv);
+  const numeric = names.filter((name) => rows.some((row) => typeof row[name] === 'number'));
+  const across = [...sweep.varied.filter((name) => numeric.includes(name)), 'point'].filter((name) => numeric.includes(name));
+  const up = numeric.filter((name) => !across.includes(name));
+  if (across.length && up.length) {
+    add(own, 'h3', 'Any number of the table over what varies');
+    const choose = add(own, 'div', undefined, { class: 'choose screen' });
+    const host = add(own, 'div', undefined, { class: 'grid' });
+    const pick = (words, options) => { const box = add(add(choose, 'label', `${words} `), 'select'); for (const name of options) add(box, 'option', name, { value: name }); box.addEventListener('change', () => show()); return box; };
+    const [y, x] = [pick('show', up), pick('over', across)];
+    const by = pick('a line for each', ['–', ...sweep.varied.concat('direction').filter((name) => names.includes(name))]);
+    if (sweep.varied.length > 1) by.value = sweep.varied.find((name) => name !== x.value) || '–';
+    let chart = null;
+    const show = () => {
+      const lines = by.value === '–' || by.value === x.value ? new Map([[y.value, rows]]) : grouped(rows, by.value);
+      const few = [...lines].slice(0, 12);
+      const sorted = (all) => [...all].filter((row) => typeof row[y.value] === 'number' && typeof row[x.value] === 'number').sort((a, b) => a[x.value] - b[x.value]);
+      const series = few.map(([name, all], k) => ({ ...line(sorted(all), x.value, y.value, name, { style: k % 7 }) })).filter((one) => one.x.length);
+      const spec = { id: 'sweep-table', title: `${y.value} over ${x.value}`, x: { label: x.value, unit: '1' }, y: { label: y.value, unit: '1' }, series, note: lines.size > few.length ? `the first ${few.length} of ${lines.size} lines` : '' };
+      if (!series.length) return;
+      if (!chart) chart = new Chart(host, spec);
+      else { chart.spec = spec; chart.hidden.clear(); chart.view = null; chart.figure.querySelector('figcaption').textContent = spec.title; chart.render(); }
+    };
+    show();
+  }
+  drawn(own, data.figures);
+  const more = add(own, 'details', undefined, { class: 'screen' });
+  add(more, 'summary', `table.csv: ${rows.length} rows`);
+  more.addEventListener('toggle', () => {
+    if (!more.open || more.children.length > 1) return;
+    table(more, names, rows.slice(0, 500).map((row) => names.map((column) => (typeof row[column] === 'number' ? shown(row[column], 6) : row[column]))));
+    if (rows.length > 500) add(more, 'p', 'The first 500 rows; the file has all of them.', { class: 'soft' });
+  });
+}
+
+function analysed() {
+  if (!analyses) return;
+  const tables = new Map(data.tables.map((own) => [own.name, parsed(own.csv)]));
+  for (const { name, kind, heading, text, files, interrupted } of analyses.analyses) {
+    const own = part(`analysis-${slug(name)}`, heading);
+    const usual = name === kind ? '' : `Analysis \u201c${name}\u201d. `;
+    if (usual || interrupted) add(own, 'p', `${usual}${interrupted ? 'Interrupted: what was found up to then.' : ''}`, { class: 'soft' });
+    const lines = text.trimEnd().split('\n').filter((line, k) => k > 0 || !line.startsWith(`${about.name}: `));
+    while (lines.length && !lines[0].trim()) lines.shift();
+    if (lines.length <= 24) add(own, 'pre', lines.join('\n'));
+    const grid = add(own, 'div', undefined, { class: 'grid' });
+    const replaced = CHARTED[kind]?.(grid, name, tables) || [];
+    for (const figure of data.figures) if (replaced.includes(figure.name)) figure.shown = true;
+    drawn(own, data.figures.filter((figure) => files.includes(figure.name) && !figure.shown));
+    if (lines.length > 24) { const more = add(own, 'details'); add(more, 'summary', `All that was found, in words (${lines.length} lines)`); add(more, 'pre', lines.join('\n')); }
+    for (const file of files) {
+      const table_ = tables.get(file);
+      if (!table_ || !table_.rows.length) continue;
+      const more = add(own, 'details', undefined, { class: 'screen' });
+      add(more, 'summary', `${file}: ${table_.rows.length} ${table_.rows.length === 1 ? 'row' : 'rows'}`);
+      // Made when it is opened: there may be many.
+      more.addEventListener('toggle', () => {
+        if (!more.open || more.children.length > 1) return;
+        table(more, table_.names, table_.rows.slice(0, 500).map((row) => table_.names.map((column) => (typeof row[column] === 'number' ? shown(row[column], 6) : row[column]))));
+        if (table_.rows.length > 500) add(more, 'p', 'The first 500 rows; the file has all of them.', { class: 'soft' });
+      });
+    }
+  }
+}
+
+function files() {
+  const own = part('files', 'Files');
+  add(own, 'p', 'Beside this report.', { class: 'soft' });
+  const body = table(own, ['file', 'size', 'what it is'], data.files.map((file) => [file.name, size(file.bytes), file.what]), [2]);
+  for (const cell of body.querySelectorAll('tbody td:first-child')) { const name = cell.textContent; cell.textContent = ''; add(cell, 'a', name, { href: encodeURI(name) }); }
+  redraw.pop();
+  if (about.columns.length) {
+    const more = add(own, 'details');
+    add(more, 'summary', `The ${about.columns.length} columns of history.csv`);
+    table(more, ['column', 'unit', 'what it is'], about.columns.map((column) => [column.name, kindOf(column.unit), column.meaning]), [1, 2]);
+  }
+}
+
+page.replaceChildren();
+for (const make of [head, theCase, machine, results, histories, orbits, spectra, tracked, waterfalls, swept, analysed, energy, drawings, files]) make();
+add(page, 'footer', `whirl ${about.version}`);
+
+function again() { for (const fill of [...redraw]) fill(); Chart.renderAll(); scene?.draw(); }
+document.getElementById('units').addEventListener('change', (event) => { Units.system = event.target.value; again(); });
+document.getElementById('amplitudes').addEventListener('change', (event) => { Amplitudes.factor = Number(event.target.value); again(); });
+document.getElementById('theme').addEventListener('change', (event) => { document.documentElement.dataset.theme = event.target.value; scene?.draw(); });
+document.getElementById('print').addEventListener('click', () => window.print());
+let width = window.innerWidth;
+window.addEventListener('resize', () => { if (window.innerWidth !== width) { width = window.innerWidth; Chart.renderAll(); scene?.draw(); } });
+const printing = (on) => { Chart.printing = on; for (const details of document.querySelectorAll('details')) if (on) details.dataset.was = details.open; Chart.renderAll(); };
+window.addEventListener('beforeprint', () => printing(true));
+window.addEventListener('afterprint', () => printing(false));
+// For tests: what is shown, read back.
+window.whirl = { data, charts: Chart.all, scene, Scene, numbers, Units, Amplitudes };

@@ -1,0 +1,240 @@
+//! What a page shows of a run: its rows, read once.
+
+use std::f64::consts::TAU;
+use std::io;
+
+use serde::Serialize;
+
+use super::about::{About, Journal, Signal};
+use super::kept::{Histories, Kept};
+use super::orbits::Orbit;
+use super::spectra::{self, Slices, Spectrum, Waterfall};
+use super::tracked::{Tracked, Tracker};
+use crate::history::ReadHistory;
+use crate::report::begun;
+
+/// Rows of the end of a run that are kept whole, for orbits and spectra.
+const MOST_TAIL: usize = 1 << 17;
+/// Signals of which spectra, and maps of them, are made.
+const MOST_SPECTRA: usize = 24;
+const MOST_MAPS: usize = 6;
+/// Speed changes by this part at least where orders are tracked, and places at which it is looked for.
+const VARIES: f64 = 0.2;
+const LOOKED_AT: u32 = 16;
+
+/// Places in a row of columns that belong together, and of their angle.
+type Placed = (Vec<usize>, Option<usize>);
+
+/// All of it.
+#[derive(Debug, Serialize)]
+pub(super) struct RunData {
+    /// Names of the columns kept: those of the history but the time, and then those of the ratios.
+    names: Vec<String>,
+    histories: Histories,
+    /// Titles of the ratios of eccentricity and clearance, the last of the columns.
+    ratios: Vec<String>,
+    /// s, both of the rows.
+    begins: f64,
+    ends: f64,
+    orbits: Vec<Orbit>,
+    /// Over how long (s), and one a signal.
+    spectrum_s: f64,
+    spectra: Vec<Spectrum>,
+    waterfalls: Vec<Waterfall>,
+    /// One an angle.
+    tracked: Vec<Tracked>,
+}
+
+impl RunData {
+    /// Of the rows of a history; none where there are none.
+    ///
+    /// # Errors
+    /// They cannot be read, or are not those that the record tells of.
+    pub(super) fn of(about: &About, history: &dyn ReadHistory) -> io::Result<Option<Self>> {
+        let names: Vec<&str> = history.names().iter().map(String::as_str).collect();
+        if !about.columns.iter().map(|own| own.name.as_str()).eq(names.iter().copied()) {
+            let other = "it has other columns than about.json says";
+            return Err(io::Error::new(io::ErrorKind::InvalidData, other));
+        }
+        let Some(ends) = history.last_time()? else { return Ok(None) };
+        let dt = about.row_s;
+        let begins = begun(history, dt)?;
+        let rows = ((ends - begins) / dt).round().max(1.0) as usize;
+        let place = |name: &str| {
+            let other = || io::Error::new(io::ErrorKind::InvalidData, format!("no column {name}"));
+            names.iter().position(|own| *own == name).ok_or_else(other)
+        };
+        let placed = |columns: &mut dyn Iterator<Item = &str>, angle: Option<&str>| {
+            let columns = columns.map(place).collect::<io::Result<Vec<usize>>>()?;
+            Ok::<Placed, io::Error>((columns, angle.map(place).transpose()?))
+        };
+        let of_signal = |own: &Signal| {
+            placed(&mut own.columns.iter().map(|own| own.0.as_str()), own.angle.as_deref())
+        };
+        let of_journal = |own: &Journal| {
+            placed(&mut own.columns.iter().map(String::as_str), own.angle.as_deref())
+        };
+        let signals = about.signals.iter().map(of_signal).collect::<io::Result<Vec<Placed>>>()?;
+        let journals =
+            about.journals.iter().map(of_journal).collect::<io::Result<Vec<Placed>>>()?;
+        let ratios: Vec<(usize, f64)> = (0..journals.len())
+            .map(|k| (k, about.journals[k].clearance_um))
+            .filter(|own| own.1 > 0.0)
+            .collect();
+        let mut kept = Kept::new(names.len() - 1 + ratios.len(), rows);
+        let varying = varying(history, &signals, &names, [begins, ends])?;
+        let mut trackers: Vec<Tracker> = varying
+            .iter()
+            .filter_map(|&(angle, span)| {
+                let own = signals.iter().filter(|own| own.1 == Some(angle));
+                let columns = own.flat_map(|own| own.0.iter().copied()).collect();
+                Tracker::new((angle, columns), span)
+            })
+            .collect();
+        let turns = |angle: usize| varying.iter().any(|own| own.0 == angle);
+        let mapped: Vec<usize> = (0..signals.len())
+            .filter(|k| signals[*k].1.is_some_and(turns))
+            .take(MOST_MAPS)
+            .collect();
+        let of_maps = mapped.iter().filter_map(|k| {
+            let both = if spectra::is_plane(&about.signals[*k]) { 2 } else { 1 };
+            Some((signals[*k].0[..both].to_vec(), signals[*k].1?))
+        });
+        let mut slices = Slices::new(of_maps.collect(), rows, dt);
+        let tail_rows = tail(about, (&signals, &journals), history, rows)?;
+        let from = ends - (tail_rows as f64 - 0.5) * dt;
+        let mut end: Vec<Vec<f64>> = vec![Vec::new(); names.len()];
+        let wanted = wanted(&signals, &journals);
+        history.scan(history.start(), &names, &mut |row| {
+            let time = row[0];
+            let ratio = |&(k, clearance): &(usize, f64)| {
+                row[journals[k].0[0]].hypot(row[journals[k].0[1]]) / clearance
+            };
+            kept.add(time, row[1..].iter().copied().chain(ratios.iter().map(ratio)));
+            trackers.iter_mut().for_each(|own| own.add(time, row));
+            slices.iter_mut().for_each(|own| own.add(time, row));
+            if time >= from {
+                wanted.iter().for_each(|&own| end[own].push(row[own]));
+            }
+        })?;
+        let (span, spectra) = spectra_of(about, &signals, &end, [begins, ends]);
+        let orbits = journals.iter().zip(&about.journals).filter_map(|((both, angle), own)| {
+            let [x, y] = [both[0], both[1]].map(|place| end[place].as_slice());
+            let cycle = (about.cycle_s / dt).round() as usize + 1;
+            (!x.is_empty())
+                .then(|| Orbit::of(own, [x, y], angle.map(|own| end[own].as_slice()), cycle))
+        });
+        let owned = history.names();
+        let title = |(k, _): &(usize, f64)| about.journals[*k].title.clone();
+        Ok(Some(RunData {
+            names: owned[1..].to_vec(),
+            histories: kept.finish(),
+            ratios: ratios.iter().map(title).collect(),
+            begins,
+            ends,
+            orbits: orbits.collect(),
+            spectrum_s: span,
+            spectra,
+            waterfalls: slices.map_or_else(Vec::new, |own| own.finish(&mapped)),
+            tracked: trackers.into_iter().filter_map(|own| own.finish(owned)).collect(),
+        }))
+    }
+}
+
+/// Columns of which the end is kept.
+fn wanted(signals: &[Placed], journals: &[Placed]) -> Vec<usize> {
+    let columns =
+        |(columns, angle): &Placed| columns.iter().copied().chain(*angle).collect::<Vec<usize>>();
+    let signals = signals.iter().take(MOST_SPECTRA).flat_map(columns);
+    let mut all: Vec<usize> = signals.chain(journals.iter().flat_map(columns)).collect();
+    all.sort_unstable();
+    all.dedup();
+    all
+}
+
+/// Rows of the end that are kept whole: those of spectra, and those of the last revolutions of the slowest body.
+fn tail(
+    about: &About,
+    (signals, journals): (&[Placed], &[Placed]),
+    history: &dyn ReadHistory,
+    rows: usize,
+) -> io::Result<usize> {
+    let most = rows.min(MOST_TAIL);
+    let mut wanted = (spectra::CYCLES * about.cycle_s / about.row_s).round() as usize + 1;
+    let angles: Vec<usize> = signals.iter().chain(journals).filter_map(|own| own.1).collect();
+    for angle in angles {
+        let name = history.names()[angle].as_str();
+        let end = history.last_time()?.unwrap_or(0.0);
+        let at = |time: f64| -> io::Result<f64> {
+            let mut found = 0.0;
+            let place = history.place_of_time(time)?;
+            history.first_row(place, &[name], &mut |row| found = row[0])?;
+            Ok(found)
+        };
+        let last = at(end)?;
+        while wanted < most
+            && (last - at(end - wanted as f64 * about.row_s)?).abs()
+                < super::orbits::REVOLUTIONS * TAU
+        {
+            wanted *= 2;
+        }
+    }
+    Ok(wanted.min(most).max(1))
+}
+
+/// Angles that turn with a speed that varies, with their first and last values (rad).
+fn varying(
+    history: &dyn ReadHistory,
+    signals: &[Placed],
+    names: &[&str],
+    [begins, ends]: [f64; 2],
+) -> io::Result<Vec<(usize, [f64; 2])>> {
+    let mut angles: Vec<usize> = signals.iter().filter_map(|own| own.1).collect();
+    angles.sort_unstable();
+    angles.dedup();
+    let wanted: Vec<&str> = ["t_s"].into_iter().chain(angles.iter().map(|k| names[*k])).collect();
+    let mut seen: Vec<Vec<f64>> = Vec::new();
+    for k in 0..=LOOKED_AT {
+        let time = begins + (ends - begins) * f64::from(k) / f64::from(LOOKED_AT);
+        let place = history.place_of_time(time.min(ends))?;
+        history.first_row(place, &wanted, &mut |row| seen.push(row.to_vec()))?;
+    }
+    let own = |(at, &angle): (usize, &usize)| {
+        let speed = |pair: &[Vec<f64>]| {
+            ((pair[1][at + 1] - pair[0][at + 1]) / (pair[1][0] - pair[0][0])).abs()
+        };
+        let speeds: Vec<f64> =
+            seen.windows(2).filter(|pair| pair[1][0] > pair[0][0]).map(speed).collect();
+        let most = speeds.iter().copied().fold(0.0, f64::max);
+        let least = speeds.iter().copied().fold(f64::INFINITY, f64::min);
+        let span = [seen.first()?[at + 1], seen.last()?[at + 1]];
+        (most > 0.0 && most - least >= VARIES * most).then_some((angle, span))
+    };
+    Ok(angles.iter().enumerate().filter_map(own).collect())
+}
+
+/// Spectra over the last cycles, at most over the last half of the run, and how long that is (s).
+fn spectra_of(
+    about: &About,
+    signals: &[Placed],
+    end: &[Vec<f64>],
+    [begins, ends]: [f64; 2],
+) -> (f64, Vec<Spectrum>) {
+    let (dt, cycle) = (about.row_s, about.cycle_s);
+    let cycles = (0.5 * (ends - begins) / cycle).floor().clamp(1.0, spectra::CYCLES);
+    let rows = ((cycles * cycle).min(ends - begins) / dt).round() as usize;
+    let there = |own: &Placed| end[own.0[0]].len();
+    let shown = &signals[..signals.len().min(MOST_SPECTRA)];
+    let rows = shown.iter().map(there).fold(rows.min(MOST_TAIL), usize::min);
+    if rows < spectra::LEAST_ROWS || shown.is_empty() {
+        return (0.0, Vec::new());
+    }
+    let last = |place: usize| &end[place][end[place].len() - rows..];
+    let of = |(own, (columns, angle)): (&Signal, &Placed)| {
+        let columns: Vec<&[f64]> = columns.iter().map(|own| last(*own)).collect();
+        Spectrum::of(own, &columns, angle.map(last), dt)
+    };
+    let mut all: Vec<Spectrum> = about.signals.iter().zip(shown).map(of).collect();
+    spectra::shown(&about.signals, &mut all, dt);
+    (dt * rows as f64, all)
+}

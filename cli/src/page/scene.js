@@ -1,0 +1,195 @@
+// The machine in space, by WebGL: surfaces of bodies that turn and deform, one shader, a frame and the next mixed.
+
+const VERTEX = `#version 300 es
+in vec3 place; in vec3 before; in vec3 after; in float sizeBefore; in float sizeAfter;
+uniform mat4 view; uniform mat2 turn; uniform vec2 axis; uniform float part, scale, largest; uniform float stressed;
+out vec3 at; out float share;
+void main() {
+  vec3 moved = mix(before, after, part);
+  vec3 own = place + scale * moved;
+  at = vec3(turn * own.xy + axis, own.z);
+  share = stressed > 0.5 ? mix(sizeBefore, sizeAfter, part) : length(moved) / largest;
+  gl_Position = view * vec4(at, 1.0);
+}`;
+const FRAGMENT = `#version 300 es
+precision highp float;
+in vec3 at; in float share;
+uniform vec3 eye; uniform vec3 plain; uniform float coloured;
+out vec4 colour;
+vec3 scaled(float t) {
+  // From blue over white to red: told apart by people who do not see all colours, and on paper.
+  vec3 low = vec3(0.13, 0.30, 0.65), middle = vec3(0.95, 0.93, 0.86), high = vec3(0.70, 0.09, 0.13);
+  return t < 0.5 ? mix(low, middle, 2.0 * t) : mix(middle, high, 2.0 * t - 1.0);
+}
+void main() {
+  vec3 normal = normalize(cross(dFdx(at), dFdy(at)));
+  float light = 0.42 + 0.58 * abs(dot(normal, normalize(eye)));
+  vec3 own = coloured > 0.5 ? scaled(clamp(share, 0.0, 1.0)) : plain;
+  colour = vec4(own * light, 1.0);
+}`;
+const BODIES = [[0.36, 0.52, 0.68], [0.72, 0.63, 0.50], [0.47, 0.62, 0.45], [0.66, 0.50, 0.62], [0.60, 0.60, 0.35], [0.45, 0.62, 0.64]];
+
+class Scene {
+  constructor(canvas, shapes) {
+    const gl = canvas.getContext('webgl2', { antialias: true, preserveDrawingBuffer: true });
+    if (!gl) throw new Error('no WebGL 2');
+    Object.assign(this, { canvas, gl, shapes, yaw: -0.6, pitch: 0.35, zoom: 1, moved: [0, 0], time: 0, scale: 1, colour: 'body', off: new Set(), turning: true });
+    const program = gl.createProgram();
+    for (const [kind, text] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, FRAGMENT]]) {
+      const shader = gl.createShader(kind);
+      gl.shaderSource(shader, text);
+      gl.compileShader(shader);
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
+      gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    gl.useProgram(program);
+    this.at = (name) => gl.getUniformLocation(program, name);
+    this.of = (name) => gl.getAttribLocation(program, name);
+    gl.enable(gl.DEPTH_TEST);
+    const [low, high] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
+    this.bodies = shapes.bodies.map((body) => {
+      const points = numbers(body.points);
+      const triangles = numbers(body.triangles);
+      for (let k = 0; k < points.length; k++) { const axis = k % 3; const x = points[k] + (axis < 2 ? body.axis[axis] : 0); low[axis] = Math.min(low[axis], x); high[axis] = Math.max(high[axis], x); }
+      const own = { body, count: triangles.length, place: this.buffer(points), triangles: this.buffer(triangles, gl.ELEMENT_ARRAY_BUFFER), nodes: points.length / 3 };
+      if (body.motion) {
+        const { displacement, largest, stress } = body.motion;
+        own.frames = this.buffer(Float32Array.from(numbers(displacement), (part) => ((part - 32768) / 32767) * largest));
+        if (stress) own.stress = this.buffer(Float32Array.from(numbers(stress), (part) => part / 65535));
+      }
+      return own;
+    });
+    this.middle = low.map((own, k) => 0.5 * (own + high[k]));
+    this.radius = 0.5 * Math.hypot(...high.map((own, k) => own - low[k]));
+    // Half of what the corners of the machine span on the screen as it stands at first.
+    const [cy, sy, cp, sp] = [Math.cos(this.yaw), Math.sin(this.yaw), Math.cos(this.pitch), Math.sin(this.pitch)];
+    const half = high.map((own, k) => 0.5 * (own - low[k]));
+    this.across = half[1] * Math.abs(sy) + half[2] * Math.abs(cy);
+    this.upward = half[0] * cp + half[1] * Math.abs(cy * sp) + half[2] * Math.abs(sy * sp);
+    const moving = this.bodies.filter((own) => own.body.motion);
+    this.largest = Math.max(...moving.map((own) => own.body.motion.largest), 1e-30);
+    this.frames = moving.length ? moving[0].body.motion.time.length : 0;
+    this.fitting = this.frames ? 10 ** Math.floor(Math.log10((0.15 * this.radius) / this.largest)) : 1;
+    this.scale = Math.max(this.fitting, 1);
+    this.listen();
+  }
+
+  buffer(values, kind = this.gl.ARRAY_BUFFER) {
+    const own = this.gl.createBuffer();
+    this.gl.bindBuffer(kind, own);
+    this.gl.bufferData(kind, values, this.gl.STATIC_DRAW);
+    return own;
+  }
+
+  // Column by column: x of the machine is up, z to the right at first.
+  matrix() {
+    const [cy, sy, cp, sp] = [Math.cos(this.yaw), Math.sin(this.yaw), Math.cos(this.pitch), Math.sin(this.pitch)];
+    const right = [0, -sy, cy];
+    const toward = [sp, cy * cp, sy * cp];
+    const up = [toward[1] * right[2] - toward[2] * right[1], toward[2] * right[0] - toward[0] * right[2], toward[0] * right[1] - toward[1] * right[0]];
+    this.eye = toward;
+    const { width, height } = this.canvas;
+    const fit = 0.9 * this.zoom * Math.min(width / this.across, height / this.upward);
+    const [fx, fy] = [fit / width, fit / height];
+    const rows = [right.map((own) => own * fx), up.map((own) => own * fy), toward.map((own) => (-own * 0.4) / this.radius)];
+    const shift = rows.map((row) => -row.reduce((sum, own, k) => sum + own * this.middle[k], 0));
+    shift[0] += this.moved[0];
+    shift[1] += this.moved[1];
+    return new Float32Array([0, 1, 2].flatMap((k) => [rows[0][k], rows[1][k], rows[2][k], 0]).concat([...shift, 1]));
+  }
+
+  draw() {
+    const { gl, canvas } = this;
+    const ratio = Math.min(window.devicePixelRatio || 1, 2);
+    const [width, height] = [Math.round(canvas.clientWidth * ratio), Math.round(canvas.clientHeight * ratio)];
+    if (width && (canvas.width !== width || canvas.height !== height)) [canvas.width, canvas.height] = [width, height];
+    gl.viewport(0, 0, canvas.width, canvas.height);
+    const style = getComputedStyle(document.documentElement).getPropertyValue('--card').trim();
+    const rgb = [1, 3, 5].map((k) => parseInt(style.slice(k, k + 2), 16) / 255);
+    gl.clearColor(...rgb, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.uniformMatrix4fv(this.at('view'), false, this.matrix());
+    gl.uniform3fv(this.at('eye'), this.eye);
+    const frame = Math.floor(this.time) % Math.max(this.frames, 1);
+    const next = Math.min(frame + 1, Math.max(this.frames - 1, 0));
+    const part = this.time - Math.floor(this.time);
+    gl.uniform1f(this.at('part'), part);
+    gl.uniform1f(this.at('scale'), this.scale);
+    gl.uniform1f(this.at('largest'), this.largest);
+    this.bodies.forEach((own, place) => {
+      if (this.off.has(own.body.name)) return;
+      const { motion } = own.body;
+      const angle = motion && this.turning ? motion.angle[frame] + part * (motion.angle[next] - motion.angle[frame]) : 0;
+      gl.uniformMatrix2fv(this.at('turn'), false, [Math.cos(angle), Math.sin(angle), -Math.sin(angle), Math.cos(angle)]);
+      gl.uniform2fv(this.at('axis'), own.body.axis);
+      gl.uniform3fv(this.at('plain'), BODIES[place % BODIES.length]);
+      const stressed = this.colour === 'stress' && Boolean(own.stress);
+      gl.uniform1f(this.at('coloured'), motion && (this.colour === 'displacement' || stressed) ? 1 : 0);
+      gl.uniform1f(this.at('stressed'), stressed ? 1 : 0);
+      this.attribute('place', own.place, 3, 0);
+      const size = own.nodes * 4;
+      this.attribute('before', own.frames, 3, frame * 3 * size);
+      this.attribute('after', own.frames, 3, next * 3 * size);
+      this.attribute('sizeBefore', own.stress, 1, frame * size);
+      this.attribute('sizeAfter', own.stress, 1, next * size);
+      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, own.triangles);
+      gl.drawElements(gl.TRIANGLES, own.count, gl.UNSIGNED_INT, 0);
+    });
+  }
+
+  attribute(name, buffer, size, offset) {
+    const { gl } = this;
+    const at = this.of(name);
+    if (at < 0) return;
+    if (!buffer) { gl.disableVertexAttribArray(at); gl.vertexAttrib3f(at, 0, 0, 0); return; }
+    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+    gl.enableVertexAttribArray(at);
+    gl.vertexAttribPointer(at, size, gl.FLOAT, false, 0, offset);
+  }
+
+  // Seconds of the run at what is drawn.
+  seconds() {
+    const { time } = this.bodies.find((own) => own.body.motion).body.motion;
+    const frame = Math.min(Math.floor(this.time), time.length - 1);
+    const next = Math.min(frame + 1, time.length - 1);
+    return time[frame] + (this.time - frame) * (time[next] - time[frame]);
+  }
+
+  listen() {
+    const { canvas } = this;
+    let begun = null;
+    canvas.addEventListener('pointerdown', (event) => { begun = [event.clientX, event.clientY]; canvas.setPointerCapture(event.pointerId); });
+    canvas.addEventListener('pointermove', (event) => {
+      if (!begun) return;
+      const [dx, dy] = [event.clientX - begun[0], event.clientY - begun[1]];
+      begun = [event.clientX, event.clientY];
+      if (event.shiftKey) { this.moved[0] += (2 * dx) / canvas.clientWidth; this.moved[1] -= (2 * dy) / canvas.clientHeight; } else this.turn(0.008 * dx, 0.008 * dy);
+      this.draw();
+    });
+    canvas.addEventListener('pointerup', () => { begun = null; });
+    canvas.addEventListener('wheel', (event) => {
+      if (!event.ctrlKey) return;
+      event.preventDefault();
+      this.zoom *= event.deltaY > 0 ? 0.87 : 1.15;
+      this.draw();
+    }, { passive: false });
+    canvas.addEventListener('keydown', (event) => {
+      if (event.altKey || event.metaKey) return;
+      const turned = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] }[event.key];
+      if (turned) this.turn(...turned);
+      else if (event.key === '+' || event.key === '=') this.zoom *= 1.15;
+      else if (event.key === '-') this.zoom *= 0.87;
+      else if (event.key === '0' || event.key === 'Home') Object.assign(this, { yaw: -0.6, pitch: 0.35, zoom: 1, moved: [0, 0] });
+      else if (event.key === ' ') this.play?.();
+      else return;
+      event.preventDefault();
+      this.draw();
+    });
+  }
+
+  turn(yaw, pitch) {
+    this.yaw += yaw;
+    this.pitch = Math.min(Math.max(this.pitch + pitch, -1.55), 1.55);
+  }
+}

@@ -1,0 +1,288 @@
+//! Orders over a run: amplitude and phase of what oscillates once and twice a revolution, tracked by the angle.
+//!
+//! About every place of the angle x = A₀ + Σ A_n cos(n θ + φ_n), n = 1 … 3, is fitted by least squares over N revolutions
+//! with the weights of a Hann window in θ. What oscillates m times a revolution is told from the order n where |m − n| ≥ 2/N:
+//! with eight revolutions an oil whirl at 0.48 of the speed is out of 1X, and with two it would be in it.
+
+use std::collections::VecDeque;
+use std::f64::consts::TAU;
+
+use serde::Serialize;
+
+use super::encode::Packed;
+
+/// Orders that are fitted, of which the first two are shown.
+const ORDERS: usize = 3;
+const TERMS: usize = 1 + 2 * ORDERS;
+/// Revolutions of a window, at most and at least, and how many windows a run has room for at least.
+const MOST: f64 = 8.0;
+const LEAST: f64 = 4.0;
+const WINDOWS: f64 = 6.0;
+/// Places at which orders are found, at most.
+const PLACES: f64 = 240.0;
+/// Rows of a revolution, at least, as of the orders of a summary, and rows of a window, at most.
+const ROWS: f64 = 12.0;
+const MOST_ROWS: usize = 1 << 17;
+
+/// The orders of the signals of one angle while the rows pass.
+pub(super) struct Tracker {
+    /// Places of the angle and of the columns in a row.
+    angle: usize,
+    columns: Vec<usize>,
+    /// Half a window, and from place to place (rad); the sense of the rotation.
+    half: f64,
+    hop: f64,
+    sense: f64,
+    /// Where the next one is.
+    next: f64,
+    /// Time, angle and values of the rows of a window.
+    rows: VecDeque<Vec<f64>>,
+    found: Vec<Place>,
+}
+
+/// What is found about a place.
+struct Place {
+    time: f64,
+    /// Hz, at the place, and least and largest in the window.
+    speed: f64,
+    /// A column each: half of largest less least, and two orders.
+    columns: Vec<(f64, [[f64; 2]; 2])>,
+}
+
+/// As a page has it.
+#[derive(Debug, Serialize)]
+pub(super) struct Tracked {
+    /// Revolutions of a window.
+    revolutions: f64,
+    /// s.
+    time: Packed,
+    rpm: Packed,
+    /// A column each.
+    signals: Vec<TrackedSignal>,
+}
+
+#[derive(Debug, Serialize)]
+struct TrackedSignal {
+    column: String,
+    /// From 0 to the peak.
+    overall: Packed,
+    first: Packed,
+    first_phase_deg: Packed,
+    second: Packed,
+    second_phase_deg: Packed,
+}
+
+impl Tracker {
+    /// Of columns over an angle that turns from `begins` to `ends` (rad), of whose places in a row `place` tells; none where that is too little.
+    pub(super) fn new(
+        (angle, columns): (usize, Vec<usize>),
+        [begins, ends]: [f64; 2],
+    ) -> Option<Self> {
+        let total = (ends - begins).abs() / TAU;
+        let revolutions = (total / WINDOWS).floor().min(MOST);
+        if !(revolutions >= LEAST) || columns.is_empty() {
+            return None;
+        }
+        let sense = (ends - begins).signum();
+        let half = 0.5 * TAU * revolutions;
+        let hop = (0.25 * revolutions).max(total / PLACES) * TAU;
+        Some(Tracker {
+            angle,
+            columns,
+            half,
+            hop,
+            sense,
+            next: sense * begins + half,
+            rows: VecDeque::new(),
+            found: Vec::new(),
+        })
+    }
+
+    /// Takes a row.
+    pub(super) fn add(&mut self, time: f64, row: &[f64]) {
+        let angle = self.sense * row[self.angle];
+        // What comes back to where it was is not fitted twice.
+        if self.rows.back().is_some_and(|last| angle <= last[1]) {
+            return;
+        }
+        while self.rows.front().is_some_and(|first| first[1] < self.next - self.half) {
+            self.rows.pop_front();
+        }
+        let own = self.columns.iter().map(|place| row[*place]);
+        self.rows.push_back([time, angle].into_iter().chain(own).collect());
+        if self.rows.len() > MOST_ROWS {
+            // Near standstill: no window is so long.
+            self.rows.clear();
+            self.next = angle + self.half;
+        }
+        while angle >= self.next + self.half {
+            if let Some(place) = self.fitted() {
+                self.found.push(place);
+            }
+            self.next += self.hop;
+        }
+    }
+
+    /// What the rows about the next place come to; none where they are too few.
+    fn fitted(&self) -> Option<Place> {
+        let [from, to] = [self.next - self.half, self.next + self.half];
+        let within: Vec<&Vec<f64>> =
+            self.rows.iter().filter(|own| own[1] >= from && own[1] <= to).collect();
+        if (within.len() as f64) < ROWS * self.half / (0.5 * TAU) {
+            return None;
+        }
+        let mut fit = Fit::new(self.columns.len());
+        for (k, row) in within.iter().enumerate() {
+            let angles = [k.saturating_sub(1), (k + 1).min(within.len() - 1)];
+            let [before, after] = angles.map(|at| within[at][1]);
+            let window = 0.5 + 0.5 * ((row[1] - self.next) / self.half * 0.5 * TAU).cos();
+            // Phases count by the angle as it is, whichever way that turns.
+            fit.add(window * (after - before), self.sense * row[1], &row[2..]);
+        }
+        let at = within.partition_point(|own| own[1] < self.next).clamp(1, within.len() - 1);
+        let [first, second] = [within[at - 1], within[at]];
+        let speed = (second[1] - first[1]) / (second[0] - first[0]) / TAU;
+        let overall = |place: usize| {
+            let values = || within.iter().map(|own| own[2 + place]);
+            let least = values().fold(f64::INFINITY, f64::min);
+            0.5 * (values().fold(f64::NEG_INFINITY, f64::max) - least)
+        };
+        let share = (self.next - first[1]) / (second[1] - first[1]);
+        let orders = fit.solve()?;
+        Some(Place {
+            time: first[0] + share * (second[0] - first[0]),
+            speed,
+            columns: orders.into_iter().enumerate().map(|(k, own)| (overall(k), own)).collect(),
+        })
+    }
+
+    /// As a page has it; none where nothing was found.
+    pub(super) fn finish(self, names: &[String]) -> Option<Tracked> {
+        if self.found.len() < 2 {
+            return None;
+        }
+        let all = &self.found;
+        let signal = |(place, column): (usize, &usize)| {
+            let order = |order: usize, part: usize| {
+                Packed::single(all.iter().map(|own| own.columns[place].1[order][part]))
+            };
+            TrackedSignal {
+                column: names[*column].clone(),
+                overall: Packed::single(all.iter().map(|own| own.columns[place].0)),
+                first: order(0, 0),
+                first_phase_deg: order(0, 1),
+                second: order(1, 0),
+                second_phase_deg: order(1, 1),
+            }
+        };
+        Some(Tracked {
+            revolutions: self.half / (0.5 * TAU),
+            time: Packed::single(all.iter().map(|own| own.time)),
+            rpm: Packed::single(all.iter().map(|own| 60.0 * own.speed)),
+            signals: self.columns.iter().enumerate().map(signal).collect(),
+        })
+    }
+}
+
+/// Normal equations of a weighted fit.
+struct Fit {
+    matrix: [[f64; TERMS]; TERMS],
+    /// A column each.
+    right: Vec<[f64; TERMS]>,
+}
+
+impl Fit {
+    fn new(columns: usize) -> Self {
+        Fit { matrix: [[0.0; TERMS]; TERMS], right: vec![[0.0; TERMS]; columns] }
+    }
+
+    fn add(&mut self, weight: f64, angle: f64, values: &[f64]) {
+        let mut terms = [1.0; TERMS];
+        for order in 1..=ORDERS {
+            let (sin, cos) = (order as f64 * angle).sin_cos();
+            (terms[2 * order - 1], terms[2 * order]) = (cos, sin);
+        }
+        for (row, a) in self.matrix.iter_mut().zip(terms) {
+            row.iter_mut().zip(terms).for_each(|(sum, b)| *sum += weight * a * b);
+        }
+        for (right, value) in self.right.iter_mut().zip(values) {
+            right.iter_mut().zip(terms).for_each(|(sum, a)| *sum += weight * a * value);
+        }
+    }
+
+    /// Amplitude and phase (°) of two orders of each column, x = A cos(n θ + φ); none of rows that do not tell them.
+    fn solve(mut self) -> Option<Vec<[[f64; 2]; 2]>> {
+        let least = 1e-9 * self.matrix[0][0];
+        // Gauss without pivots: the matrix is positive definite.
+        for k in 0..TERMS {
+            let row = self.matrix[k];
+            if !(row[k] > least) {
+                return None;
+            }
+            for i in k + 1..TERMS {
+                let factor = self.matrix[i][k] / row[k];
+                (k..TERMS).for_each(|j| self.matrix[i][j] -= factor * row[j]);
+                self.right.iter_mut().for_each(|own| own[i] -= factor * own[k]);
+            }
+        }
+        for own in &mut self.right {
+            for k in (0..TERMS).rev() {
+                let rest: f64 = (k + 1..TERMS).map(|j| self.matrix[k][j] * own[j]).sum();
+                own[k] = (own[k] - rest) / self.matrix[k][k];
+            }
+        }
+        let order = |own: &[f64; TERMS], n: usize| {
+            let (a, b) = (own[2 * n - 1], own[2 * n]);
+            [a.hypot(b), (-b).atan2(a).to_degrees()]
+        };
+        Some(self.right.iter().map(|own| [order(own, 1), order(own, 2)]).collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A run-up by which θ = a t + b t², and what it leaves.
+    fn tracked([a, b]: [f64; 2], end: f64, x: impl Fn(f64) -> f64) -> Tracker {
+        let angle = |t: f64| a * t + b * t * t;
+        let mut tracker = Tracker::new((0, vec![1]), [0.0, angle(end)]).expect("revolutions");
+        for step in 0..(end / 1e-4) as u32 {
+            let t = 1e-4 * f64::from(step);
+            tracker.add(t, &[angle(t), x(angle(t))]);
+        }
+        tracker
+    }
+
+    /// Amplitudes and phases through a run-up, beside an oil whirl as large as the unbalance, forward and backward.
+    #[test]
+    fn orders_are_found_beside_a_whirl_at_half_the_speed() {
+        for sense in [1.0, -1.0] {
+            let own = tracked([sense * 300.0, sense * 200.0], 2.0, |angle| {
+                let wave = |order: f64, size: f64, phase: f64| size * (order * angle + phase).cos();
+                7.0 + wave(1.0, 20.0, 0.5) + wave(2.0, 3.0, -2.5) + wave(0.48, 20.0, 1.0)
+            });
+            assert_eq!(own.half, 4.0 * TAU);
+            assert!(own.found.len() > 50, "{}", own.found.len());
+            for place in &own.found {
+                // dθ/dt = a + 2 b t; a difference of two rows is right to their curvature.
+                let rate = (300.0 + 400.0 * place.time) / TAU;
+                assert!((place.speed / rate - 1.0).abs() < 1e-3, "{} {rate}", place.speed);
+                let [first, second] = place.columns[0].1;
+                // The Hann window's side lobes are below 2.7 %, and fall from there.
+                assert!((first[0] / 20.0 - 1.0).abs() < 0.027, "{first:?}");
+                assert!((first[1] - 0.5_f64.to_degrees()).abs() < 1.6, "{first:?}");
+                assert!((second[0] - 3.0).abs() < 0.027 * 20.0, "{second:?}");
+                assert!((43.0 - place.columns[0].0).abs() < 6.0);
+            }
+        }
+    }
+
+    #[test]
+    fn a_few_revolutions_are_not_tracked() {
+        assert!(Tracker::new((0, vec![1]), [0.0, 20.0 * TAU]).is_none());
+        let few = Tracker::new((0, vec![1]), [0.0, 30.0 * TAU]).expect("enough");
+        assert_eq!(few.half, 2.5 * TAU);
+        assert!(tracked([300.0, 0.0], 1.0, f64::cos).finish(&["a".into(), "x".into()]).is_some());
+    }
+}
