@@ -41,6 +41,7 @@ mod streams;
 pub mod sweep;
 mod table_files;
 mod text_file;
+mod told;
 mod values;
 mod version;
 mod watch;

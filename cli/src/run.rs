@@ -31,15 +31,16 @@ use crate::case::Case;
 use crate::checkpoint::{self, Identity};
 use crate::errors::Failure;
 use crate::history::HistoryFile;
-use crate::machine::{self, Built, JoinedPlan};
+use crate::machine::{self, Built};
 use crate::other_files::{About as AboutFiles, OtherFiles};
-use crate::page::{About, Meshed, Section, Shapes};
+use crate::page::About;
 use crate::progress::{self, ProgressMode, Terminal};
 use crate::report::{Summary, of_orders, stops, supports};
 use crate::results::{ABOUT, REPORT, Results, SHAPES, SUMMARY};
 use crate::signals::Interruption;
 use crate::simulate::{End, FolderStore, Simulated, simulate};
-use crate::{check, fields, figures, history, page, streams};
+use crate::told::Told;
+use crate::{fields, figures, history, page, streams};
 
 /// How often a run that is being built looks for an interruption.
 const PAUSE: Duration = Duration::from_millis(20);
@@ -101,22 +102,6 @@ fn folder(arguments: &RunArguments, case: &Case) -> PathBuf {
     arguments.out.clone().unwrap_or_else(usual)
 }
 
-/// What a page tells of a case.
-struct Told {
-    words: Vec<Section>,
-    shapes: Option<Shapes>,
-}
-
-/// Surfaces of the bodies with meshes.
-fn shapes(case: &Case, plan: &JoinedPlan) -> Option<Shapes> {
-    let bodies = case.machine.bodies.iter().zip(&plan.bodies);
-    Shapes::of(bodies.filter_map(|(own, plan)| {
-        let turns = own.turns();
-        let axis = if turns { own.axis } else { [0.0; 2] };
-        Some(Meshed { name: own.name.text(), turns, axis, mesh: &plan.meshed()?.mesh })
-    }))
-}
-
 /// Reads meshes and reduces bodies, on a thread of its own: an interruption does not wait for it. Says what the case is, too.
 fn build(
     case: &Case,
@@ -129,7 +114,7 @@ fn build(
         let mut warnings = Vec::new();
         let built = machine::plan(&own, &mut warnings).and_then(|plan| {
             let built = machine::build(&own, &plan, cache.as_ref(), &mut warnings)?;
-            Ok((built, Told { words: check::words(&own, &plan)?, shapes: shapes(&own, &plan) }))
+            Ok((built, Told::of(&own, &plan)?))
         });
         // Nobody waits for it any more where the run has been interrupted.
         let _ = sender.send((built, warnings));

@@ -120,7 +120,14 @@ fn a_page_has_the_numbers_of_the_run() {
         .iter()
         .filter_map(|own| own["name"].as_str())
         .collect();
-    let names = ["about.json", "history.csv", "history.parquet", "state.bin", "summary.json"];
+    let names = [
+        "about.json",
+        "history.csv",
+        "history.parquet",
+        "shapes.json",
+        "state.bin",
+        "summary.json",
+    ];
     assert_eq!(files, names);
     orbits(&bench, &data);
     whirl(&bench, &data);

@@ -16,7 +16,12 @@ pub(crate) enum Span {
     All,
     /// The last cycle, in s, against the angle turned in it.
     LastCycle(f64),
+    /// The last revolutions, in s, of a cycle of more than a person can tell apart.
+    LastTurns(f64),
 }
+
+/// Revolutions that a person can tell apart.
+const READABLE: f64 = 4.0;
 
 /// Rows to draw, and what their abscissae are.
 struct Rows<'h> {
@@ -31,16 +36,29 @@ struct Rows<'h> {
 }
 
 impl Span {
-    /// The last cycle if the shaft turns in it, else everything.
+    /// The last cycle if the shaft turns in it, or the last revolutions of one of many; else everything.
     pub(crate) fn fitting(history: &dyn ReadHistory, cycle: f64) -> io::Result<Span> {
-        let turned = Span::LastCycle(cycle).rows(history)?.turned;
-        Ok(if turned.abs() > 0.5 * TAU { Span::LastCycle(cycle) } else { Span::All })
+        let turned = |seconds: f64| -> io::Result<f64> {
+            Ok(Span::LastCycle(seconds).rows(history)?.turned.abs() / TAU)
+        };
+        let whole = turned(cycle)?;
+        if whole <= 0.5 {
+            return Ok(Span::All);
+        }
+        // A cycle of two revolutions has not quite as many where rows do not meet its start.
+        if whole <= READABLE + 0.5 {
+            return Ok(Span::LastCycle(cycle));
+        }
+        // Twice, as the speed may change within the cycle.
+        let mut seconds = cycle * READABLE / whole;
+        seconds *= READABLE / turned(seconds)?.max(0.5);
+        Ok(Span::LastTurns(seconds))
     }
 
     fn rows(self, history: &dyn ReadHistory) -> io::Result<Rows<'_>> {
         let from = match self {
             Span::All => history.start(),
-            Span::LastCycle(cycle) => last_cycle(history, cycle)?,
+            Span::LastCycle(seconds) | Span::LastTurns(seconds) => last_cycle(history, seconds)?,
         };
         let end = history.last_time()?.unwrap_or(0.0);
         let angle = |at| -> io::Result<[f64; 2]> {
@@ -60,6 +78,7 @@ impl Rows<'_> {
         match self.span {
             Span::All => "time (ms)",
             Span::LastCycle(_) => "rotation in the last cycle (°)",
+            Span::LastTurns(_) => "rotation in the last four revolutions (°)",
         }
     }
 
@@ -70,7 +89,7 @@ impl Rows<'_> {
         self.history.scan(self.from, &columns, &mut |row| {
             let x = match self.span {
                 Span::All => 1e3 * row[0],
-                Span::LastCycle(_) => (row[1] - self.start).to_degrees(),
+                Span::LastCycle(_) | Span::LastTurns(_) => (row[1] - self.start).to_degrees(),
             };
             for (curve, y) in curves.iter_mut().zip(&row[2..]) {
                 curve.push(self.buckets, row[0], (x, *y));
@@ -132,15 +151,16 @@ pub(crate) fn eccentricities(
     span: Span,
 ) -> io::Result<Figure> {
     let rows = span.rows(history)?;
-    let (what, lateral) = match span {
-        Span::All => ("Eccentricity of the journals", "EY, lateral (µm)"),
-        // Seen along +z, x up and y to the right: positive rotation is clockwise.
-        Span::LastCycle(_) if rows.turned > 0.0 => {
-            ("Eccentricity of the journals in the last cycle", "EY, lateral (µm); rotation ↻")
-        }
-        Span::LastCycle(_) => {
-            ("Eccentricity of the journals in the last cycle", "EY, lateral (µm); rotation ↺")
-        }
+    let what = match span {
+        Span::All => "Eccentricity of the journals",
+        Span::LastCycle(_) => "Eccentricity of the journals in the last cycle",
+        Span::LastTurns(_) => "Eccentricity of the journals in the last four revolutions",
+    };
+    // Seen along +z, x up and y to the right: positive rotation is clockwise.
+    let lateral = match span {
+        Span::All => "EY, lateral (µm)",
+        _ if rows.turned > 0.0 => "EY, lateral (µm); rotation ↻",
+        _ => "EY, lateral (µm); rotation ↺",
     };
     let orbits = orbits(&rows, supports)?;
     let panel = |((own, &clearance), (points, dots)): ((&SupportName, &f64), Orbit)| {

@@ -286,6 +286,36 @@ mod tests {
         }
     }
 
+    /// Of a cycle of many revolutions the last ones are drawn, whose lines can be told apart.
+    #[test]
+    fn a_cycle_of_many_revolutions_is_cut_to_what_can_be_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("history.csv");
+        let names = History::for_bearings(&[JointColumns::of("1")], &[], &[]).names().to_vec();
+        let mut writer = HistoryWriter::create(&path, &names).unwrap();
+        for step in 1..=3000 {
+            let time = 1e-3 * f64::from(step);
+            let mut row = vec![time, TAU * 10.0 * time, TAU * 10.0];
+            row.resize(names.len(), 1.0);
+            writer.push(&row).unwrap();
+        }
+        writer.finish().unwrap();
+        let history = HistoryFile::open(&path).unwrap();
+        let Span::LastTurns(seconds) = Span::fitting(&history, 2.0).unwrap() else {
+            panic!("twenty revolutions");
+        };
+        assert!((seconds - 0.4).abs() < 1e-3, "{seconds}");
+        assert_eq!(Span::fitting(&history, 0.4).unwrap(), Span::LastCycle(0.4));
+        let figure = eccentricities(
+            &history,
+            &[SupportName::numbered("Support", 1)],
+            &[30.0],
+            Span::LastTurns(0.4),
+        )
+        .unwrap();
+        assert!(figure.title.ends_with("in the last four revolutions"), "{}", figure.title);
+    }
+
     /// What lines are drawn through: of every support its own columns, over the last cycle only.
     #[test]
     fn reactions_and_orbits_go_through_their_own_columns_in_the_last_cycle() {

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::groups::{Group, groups};
+use super::groups::{Group, groups, moved};
 use crate::case::{Case, JointKind};
 use crate::machine::Built;
 use crate::report::oscillations;
@@ -86,10 +86,15 @@ impl About {
         steady: String,
     ) -> Self {
         let (march, columns) = (case.march(), built.columns());
-        let all = oscillations(case, &built.machine);
+        let (all, supports) = (oscillations(case, &built.machine), case.supports());
+        // Outputs may have the names of joints.
+        let of_journal = |column: &str| supports.iter().any(|own| own.column("X", "um") == *column);
         let signals = all.iter().map(|own| Signal {
             title: own.title.clone(),
-            quantity: own.quantity.to_owned(),
+            quantity: match own.columns.first().is_some_and(|own| of_journal(&own.0)) {
+                true => format!("displacement of the {}", moved(case)),
+                false => own.quantity.to_owned(),
+            },
             unit: own.unit.to_owned(),
             columns: own.columns.iter().map(|(a, b)| (a.clone(), (*b).to_lowercase())).collect(),
             angle: own.angle.clone(),
@@ -99,7 +104,6 @@ impl About {
             let own = signals.iter().find(|own| own.columns.iter().any(|own| own.0 == column));
             own.and_then(|own| own.angle.clone())
         };
-        let supports = case.supports();
         // A coupling has no way in its plane, and stops are all around one mass.
         let moving = case.machine.joints.iter().zip(&supports).zip(&built.clearances);
         let moving = moving.filter(|((joint, _), _)| {

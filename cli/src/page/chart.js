@@ -212,7 +212,7 @@ class Chart {
       let lift = true;
       for (let k = from; k < to; k++) {
         const y = own.y[k];
-        if (!Number.isFinite(y) || (own.gap && k > from && Math.abs(y - own.y[k - 1]) > own.gap)) lift = true;
+        if (!Number.isFinite(y)) lift = true;
         if (!Number.isFinite(y)) continue;
         parts.push(`${lift ? 'M' : 'L'}${px(own.x[k]).toFixed(1)} ${py(y).toFixed(1)}`);
         lift = false;

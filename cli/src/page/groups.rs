@@ -27,9 +27,15 @@ pub(super) struct Group {
     pub(super) shown: bool,
 }
 
+/// What joints move.
+pub(super) fn moved(case: &Case) -> &'static str {
+    if case.machine.is_mass() { "mass" } else { "journal" }
+}
+
 /// The charts of a run, which have each column but the time once.
 pub(super) fn groups(case: &Case, built: &Built, columns: &[Column]) -> Vec<Group> {
     let mut all = Charts { columns, taken: BTreeSet::new(), groups: Vec::new() };
+    let moved = moved(case);
     let (mass, supports) = (case.machine.is_mass(), case.supports());
     let named = case.turning();
     let body = |name: &str| match name {
@@ -61,14 +67,17 @@ pub(super) fn groups(case: &Case, built: &Built, columns: &[Column]) -> Vec<Grou
         };
         let title = |what: &str| format!("{}: {what}", own.title);
         let axes = ["x, vertical", "y, lateral"];
-        let group = (title("eccentricity of the journal in its bore"), "eccentricity");
-        all.add((&group.0, group.1, "µm", 1.0), pair("E", "um", axes), shown && has_clearance);
+        let called = title("eccentricity of the journal in its bore");
+        let eccentricity = pair("E", "um", axes);
+        all.add((&called, "eccentricity", "µm", 1.0), eccentricity, shown && has_clearance);
         let forces = pair("R", "N", axes).into_iter().chain([along(own)]).collect();
-        all.add((&title("force on the journal"), "force", "N", 1.0), forces, shown);
+        all.add((&title(&format!("force on the {moved}")), "force", "N", 1.0), forces, shown);
         let moves = pair("", "um", axes);
-        let group = (title("displacement of the journal"), "displacement", "µm", 1.0);
-        let group = (&*group.0, group.1, group.2, group.3);
-        all.add(group, moves, shown && !has_clearance && (!mass || place == 0));
+        // Masses fly far.
+        let (unit, factor) = if mass { ("mm", 1e-3) } else { ("µm", 1.0) };
+        let called = title(&format!("displacement of the {moved}"));
+        let shown = shown && !has_clearance && (!mass || place == 0);
+        all.add((&called, "displacement", unit, factor), moves, shown);
         let couples = ["MX", "MY", "MZ"].map(|letter| {
             (own.column(letter, "Nm"), format!("about {}", letter[1..].to_lowercase()))
         });
@@ -83,16 +92,15 @@ pub(super) fn groups(case: &Case, built: &Built, columns: &[Column]) -> Vec<Grou
     all.add(("Couples of prescribed rotations", "couple", "N·m", 1.0), of("_Nm", "M_"), false);
     for own in columns.iter().filter(|own| own.unit == "J" || own.unit == "W") {
         let quantity = if own.unit == "J" { "energy" } else { "power" };
-        let group = (capital(&own.meaning), quantity, own.unit, 1.0);
-        let group = (&*group.0, group.1, group.2, group.3);
-        all.add(group, vec![(own.name.clone(), quantity.to_owned())], true);
+        let lines = vec![(own.name.clone(), quantity.to_owned())];
+        all.add((&capital(&own.meaning), quantity, own.unit, 1.0), lines, true);
     }
     let turns = 1.0 / std::f64::consts::TAU;
     all.add(("Angle of rotation", "revolutions", "1", turns), of("_rad", "theta"), false);
     for own in columns.iter().skip(1) {
-        let group = (capital(&own.meaning), own.meaning.clone(), shown_unit(own.unit));
         let lines = vec![(own.name.clone(), own.meaning.clone())];
-        all.add((&group.0, &group.1, group.2, 1.0), lines, false);
+        let (title, unit) = (capital(&own.meaning), shown_unit(own.unit));
+        all.add((&title, &own.meaning, unit, 1.0), lines, false);
     }
     all.groups
 }

@@ -28,7 +28,7 @@ pub(crate) use self::about::{About, Section};
 pub(crate) use self::analyses::{Analyses, AnalysisFacts};
 use self::files::{FigureFacts, FileFacts, TableFacts};
 use self::run::RunData;
-pub(crate) use self::shapes::{Meshed, Shapes};
+pub(crate) use self::shapes::{Meshed, Shapes, Solid};
 pub(crate) use self::sweeps::SweepFacts;
 use crate::history::{self, HistoryFile};
 use crate::results::{ABOUT, ANALYSES, SHAPES, SUMMARY, SWEEP};

@@ -125,7 +125,7 @@ function facts() {
     fact('largest force component', [of(group), group.unit], `${group.title}, in the whole run`);
   }
   const top = strongest();
-  if (top) fact('strongest motion', top.words, () => `${top.title}: ${shown(top.amplitude * Units.of(top.unit)[1] * Amplitudes.factor, 3)} ${Units.of(top.unit)[0]} ${Amplitudes.words}`);
+  if (top) fact('strongest motion', top.words, () => `${top.title}: ${shown(top.amplitude * Units.of(top.unit)[1] * Amplitudes.factor, 3)} ${Units.of(top.unit)[0]} ${Amplitudes.words} at ${shown(top.hertz, 4)} Hz`);
   const orders = (summary.orders?.signals || []).filter((own) => own.signal.endsWith('_um'));
   if (orders.length) {
     const top = orders.reduce((best, own) => (own['1X'].amplitude > best['1X'].amplitude ? own : best));
@@ -147,7 +147,8 @@ function strongest() {
         // Nearer to nothing it is a drift.
         if (Math.abs(order) < 0.1 || (top && amplitude[at] <= top.amplitude)) continue;
         const way = !spectrum.two_sided ? '' : order > 0 ? ' forward' : ' backward';
-        top = { amplitude: amplitude[at], unit: signal.unit, title: signal.title, words: `${shown(Math.abs(order), 3)} times the speed${way}` };
+        const body = /^theta_(.+)_rad$/.exec(signal.angle)?.[1];
+        top = { amplitude: amplitude[at], hertz: Math.abs(frequency[at]), unit: signal.unit, title: signal.title, words: `${shown(Math.abs(order), 3)} times the speed${body ? ` of ${body}` : ''}${way}` };
       }
     }
   });
@@ -171,7 +172,7 @@ function machine() {
   const own = part('machine', 'The machine');
   const moves = shapes.bodies.some((body) => body.motion);
   const rest = shapes.left_out.length ? ` Too large to be shown here: ${shapes.left_out.join(', ')}.` : '';
-  add(own, 'p', `Bodies that have a mesh, x up.${moves ? '' : ' With [fields] in the case, their motion over the last cycle is shown, too.'}${rest}`, { class: 'soft' });
+  add(own, 'p', `Bodies, x up: by their meshes${shapes.bodies.some((body) => body.sketched) ? '; what has none as cylinders of the same mass and inertias' : ''}.${moves ? '' : ' With [fields] in the case, the motion of those with meshes over the last cycle is shown, too.'}${rest}`, { class: 'soft' });
   const choose = add(own, 'div', undefined, { class: 'choose screen' });
   const canvas = add(own, 'canvas', undefined, { class: 'scene', tabindex: 0, role: 'img', 'aria-label': 'The bodies of the machine in space' });
   try { scene = new Scene(canvas, shapes); } catch (error) {
@@ -229,7 +230,9 @@ function results() {
   const own = part('results', 'The last cycle');
   add(own, 'p', `A cycle is ${shown(1e3 * summary.cycle_s, 5)} ms: ${about.cycle}. ${about.steady[0].toUpperCase()}${about.steady.slice(1)}.`);
   const moving = summary.supports;
-  if (moving.length) {
+  if (moving.length && about.words[0]?.title === 'The mass') {
+    table(own, ['', '', ['force', 'N'], ['displacement of the mass', 'mm']], moving.flatMap((support, k) => ['min', 'mean', 'max'].map((which) => [which === 'min' ? `Stop ${k + 1}` : '', which, [support.RX_N[which], 'N'], [1e-3 * support.X_um[which], 'mm']])), [1]);
+  } else if (moving.length) {
     const heads = ['', '', ['force x', 'N'], ['force y', 'N'], ['eccentricity x', 'µm'], ['eccentricity y', 'µm'], ['clearance', 'µm']];
     const rows = moving.flatMap((support, k) => ['min', 'mean', 'max'].map((which) => [
       which === 'min' ? support.joint || supportName(k) : '', which, [support.RX_N[which], 'N'], [support.RY_N[which], 'N'], [support.EX_um[which], 'µm'], [support.EY_um[which], 'µm'],
@@ -362,25 +365,28 @@ function tracked() {
   const own = part('orders', 'Orders over speed');
   for (const all of run.tracked) {
     const n = all.revolutions;
-    add(own, 'p', `Amplitudes and phases of x = A cos(nθ + φ), tracked by the angle: each point is a fit over ${shown(n)} revolutions with the weights of a Hann window. It tells an order from what differs from it by ${shown(2 / n, 3)} orders or more; nearer than that, both are in one. Overall is half of largest less least value in the same revolutions: where it is far above 1X, something else moves.`, { class: 'soft' });
+    add(own, 'p', `Amplitudes and phases of x = A cos(nθ + φ), tracked by the angle: each point is a fit over ${shown(n)} revolutions with the weights of a Hann window. It tells an order from what differs from it by ${shown(2 / n, 3)} orders or more; nearer than that, both are in one. Overall is half of largest less least value in the same revolutions, of the direction in which it is larger: where it is far above 1X, something else moves.`, { class: 'soft' });
     const [rpm, time] = [numbers(all.rpm), numbers(all.time)];
     const rises = rpm.every((value, k) => k === 0 || value > rpm[k - 1]);
     const falls = rpm.every((value, k) => k === 0 || value < rpm[k - 1]);
     const turn = (values) => (falls ? Float32Array.from(values).reverse() : values);
     const x = rises || falls ? { label: 'speed', unit: 'rpm', values: turn(rpm) } : { label: 'time', unit: 's', values: time };
     const grid = add(own, 'div', undefined, { class: 'grid' });
-    for (const signal of all.signals) {
-      const whole = about.signals.find((one) => one.columns.some(([name]) => name === signal.column));
-      const axis = whole.columns.find(([name]) => name === signal.column)[1];
-      const title = `${whole.title}: ${whole.quantity} ${axis}`;
-      const line = (packed, name, style, more) => ({ name, x: x.values, y: turn(numbers(packed)), style, ...more });
+    for (const whole of about.signals) {
+      const own = whole.columns.map(([name, axis]) => [axis, all.signals.find((signal) => signal.column === name)]).filter(([, signal]) => signal);
+      if (!own.length) continue;
+      const title = `${whole.title}: ${whole.quantity}`;
+      const id = slug(own[0][1].column);
+      const draw = (values, name, style, more) => ({ name, x: x.values, y: values, style, ...more });
+      const one = (which, name, style, more) => own.map(([axis, signal], k) => draw(turn(numbers(signal[which])), `${name} ${axis}`, style + k, more));
+      const axis = { label: x.label, unit: x.unit };
       new Chart(grid, {
-        id: `order-${slug(signal.column)}`, title, zero: true, sync: 'orders', x: { label: x.label, unit: x.unit }, y: { label: whole.quantity, unit: whole.unit, amplitude: true },
-        series: [line(signal.first, '1X', 0), line(signal.second, '2X', 1), line(signal.overall, 'overall', 6, { dash: '2 3' })],
+        id: `order-${id}`, title, zero: true, sync: 'orders', x: axis, y: { label: whole.quantity, unit: whole.unit, amplitude: true },
+        series: [...one('first', '1X', 0), ...one('second', '2X', 2), draw(own.map(([, signal]) => turn(numbers(signal.overall))).reduce((most, values) => most.map((value, k) => Math.max(value, values[k]))), 'overall', 6, { dash: '2 3' })],
       });
       new Chart(grid, {
-        id: `phase-${slug(signal.column)}`, title: `${title}: phase`, sync: 'orders', x: { label: x.label, unit: x.unit }, y: { label: 'phase', unit: '°' },
-        series: [line(signal.first_phase_deg, '1X', 0, { gap: 180 })],
+        id: `phase-${id}`, title: `${title}, phase of 1X`, sync: 'orders', x: axis, y: { label: 'phase', unit: '°' },
+        series: own.map(([axis, signal], k) => draw(unwrapped(turn(numbers(signal.first_phase_deg))), `1X ${axis}`, k)),
       });
     }
   }
@@ -418,7 +424,8 @@ function energy() {
   if (!summary) return;
   const own = part('quality', 'Energy and quality of the run');
   const words = { work_in: 'work of loads, drives and gravity', kinetic: 'kinetic energy', strain: 'strain energy', spring_stored: 'energy stored in joints', spring_dissipated: 'energy dissipated in joints', dissipated: 'energy dissipated in bodies', error: 'error of the balance' };
-  const rows = Object.entries(summary.energy_balance_j).map(([name, value]) => [words[name] || name.replaceAll('_', ' '), [value, 'J']]);
+  const names = [...new Set([...Object.keys(words), ...Object.keys(summary.energy_balance_j)])].filter((name) => name in summary.energy_balance_j);
+  const rows = names.map((name) => [words[name] || name.replaceAll('_', ' '), [summary.energy_balance_j[name], 'J']]);
   add(own, 'p', 'Balance from the start to the end of the run. The error is what the program lost or made; it is part of the verdict.', { class: 'soft' });
   table(own, ['', ['energy', 'J']], rows);
   const { march, time, counts } = summary;
@@ -464,6 +471,13 @@ function grouped(rows, ...by) {
   return all;
 }
 
+// Phases without jumps of a whole turn.
+function unwrapped(values) {
+  const all = Float64Array.from(values);
+  for (let k = 1; k < all.length; k++) if (Number.isFinite(all[k - 1])) all[k] -= 360 * Math.round((all[k] - all[k - 1]) / 360);
+  return all;
+}
+
 const line = (rows, x, y, name, more) => ({ name, x: rows.map((row) => row[x]), y: rows.map((row) => (typeof row[y] === 'number' ? row[y] : NaN)), ...more });
 
 // Charts of an analysis beside its figures, which they replace: names of those.
@@ -506,7 +520,7 @@ const CHARTED = {
       });
       new Chart(host, {
         id: `bode-phase-${id}`, title: `${title}: phase`, sync: `speed ${name}`, x, y: { label: 'phase', unit: '°' },
-        series: [line(own, 'speed_rpm', 'x_phase_deg', 'x', { gap: 180 }), line(own, 'speed_rpm', 'y_phase_deg', 'y', { gap: 180 })],
+        series: ['x', 'y'].map((axis) => { const phase = line(own, 'speed_rpm', `${axis}_phase_deg`, axis); return { ...phase, y: unwrapped(phase.y) }; }),
       });
     }
     return all.length ? [`${name}.svg`] : [];

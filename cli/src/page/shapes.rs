@@ -31,6 +31,9 @@ struct Shape {
     /// Three a node (m), and three places of nodes a triangle.
     points: Packed,
     triangles: Packed,
+    /// Whether it is a cylinder in the place of what has no mesh.
+    #[serde(skip_serializing_if = "is_false")]
+    sketched: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     motion: Option<Moved>,
 }
@@ -49,6 +52,26 @@ struct Moved {
     stress: Option<Packed>,
     largest_mpa: f64,
 }
+
+fn is_false(own: &bool) -> bool {
+    !own
+}
+
+/// A body or a disc without a mesh.
+pub(crate) struct Solid<'a> {
+    pub(crate) name: &'a str,
+    pub(crate) turns: bool,
+    pub(crate) axis: [f64; 2],
+    /// z of its centre (m), kg, and kg m² about z and across it, if that is known.
+    pub(crate) z: f64,
+    pub(crate) mass: f64,
+    pub(crate) polar: f64,
+    pub(crate) across: Option<f64>,
+}
+
+/// Corners of a cylinder, and its length over its radius where it has no inertia across.
+const CORNERS: u32 = 48;
+const LENGTH: f64 = 0.5;
 
 /// A body that has a mesh.
 pub(crate) struct Meshed<'a> {
@@ -74,11 +97,42 @@ impl Shapes {
                         axis: own.axis,
                         points: surface.points(own.mesh),
                         triangles: Packed::whole(surface.triangles),
+                        sketched: false,
                         motion: None,
                     });
                 }
                 None => all.left_out.push(own.name.to_owned()),
             }
+        }
+        (!all.bodies.is_empty()).then_some(all)
+    }
+
+    /// With cylinders of the same mass and inertias for bodies and discs that have no mesh.
+    pub(crate) fn sketched<'a>(
+        own: Option<Self>,
+        solids: impl Iterator<Item = Solid<'a>>,
+    ) -> Option<Self> {
+        let mut all = own.unwrap_or(Shapes { bodies: Vec::new(), left_out: Vec::new() });
+        for own in solids {
+            // I_p = m r²/2, I_t = m (3 r² + l²)/12.
+            let square = 2.0 * own.polar / own.mass;
+            let length = own.across.map(|across| 12.0 * across / own.mass - 3.0 * square);
+            let radius = square.sqrt();
+            let length = length.filter(|square| *square > 0.0).map_or(LENGTH * radius, f64::sqrt);
+            if !(radius > 0.0 && length.is_finite()) {
+                continue;
+            }
+            let (points, triangles) =
+                cylinder(radius, [own.z - 0.5 * length, own.z + 0.5 * length]);
+            all.bodies.push(Shape {
+                name: own.name.to_owned(),
+                turns: own.turns,
+                axis: own.axis,
+                points: Packed::single(points.into_iter().flatten()),
+                triangles: Packed::whole(triangles),
+                sketched: true,
+                motion: None,
+            });
         }
         (!all.bodies.is_empty()).then_some(all)
     }
@@ -130,6 +184,24 @@ impl Shapes {
     }
 }
 
+/// Points and triangles of a closed cylinder about z, which faces outwards.
+fn cylinder(radius: f64, [low, high]: [f64; 2]) -> (Vec<[f64; 3]>, Vec<u32>) {
+    let around = |k: u32, z: f64| {
+        let (sin, cos) = (std::f64::consts::TAU * f64::from(k) / f64::from(CORNERS)).sin_cos();
+        [radius * cos, radius * sin, z]
+    };
+    let mut points: Vec<[f64; 3]> = (0..CORNERS).map(|k| around(k, low)).collect();
+    points.extend((0..CORNERS).map(|k| around(k, high)));
+    points.extend([[0.0, 0.0, low], [0.0, 0.0, high]]);
+    let triangles = (0..CORNERS).flat_map(|k| {
+        let (a, b) = (k, (k + 1) % CORNERS);
+        let (c, d, below, above) = (a + CORNERS, b + CORNERS, 2 * CORNERS, 2 * CORNERS + 1);
+        [a, b, d, a, d, c, below, b, a, above, c, d]
+    });
+    let triangles = triangles.collect();
+    (points, triangles)
+}
+
 /// Nodes of a mesh that are outside, and triangles of their places among these.
 struct Surface {
     nodes: Vec<usize>,
@@ -158,5 +230,40 @@ impl Surface {
     /// Positions in the frame of the body.
     fn points(&self, mesh: &Mesh) -> Packed {
         Packed::single(self.nodes.iter().flat_map(|node| mesh.nodes()[*node]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Volume and inertias of a cylinder are those of the polygon with its corners, and it faces outwards.
+    #[test]
+    fn cylinders_have_the_inertias_of_what_they_stand_for() {
+        let (points, triangles) = cylinder(0.1, [0.2, 0.7]);
+        let mut volume = 0.0;
+        for own in triangles.chunks_exact(3) {
+            let [a, b, c] = [0, 1, 2].map(|k| points[own[k] as usize]);
+            let across = |i: usize, j: usize| b[i] * c[j] - b[j] * c[i];
+            volume += (a[0] * across(1, 2) + a[1] * across(2, 0) + a[2] * across(0, 1)) / 6.0;
+        }
+        let corners = f64::from(CORNERS);
+        let polygon = 0.5 * corners * (std::f64::consts::TAU / corners).sin() * 0.1 * 0.1;
+        assert!((volume / (0.5 * polygon) - 1.0).abs() < 1e-12, "{volume}");
+        // m = 2 kg, r = 0.1 m, l = 0.6 m.
+        let (mass, polar, across) = (2.0, 0.01, 2.0 * (0.03 + 0.36) / 12.0);
+        let solid =
+            |across| Solid { name: "a", turns: true, axis: [0.0; 2], z: 0.3, mass, polar, across };
+        let made = Shapes::sketched(None, [solid(Some(across))].into_iter()).expect("one");
+        let (points, _) = cylinder(0.1, [0.0, 0.6]);
+        assert_eq!(
+            made.bodies[0].points,
+            Packed::single(points.into_iter().flatten().map(|x| x + 0.0))
+        );
+        let made = Shapes::sketched(None, [solid(None)].into_iter()).expect("one");
+        let (points, _) = cylinder(0.1, [0.275, 0.325]);
+        assert_eq!(made.bodies[0].points, Packed::single(points.into_iter().flatten()));
+        let none = Solid { polar: 0.0, ..solid(None) };
+        assert!(Shapes::sketched(None, [none].into_iter()).is_none());
     }
 }
