@@ -224,6 +224,16 @@ pub(crate) fn packed(state: &LastState, sound: bool) -> io::Result<Vec<u8>> {
     pack(&Key::of(&LAYOUT), &(state, sound))
 }
 
+/// Time of the state (s) of the bytes of such a file.
+///
+/// # Errors
+/// They are those of no such file.
+pub(crate) fn time_of(bytes: &[u8]) -> Result<f64, Failure> {
+    let reason = || format!("`{STATE}` is damaged, or of another version of the program");
+    let failure = || Failure::NoState { folder: Path::new(".").into(), reason: reason() };
+    unpacked(bytes).map(|(state, _)| state.time()).ok_or_else(failure)
+}
+
 fn unpacked(bytes: &[u8]) -> Option<(LastState, bool)> {
     unpack(&Key::of(&LAYOUT), bytes)
 }

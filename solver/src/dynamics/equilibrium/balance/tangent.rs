@@ -120,9 +120,10 @@ impl Balance<'_> {
         let mut parts = [vec![0.0; size * size], vec![0.0; size * size]];
         for load in &machine.loads {
             let (_, position) = placed(machine, load, &self.state.q);
+            let own = load.action.amplitude();
             for (a1, part) in [0.0, 1.0].into_iter().zip(&mut parts) {
                 part.fill(0.0);
-                load.subtract_tangent(&now, self.released(load), &position, a1, part);
+                load.subtract_tangent(&own, &now, self.released(load), &position, a1, part);
             }
             let (share, rows) = match load.frame {
                 Frame::Space => (self.share, 0..size),
