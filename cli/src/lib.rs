@@ -86,10 +86,12 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
         Command::Explain(arguments) => explain::explain(arguments).and_then(|text| say(&text)),
         Command::New(arguments) => new::new(arguments).and_then(|text| say(&text)),
         Command::Schema(arguments) => say(&schema::schema(arguments.kind.as_deref())),
-        Command::Export(arguments) => fmu::export(arguments).and_then(|text| match arguments.quiet {
-            true => Ok(()),
-            false => say(&text),
-        }),
+        Command::Export(arguments) => {
+            fmu::export(arguments).and_then(|text| match arguments.quiet {
+                true => Ok(()),
+                false => say(&text),
+            })
+        }
         Command::Mesh(arguments) => mesh_file::mesh(arguments).and_then(|text| say(&text)),
         Command::List => say(&list::list()),
     };

@@ -31,7 +31,8 @@ impl Messages {
 
     /// Tells a message.
     pub(crate) fn tell(&self, status: Status, message: &str) {
-        let category = if status == Status::Warning { c"logStatusWarning" } else { c"logStatusError" };
+        let category =
+            if status == Status::Warning { c"logStatusWarning" } else { c"logStatusError" };
         let Some(logger) = self.logger else { return };
         // The logger reads it as a format.
         let message = message.trim_end().replace('\0', " ").replace('%', "%%");
@@ -71,7 +72,8 @@ pub(crate) unsafe fn with(
             Status::Error
         }
         Err(panic) => {
-            let message = format!("the library has failed, which is a fault in it: {}", words(&*panic));
+            let message =
+                format!("the library has failed, which is a fault in it: {}", words(&*panic));
             own.messages.tell(Status::Fatal, &message);
             Status::Fatal
         }
@@ -123,5 +125,6 @@ pub(crate) unsafe fn text<'t>(text: Text) -> Option<&'t str> {
 /// What a panic says.
 fn words(panic: &(dyn Any + Send)) -> String {
     let text = panic.downcast_ref::<&str>().map(|own| (*own).to_owned());
-    text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_else(|| "no reason".to_owned())
+    text.or_else(|| panic.downcast_ref::<String>().cloned())
+        .unwrap_or_else(|| "no reason".to_owned())
 }

@@ -134,7 +134,9 @@ impl Instance {
             }
             Role::Parameter(_) if !starting => {
                 let name = self.name(reference);
-                return Err(format!("the parameter `{name}` is fixed once the unit is initialized"));
+                return Err(format!(
+                    "the parameter `{name}` is fixed once the unit is initialized"
+                ));
             }
             Role::Parameter(parameter) => self.values.parameters[parameter] = value,
             Role::Load(load, axis) => {

@@ -15,7 +15,8 @@ use std::ffi::{CStr, c_int};
 use std::slice;
 
 pub use types::{
-    Boolean, Callbacks, Component, Environment, Integer, Logger, Real, Reference, State, Status, Text,
+    Boolean, Callbacks, Component, Environment, Integer, Logger, Real, Reference, State, Status,
+    Text,
 };
 
 use component::{Messages, with};
@@ -528,7 +529,10 @@ pub unsafe extern "C" fn fmi2SerializeFMUstate(
         with(component, |_| {
             let state = state.cast::<Bytes>().as_ref().ok_or(NULL)?;
             if size < state.len() {
-                return Err(format!("the state has {} bytes, and there is room for {size}", state.len()));
+                return Err(format!(
+                    "the state has {} bytes, and there is room for {size}",
+                    state.len()
+                ));
             }
             slice_for(bytes, state.len())?.copy_from_slice(state);
             Ok(())

@@ -71,7 +71,9 @@ fn cases_come_with_all_that_they_name() {
     let history = bench.history("cases/shaft.toml");
     let folder = bench.unpack();
     let own = |name: &str| folder.join("resources").join(name).exists();
-    for name in ["case/cases/shaft.toml", "case/common/march.toml", "case/common/force.csv", "bodies/1.bin"] {
+    for name in
+        ["case/cases/shaft.toml", "case/common/march.toml", "case/common/force.csv", "bodies/1.bin"]
+    {
         assert!(own(name), "{name}");
     }
     // Nothing is left where it was.

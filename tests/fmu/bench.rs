@@ -56,12 +56,14 @@ impl Bench {
     pub(crate) fn exports(&self, case: &str, more: &[&str]) -> bool {
         let (fmu, library) = (self.path("unit.fmu"), library());
         let at = |path: &Path| path.to_str().unwrap().to_owned();
-        let mut line = ["whirl", "export", case, "--quiet", "--no-cache"].map(str::to_owned).to_vec();
+        let mut line =
+            ["whirl", "export", case, "--quiet", "--no-cache"].map(str::to_owned).to_vec();
         line.extend(["--fmu".to_owned(), at(&fmu), "--library".to_owned(), at(&library)]);
         line.extend(more.iter().map(|own| (*own).to_owned()));
         let arguments = Arguments::try_parse_from(line).unwrap();
         // An exit status says nothing of itself but by its words.
-        format!("{:?}", whirl_cli::execute(&arguments)) == format!("{:?}", std::process::ExitCode::SUCCESS)
+        format!("{:?}", whirl_cli::execute(&arguments))
+            == format!("{:?}", std::process::ExitCode::SUCCESS)
     }
 
     /// The unit of the case, unpacked into the folder `unit`.

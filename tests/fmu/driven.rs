@@ -28,7 +28,8 @@ fn the_numbers_are_those_of_a_run_to_the_bit() {
     }
     // Told what it would do anyway.
     let unit = Instance::new(&folder).unwrap().started();
-    for (name, value) in [("load.beat.fx", 40.0), ("load.beat.fy", -25.0), ("load.turning.fx", 7.0)] {
+    for (name, value) in [("load.beat.fx", 40.0), ("load.beat.fy", -25.0), ("load.turning.fx", 7.0)]
+    {
         assert_eq!(unit.get(name), value);
         unit.set(name, value);
     }
@@ -105,8 +106,7 @@ fn told_speeds_are_lines_as_of_a_table() {
     bench.file("case.toml", &rotor("").replace("3000 rpm", "300 rad/s"));
     let (folder, history) = (bench.unit(&[]), bench.history("told.toml"));
     let unit = Instance::new(&folder).unwrap().started();
-    let (speeds, angles) =
-        (history.column("omega_rad_s"), history.column("theta_rad"));
+    let (speeds, angles) = (history.column("omega_rad_s"), history.column("theta_rad"));
     let place = history.column("X_b_um");
     for (step, target) in [320.0, 305.0, 290.0, 290.0].into_iter().enumerate() {
         unit.set("speed.r", target);
@@ -124,7 +124,10 @@ fn parameters_are_keys_of_the_case() {
     let keys = ["--parameter", "joint.b.stiffness.xx", "--parameter", "body.r.unbalance.u.mass"];
     let bench = Bench::new(&rotor(PORT));
     let folder = bench.unit(&keys);
-    bench.file("other.toml", &rotor(PORT).replace("\"1e6 N/m\"", "\"1.3e6 N/m\"").replace("2 g", "3.7 g"));
+    bench.file(
+        "other.toml",
+        &rotor(PORT).replace("\"1e6 N/m\"", "\"1.3e6 N/m\"").replace("2 g", "3.7 g"),
+    );
     let (own, other) = (bench.history("case.toml"), bench.history("other.toml"));
     let unit = Instance::new(&folder).unwrap();
     assert_eq!((unit.get("joint.b.stiffness.xx"), unit.get("body.r.unbalance.u.mass")), (1e6, 2.0));

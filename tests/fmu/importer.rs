@@ -17,7 +17,13 @@ pub(crate) struct Instance {
 }
 
 /// What the library calls; it has no arguments beside the message, which ends as `printf` has it.
-unsafe extern "C" fn log(environment: *mut c_void, _: *const c_char, status: Status, _: *const c_char, message: *const c_char) {
+unsafe extern "C" fn log(
+    environment: *mut c_void,
+    _: *const c_char,
+    status: Status,
+    _: *const c_char,
+    message: *const c_char,
+) {
     // SAFETY: the environment is the list of messages of an instance that lives, the message a text of C.
     unsafe {
         let said = &*environment.cast::<Said>();
@@ -46,7 +52,8 @@ impl Instance {
         let variables = description.lines().filter(|line| line.contains("<ScalarVariable"));
         let names = variables.map(|line| attribute(line, "name").unwrap()).collect();
         let said: Box<Said> = Box::default();
-        type Fixed = unsafe extern "C" fn(*mut c_void, *const c_char, Status, *const c_char, *const c_char);
+        type Fixed =
+            unsafe extern "C" fn(*mut c_void, *const c_char, Status, *const c_char, *const c_char);
         // SAFETY: called with the five arguments that it has, on the stack and in registers as without the dots.
         let logger = unsafe { std::mem::transmute::<Fixed, Logger>(log) };
         let callbacks = Callbacks {

@@ -41,7 +41,8 @@ fn fmpy_validates_and_runs_a_unit_with_the_bits_of_a_run() {
             .arg(&step)
             .output()
             .unwrap();
-        let (said, out) = (String::from_utf8_lossy(&run.stderr), String::from_utf8_lossy(&run.stdout));
+        let (said, out) =
+            (String::from_utf8_lossy(&run.stderr), String::from_utf8_lossy(&run.stdout));
         assert!(run.status.success(), "{said}");
         let mut lines = out.lines();
         assert_eq!(lines.next().unwrap(), history.names().join(" "));
@@ -50,7 +51,8 @@ fn fmpy_validates_and_runs_a_unit_with_the_bits_of_a_run() {
         assert_eq!(rows.len(), history.rows() / every as usize);
         for (place, found) in rows.iter().enumerate() {
             let own = history.row((place + 1) * every as usize - 1);
-            let own: Vec<String> = own.iter().map(|own| format!("{:016x}", own.to_bits())).collect();
+            let own: Vec<String> =
+                own.iter().map(|own| format!("{:016x}", own.to_bits())).collect();
             assert_eq!(*found, own.join(" "), "row {place}");
         }
     }

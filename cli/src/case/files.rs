@@ -10,10 +10,9 @@ use super::named_body::Form;
 use super::rotor::Mesh;
 use super::start::Start;
 use super::{Case, CaseText};
-use crate::results::STATE;
 
 impl Case {
-    /// Files of which it is made beside its texts: meshes, matrices, and the state from which it goes on.
+    /// Files of which its bodies are made: meshes and matrices.
     pub(crate) fn other_files(&self) -> Vec<PathBuf> {
         let mut all = Vec::new();
         for body in &self.machine.bodies {
@@ -24,10 +23,15 @@ impl Case {
                 Mesh::Generated(_) => {}
             }
         }
-        if let Start::State(folder) = &self.start {
-            all.push(Path::new(folder.text()).join(STATE));
-        }
         all
+    }
+
+    /// The folder of results of the run from which it goes on, if it does.
+    pub(crate) fn goes_on_from(&self) -> Option<&Path> {
+        match &self.start {
+            Start::State(folder) => Some(Path::new(folder.text())),
+            _ => None,
+        }
     }
 }
 

@@ -99,7 +99,11 @@ fn scalar(reference: usize, own: &Variable) -> String {
 pub(super) fn identifier(name: &str) -> String {
     let letter = |own: char| if own.is_ascii_alphanumeric() { own } else { '_' };
     let text: String = name.chars().map(letter).collect();
-    if text.starts_with(|own: char| own.is_ascii_alphabetic()) { text } else { format!("unit_{text}") }
+    if text.starts_with(|own: char| own.is_ascii_alphabetic()) {
+        text
+    } else {
+        format!("unit_{text}")
+    }
 }
 
 #[cfg(test)]
@@ -108,8 +112,12 @@ mod tests {
 
     #[test]
     fn libraries_have_names_of_c() {
-        let pairs =
-            [("hu2003-1", "hu2003_1"), ("2 stufig", "unit_2_stufig"), ("größe", "gr__e"), ("", "unit_")];
+        let pairs = [
+            ("hu2003-1", "hu2003_1"),
+            ("2 stufig", "unit_2_stufig"),
+            ("größe", "gr__e"),
+            ("", "unit_"),
+        ];
         for (name, expected) in pairs {
             assert_eq!(identifier(name), expected);
         }

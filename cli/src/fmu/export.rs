@@ -13,7 +13,7 @@ use super::unit::{BODIES, LAST_STATE, MANIFEST, Manifest, Unit};
 use super::variables::{Role, Variable, Variables};
 use crate::archive;
 use crate::arguments::ExportArguments;
-use crate::case::{Case, CaseText, Start};
+use crate::case::{Case, CaseText};
 use crate::errors::Failure;
 use crate::machine;
 use crate::output;
@@ -38,17 +38,15 @@ pub(crate) fn export(arguments: &ExportArguments) -> Result<String, Failure> {
     parameters::keep_bodies(&text, &parameters)?;
     let cache = Cache::shared(arguments.cache.open());
     let show = ProgressMode::fitting(arguments.quiet);
-    let build = || {
-        streams::warned(|warnings| machine::build_planned(&case, Some(&cache), warnings))
-    };
+    let build =
+        || streams::warned(|warnings| machine::build_planned(&case, Some(&cache), warnings));
     let built = progress::during(show, case.reducing(), build)?;
     let variables = Variables::of(&case, &built, &parameters);
     let (name, resources) = resources(arguments, (&text, &case), &cache)?;
     let state = resources.iter().find(|own| own.0 == LAST_STATE);
     let begins = state.map_or(Ok(0.0), |own| start::time_of(&own.1))?;
     let (all, keys) = (&variables.all, &parameters);
-    let content =
-        Content { case: &case, begins, variables: all, parameters: keys };
+    let content = Content { case: &case, begins, variables: all, parameters: keys };
     let files = content.files(library, (name, resources));
     prove(&files, &variables.all)?;
     let bytes = archive::packed(&files).map_err(|error| Failure::Output {
@@ -75,23 +73,21 @@ fn resources(
         false => case.files().map(|(path, own)| (path.into(), own.into())).collect(),
     };
     named.extend(others);
-    let mut state = None;
-    for path in case.other_files() {
-        let content = fs::read(&path).map_err(|error| Failure::Argument {
+    let content = |path: &Path| {
+        fs::read(path).map_err(|error| Failure::Argument {
             message: format!("cannot read `{}`: {error}", path.display()),
             help: "a unit takes with it all files that its case names".to_owned(),
-        })?;
-        let of_start = matches!(case.start, Start::State(_)) && path.ends_with(STATE);
-        match of_start {
-            true => state = Some(content),
-            false => named.push((path, content)),
-        }
+        })
+    };
+    for path in case.other_files() {
+        let content = content(&path)?;
+        named.push((path, content));
     }
+    let state = case.goes_on_from().map(|folder| content(&folder.join(STATE))).transpose()?;
     let paths: Vec<PathBuf> = named.iter().map(|own| own.0.clone()).collect();
     let paths = layout::paths(&paths)?;
     let main = paths[0].clone();
-    let mut files: Files =
-        paths.into_iter().zip(named.into_iter().map(|own| own.1)).collect();
+    let mut files: Files = paths.into_iter().zip(named.into_iter().map(|own| own.1)).collect();
     files.extend(state.map(|content| (LAST_STATE.to_owned(), content)));
     let mut bodies: Vec<Vec<u8>> = cache.held().iter().map(|own| own.to_vec()).collect();
     bodies.sort();
@@ -126,7 +122,8 @@ impl Content<'_> {
             parameters: keys.into_iter().map(str::to_owned).collect(),
         };
         let manifest = serde_json::to_vec_pretty(&manifest).expect("texts can be written");
-        let description = description::text((self.case, self.begins), self.variables, &identifier, &token);
+        let description =
+            description::text((self.case, self.begins), self.variables, &identifier, &token);
         let mut files = vec![
             ("modelDescription.xml".to_owned(), description.into_bytes()),
             (format!("binaries/{platform}/{identifier}{ending}"), content),
@@ -171,9 +168,8 @@ fn prove(files: &Files, variables: &[Variable]) -> Result<(), Failure> {
 
 /// What there is to say of a unit that was written.
 fn said(path: &Path, size: usize, variables: &[Variable]) -> String {
-    let count = |wanted: fn(&Role) -> bool| {
-        variables.iter().filter(|own| wanted(&own.role)).count()
-    };
+    let count =
+        |wanted: fn(&Role) -> bool| variables.iter().filter(|own| wanted(&own.role)).count();
     let outputs = count(|own| matches!(own, Role::Output(_)));
     let parameters = count(|own| matches!(own, Role::Parameter(_)));
     let inputs = variables.len() - outputs - parameters;

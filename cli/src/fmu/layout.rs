@@ -22,7 +22,10 @@ pub(super) fn paths(files: &[PathBuf]) -> Result<Vec<String>, Failure> {
             below.components().map(|own| own.as_os_str().to_str()).collect();
         let Some(parts) = parts else {
             return Err(Failure::Argument {
-                message: format!("`{}` cannot go into a unit: its name is no UTF-8", path.display()),
+                message: format!(
+                    "`{}` cannot go into a unit: its name is no UTF-8",
+                    path.display()
+                ),
                 help: "give it another name".to_owned(),
             });
         };

@@ -29,7 +29,8 @@ impl Library {
         let Some(platform) = platform() else {
             return Err(Failure::Argument {
                 message: format!("FMI 2.0 has no units for {OS} on {ARCH}"),
-                help: "export on Linux, Windows or macOS on a processor of the x86-64 kind".to_owned(),
+                help: "export on Linux, Windows or macOS on a processor of the x86-64 kind"
+                    .to_owned(),
             });
         };
         let name = format!("{DLL_PREFIX}whirl_fmu{DLL_SUFFIX}");
@@ -52,7 +53,9 @@ impl Library {
                     "`{}` is no library of units, or one of another version of `whirl`",
                     path.display()
                 ),
-                help: format!("build both from the same sources: `{BUILD}` and `cargo build --release`"),
+                help: format!(
+                    "build both from the same sources: `{BUILD}` and `cargo build --release`"
+                ),
             });
         }
         Ok(Library { content, platform, ending: DLL_SUFFIX })

@@ -113,7 +113,9 @@ pub(crate) fn keep_bodies(text: &CaseText, parameters: &[Parameter]) -> Result<(
         match keys(&with_values(text, std::slice::from_ref(parameter), &[other])) {
             Ok(found) if found == own => {}
             Ok(_) => {
-                return Err(refused("with another value the bodies must be reduced anew".to_owned()));
+                return Err(refused(
+                    "with another value the bodies must be reduced anew".to_owned(),
+                ));
             }
             Err(failure) => return Err(refused(format!("other values are refused: {failure}"))),
         }

@@ -208,7 +208,8 @@ fn told_group(built: &Built, name: &str, acting: LoadAction) -> Option<ToldGroup
     let own: Vec<(usize, &Load)> = all.filter(|(_, load)| load.name == name).collect();
     let (LoadAction::Force(start) | LoadAction::Couple(start)) = acting;
     let arm = match (acting, own.as_slice()) {
-        (LoadAction::Couple(_), [(_, first), (_, second)]) => match (&first.action, &second.action) {
+        (LoadAction::Couple(_), [(_, first), (_, second)]) => match (&first.action, &second.action)
+        {
             (Action::Force { node: top, .. }, Action::Force { node: bottom, .. }) => {
                 Some(top.position[0] - bottom.position[0])
             }
@@ -219,4 +220,3 @@ fn told_group(built: &Built, name: &str, acting: LoadAction) -> Option<ToldGroup
     let loads: Vec<usize> = own.into_iter().map(|(place, _)| place).collect();
     (!loads.is_empty()).then_some(ToldGroup { loads, start, arm })
 }
-

@@ -8,6 +8,7 @@ use whirl_solver::cache::{Key, instruction_set};
 use super::definition::{Keep, Sweep};
 use crate::case::Case;
 use crate::checkpoint::Identity;
+use crate::results::STATE;
 use crate::{machine, version};
 
 /// Hashes of files and of what is made of them, by what messages call them.
@@ -17,7 +18,8 @@ pub(super) struct Inputs(BTreeMap<String, String>);
 impl Inputs {
     /// Takes in what a case names beside its texts: meshes, and the state in which another run ended.
     pub(super) fn add(&mut self, case: &Case) {
-        for path in case.other_files() {
+        let state = case.goes_on_from().map(|folder| folder.join(STATE));
+        for path in case.other_files().into_iter().chain(state) {
             let what = format!("the file `{}`", path.display());
             if !self.0.contains_key(&what)
                 && let Ok(bytes) = fs::read(&path)

@@ -58,8 +58,9 @@ struct LastBody {
 
 impl LastState {
     pub(super) fn new(machine: &Machine, time_step: f64, time: f64, from: Checkpoint) -> Self {
-        let Checkpoint { state, time: evaluated, clock, released, told, newton, tally, meters, .. } =
-            from;
+        let Checkpoint {
+            state, time: evaluated, clock, released, told, newton, tally, meters, ..
+        } = from;
         let bodies = machine.bodies.iter().zip(machine.places()).map(|(body, place)| {
             let part = |all: &[f64]| all[place.flexible.clone()].to_vec();
             LastBody {

@@ -55,8 +55,7 @@ impl March<'_> {
             };
             let State { q, v, a, .. } = &self.state;
             jumps |= a[theta] != told.rate;
-            let line =
-                ToldTurn { since: now, angle: q[theta], speed: v[theta], rate: told.rate };
+            let line = ToldTurn { since: now, angle: q[theta], speed: v[theta], rate: told.rate };
             self.turns[theta] = Some(line);
         }
         if jumps { self.jump(now) } else { Ok(()) }
