@@ -370,7 +370,8 @@ fn whole_steps(length: f64, dt: f64) -> Result<usize, String> {
     if steps >= 1.0 && (ratio - steps).abs() <= NEAR {
         return Ok(steps as usize);
     }
-    let [below, above] = [ratio.floor(), ratio.floor() + 1.0].map(|own| own * dt);
+    let [below, above] =
+        [ratio.floor(), ratio.floor() + 1.0].map(|own| whirl_text::rounded(own * dt, 12));
     let other = match ratio > 0.0 && ratio.is_finite() {
         true if below > 0.0 => format!("{below:e} s or {above:e} s"),
         _ => format!("{dt:e} s, or a multiple of it"),

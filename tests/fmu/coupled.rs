@@ -12,7 +12,7 @@ const STEPS: usize = 2000;
 
 fn disc(name: &str, inertia: f64, speed: f64) -> String {
     format!(
-        "[body.{name}]\nturns = \"freely\"\ninitial_speed = \"{speed} rad/s\"\nmass = \"10 kg\"\n\
+        "[body.{name}]\nturns = \"free\"\ninitial_speed = \"{speed} rad/s\"\nmass = \"10 kg\"\n\
          polar_inertia = \"{inertia} kg*m^2\"\n[joint.b{name}]\nkind = \"bushing\"\nfirst = {{ body = \"{name}\" }}\n\
          stiffness = {{ xx = \"1e6 N/m\", yy = \"1e6 N/m\" }}\n"
     )
