@@ -1,6 +1,11 @@
-//! Archives of arrays for NumPy: zip, nothing compressed, so that all places are known before anything is written.
+//! Archives: zip. Those of arrays for NumPy have nothing compressed, so that all places are known before anything is written.
 //!
 //! Formats: NumPy, NEP 1, version 1.0; PKWARE, APPNOTE.TXT 6.3, with its extension for files beyond 4 GiB.
+
+use std::io::{self, Write};
+
+use flate2::Compression;
+use flate2::write::DeflateEncoder;
 
 /// Bytes of a local header without its name.
 const LOCAL: u64 = 30;
@@ -9,6 +14,9 @@ pub(crate) const LARGEST: u64 = 0xFFFF_FFFF;
 /// 1 January 1980, the first day of the format: the same arrays give the same bytes.
 const DAY: u16 = 0x21;
 
+/// The method of compression that every reader has.
+const DEFLATED: u16 = 8;
+
 /// A file of the archive.
 pub(crate) struct Entry {
     name: String,
@@ -16,6 +24,8 @@ pub(crate) struct Entry {
     pub(crate) place: u64,
     /// Bytes of its content.
     length: u64,
+    /// Bytes that stand for it, where it is compressed.
+    packed: Option<u64>,
     /// Of its content.
     pub(crate) check: crc32fast::Hasher,
 }
@@ -23,7 +33,11 @@ pub(crate) struct Entry {
 impl Entry {
     /// That of an array of so many bytes, at most [`LARGEST`], at a place of the archive.
     pub(crate) fn new(array: &str, place: u64, length: u64) -> Self {
-        Entry { name: format!("{array}.npy"), place, length, check: crc32fast::Hasher::new() }
+        Entry::of(format!("{array}.npy"), (place, length), None)
+    }
+
+    fn of(name: String, (place, length): (u64, u64), packed: Option<u64>) -> Self {
+        Entry { name, place, length, packed, check: crc32fast::Hasher::new() }
     }
 
     /// Where its content begins.
@@ -33,7 +47,7 @@ impl Entry {
 
     /// Where the next one begins.
     pub(crate) fn end(&self) -> u64 {
-        self.content() + self.length
+        self.content() + self.packed.unwrap_or(self.length)
     }
 
     /// What stands before its content.
@@ -64,13 +78,15 @@ impl Entry {
         bytes
     }
 
-    /// Version, flags, no compression, time and day, check, both sizes, length of the name.
+    /// Version, flags, compression, time and day, check, both sizes, length of the name.
     fn shared(&self, bytes: &mut Vec<u8>) {
-        for value in [45_u16, 0, 0, 0, DAY] {
+        let method = if self.packed.is_some() { DEFLATED } else { 0 };
+        for value in [45_u16, 0, method, 0, DAY] {
             bytes.extend(value.to_le_bytes());
         }
-        let length = u32::try_from(self.length).expect("checked before");
-        for value in [self.check.clone().finalize(), length, length] {
+        let [length, packed] = [self.length, self.packed.unwrap_or(self.length)]
+            .map(|length| u32::try_from(length).expect("checked before"));
+        for value in [self.check.clone().finalize(), packed, length] {
             bytes.extend(value.to_le_bytes());
         }
         bytes.extend((self.name.len() as u16).to_le_bytes());
@@ -163,6 +179,33 @@ pub(crate) fn archive(arrays: &[(&str, Array)]) -> Vec<u8> {
     bytes
 }
 
+/// An archive of files by their paths in it, compressed: the same files give the same bytes.
+///
+/// # Errors
+/// A file of [`LARGEST`] bytes or more.
+pub(crate) fn packed(files: &[(String, Vec<u8>)]) -> io::Result<Vec<u8>> {
+    let (mut bytes, mut entries) = (Vec::new(), Vec::with_capacity(files.len()));
+    for (name, content) in files {
+        if content.len() as u64 >= LARGEST {
+            return Err(io::Error::other(format!("`{name}` has 4 GiB or more")));
+        }
+        let mut encoder = DeflateEncoder::new(Vec::new(), Compression::best());
+        encoder.write_all(content)?;
+        let own = encoder.finish()?;
+        let (place, length) = (bytes.len() as u64, content.len() as u64);
+        let mut entry = Entry::of(name.clone(), (place, length), Some(own.len() as u64));
+        entry.check.update(content);
+        bytes.extend(entry.local());
+        bytes.extend(own);
+        entries.push(entry);
+    }
+    let place = bytes.len() as u64;
+    let directory: Vec<u8> = entries.iter().flat_map(Entry::central).collect();
+    bytes.extend(&directory);
+    bytes.extend(end(entries.len(), place, directory.len() as u64));
+    Ok(bytes)
+}
+
 /// What an archive holds, for tests.
 #[cfg(test)]
 pub(crate) mod reading {
@@ -209,6 +252,29 @@ mod tests {
         let end = end(3, place, 100);
         assert_eq!((end.len(), number(&end, 48, 8) as u64), (56 + 20 + 22, place));
         assert_eq!(number(&end, 64, 8) as u64, place + 100);
+    }
+
+    #[test]
+    fn packed_files_come_out_as_they_were() {
+        let files =
+            [("a/b.txt".to_owned(), b"abcabcabcabc".repeat(50)), ("empty".to_owned(), Vec::new())];
+        let bytes = packed(&files).unwrap();
+        assert!(bytes.len() < 300, "{}", bytes.len());
+        assert_eq!(bytes, packed(&files).unwrap());
+        let mut at = number(&bytes, bytes.len() - 6, 4);
+        for (name, content) in &files {
+            assert_eq!(&bytes[at..at + 4], b"PK\x01\x02");
+            assert_eq!(number(&bytes, at + 10, 2), usize::from(DEFLATED));
+            let [check, packed, length] = [16, 20, 24].map(|own| number(&bytes, at + own, 4));
+            let (named, local) = (number(&bytes, at + 28, 2), number(&bytes, at + 42, 4));
+            assert_eq!(&bytes[at + 46..at + 46 + named], name.as_bytes());
+            let own = local + 30 + named;
+            let mut out = Vec::new();
+            let mut reader = flate2::read::DeflateDecoder::new(&bytes[own..own + packed]);
+            std::io::Read::read_to_end(&mut reader, &mut out).unwrap();
+            assert_eq!((&out, out.len(), crc32fast::hash(&out) as usize), (content, length, check));
+            at += 46 + named;
+        }
     }
 
     #[test]

@@ -58,6 +58,8 @@ pub(crate) enum Command {
     Matrices(MatricesArguments),
     /// Make the page report.html of a folder of results again
     Report(ReportArguments),
+    /// Write a case as a unit for co-simulation (FMI 2.0), which other programs run
+    Export(ExportArguments),
     /// Check a case, sweep or spec file: describe it, and report every error
     Check(CheckArguments),
     /// Show what a spec defines and what is derived from it: equations, shapes, costs, report, plot, code
@@ -280,6 +282,28 @@ pub(crate) struct MatricesArguments {
     #[arg(long)]
     pub(crate) quiet: bool,
     /// Where reduced machines are kept
+    #[command(flatten)]
+    pub(crate) cache: CacheArguments,
+}
+
+/// Arguments of `whirl export`.
+#[derive(Debug, Args)]
+pub(crate) struct ExportArguments {
+    /// Path of a case file, or the name of a built-in case (see `whirl list`)
+    pub(crate) case: String,
+    /// The unit
+    #[arg(long, value_name = "FILE")]
+    pub(crate) fmu: PathBuf,
+    /// A key of the case whose value may be set, such as springs.radial_clearance; may be repeated
+    #[arg(long = "parameter", value_name = "KEY")]
+    pub(crate) parameters: Vec<String>,
+    /// The library of units [default: the one beside the program]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) library: Option<PathBuf>,
+    /// Print only warnings and errors
+    #[arg(long)]
+    pub(crate) quiet: bool,
+    /// Where reduced bodies are kept
     #[command(flatten)]
     pub(crate) cache: CacheArguments,
 }

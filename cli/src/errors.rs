@@ -116,7 +116,7 @@ impl Failure {
             Failure::Output { .. } => {
                 format!(
                     "error: {self}\n = help: choose another location: `--out DIR`, for `new` `--dir DIR`, for \
-                     `explain` `--plot FILE`\n"
+                     `explain` `--plot FILE`, for `export` `--fmu FILE`\n"
                 )
             }
             Failure::StandardOutput { .. } => format!(

@@ -12,6 +12,7 @@ pub mod errors;
 mod explain;
 mod fields;
 mod figures;
+pub mod fmu;
 mod history;
 mod law_file;
 mod list;
@@ -91,6 +92,12 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
         Command::New(arguments) => new::new(arguments).and_then(|text| say(&text)),
         Command::Schema(arguments) => {
             say(&schema::schema(arguments.kind.as_deref(), arguments.page))
+        }
+        Command::Export(arguments) => {
+            fmu::export(arguments).and_then(|text| match arguments.quiet {
+                true => Ok(()),
+                false => say(&text),
+            })
         }
         Command::Mesh(arguments) => mesh_file::mesh(arguments).and_then(|text| say(&text)),
         Command::List => say(&list::list()),
@@ -193,6 +200,11 @@ pub fn law_of(source: &Arc<Source>) -> Result<LawSpec, Failure> {
             Err(Diagnostics::from(Diagnostic::new(source, Code::BAD_VALUE, None, message)).into())
         }
     }
+}
+
+/// Hash of all sources of the program, and of the compiler.
+pub fn sources() -> &'static str {
+    version::SOURCES
 }
 
 /// Names of the built-in cases.

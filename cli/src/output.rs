@@ -62,6 +62,24 @@ impl Output {
     }
 }
 
+/// Writes one file, whole or not at all.
+///
+/// # Errors
+/// [`Failure::Output`] with its path.
+pub(crate) fn write_file(file: &Path, content: impl Into<Vec<u8>>) -> Result<(), Failure> {
+    let failure = |reason: &str| Failure::Output { path: file.into(), reason: reason.into() };
+    let name = file.file_name().ok_or_else(|| failure("it names no file"))?;
+    // A bare name is in this folder, which has no name of its own.
+    let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let opened = Output::open(folder.unwrap_or(Path::new(".")));
+    let mut output = opened.map_err(|error| match error {
+        Failure::Output { reason, .. } => failure(&reason),
+        other => other,
+    })?;
+    output.put(&name.to_string_lossy(), content);
+    output.commit()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::errors::Failure;
 use crate::figures;
-use crate::output::Output;
+use crate::output;
 
 /// Whether a file is to be a PNG.
 ///
@@ -32,14 +32,5 @@ pub(crate) fn write(svg: String, file: &Path) -> Result<(), Failure> {
         true => figures::png(&svg).ok_or_else(|| failure("the picture has no area"))?,
         false => svg.into_bytes(),
     };
-    let name = file.file_name().ok_or_else(|| failure("it names no file"))?;
-    // A bare name is in this folder, which has no name of its own.
-    let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
-    let opened = Output::open(folder.unwrap_or(Path::new(".")));
-    let mut output = opened.map_err(|error| match error {
-        Failure::Output { reason, .. } => failure(&reason),
-        other => other,
-    })?;
-    output.put(&name.to_string_lossy(), content);
-    output.commit()
+    output::write_file(file, content)
 }

@@ -17,7 +17,7 @@ use crate::results::STATE;
 use crate::watch::Watch;
 
 /// Layout of the file.
-const LAYOUT: &str = "whirl state 9";
+const LAYOUT: &str = "whirl state 10";
 
 /// How a case is marched.
 pub(crate) fn options(case: &Case, built: &Built) -> MarchOptions {
@@ -222,6 +222,16 @@ pub(crate) fn write(path: &Path, state: &LastState, sound: bool) -> io::Result<(
 /// The state refuses to be serialised.
 pub(crate) fn packed(state: &LastState, sound: bool) -> io::Result<Vec<u8>> {
     pack(&Key::of(&LAYOUT), &(state, sound))
+}
+
+/// Time of the state (s) of the bytes of such a file.
+///
+/// # Errors
+/// They are those of no such file.
+pub(crate) fn time_of(bytes: &[u8]) -> Result<f64, Failure> {
+    let reason = || format!("`{STATE}` is damaged, or of another version of the program");
+    let failure = || Failure::NoState { folder: Path::new(".").into(), reason: reason() };
+    unpacked(bytes).map(|(state, _)| state.time()).ok_or_else(failure)
 }
 
 fn unpacked(bytes: &[u8]) -> Option<(LastState, bool)> {

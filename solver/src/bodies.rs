@@ -60,6 +60,12 @@ impl Rotation {
         }
     }
 
+    /// Speed at t = 0 (rad/s) of one that a march can be told: see [`March::tell`](crate::dynamics::March::tell).
+    pub fn told_speed(&self) -> Option<f64> {
+        let given = self.takes_a_couple().then(|| self.given(0.0, false));
+        given.flatten().map(|[_, speed, _]| speed)
+    }
+
     /// Whether a couple makes the frame turn as it is told.
     pub(crate) fn takes_a_couple(&self) -> bool {
         matches!(self, Rotation::Prescribed { .. } | Rotation::Scheduled(_))

@@ -41,6 +41,7 @@ mod stiffening;
 pub mod stress;
 pub mod support;
 mod time_function;
+mod told;
 mod trains;
 
 pub use error::Error;

@@ -58,8 +58,8 @@ pub enum Frame {
 }
 
 impl Action {
-    /// Amplitude along x, y, z.
-    fn amplitude(&self) -> [f64; 3] {
+    /// Amplitude along x, y, z (N, N·m).
+    pub fn amplitude(&self) -> [f64; 3] {
         match self {
             Action::Force { force, .. } => *force,
             Action::Couple { couple, .. } => *couple,
@@ -144,9 +144,14 @@ impl Load {
         })
     }
 
-    /// |F| times how far a unit of a coordinate moves the node, or |M| times how far it turns: what the load could do there,
-    /// whatever its direction. `coordinate`: that of the body; none for its rotation.
-    pub(crate) fn projected(&self, factor: f64, eta: &[f64], coordinate: Option<usize>) -> f64 {
+    /// |F| times how far a unit of a coordinate moves the node, or |M| times how far it turns: what the load could do there at
+    /// `factor` times the amplitude, whatever its direction. `coordinate`: that of the body; none for its rotation.
+    pub(crate) fn projected(
+        &self,
+        (amplitude, factor): (&[f64; 3], f64),
+        eta: &[f64],
+        coordinate: Option<usize>,
+    ) -> f64 {
         let reach = match coordinate {
             None => match &self.action {
                 Action::Force { node, .. } => {
@@ -157,7 +162,7 @@ impl Load {
             },
             Some(j) => self.action.shapes().col(j).iter().map(|x| x * x).sum::<f64>().sqrt(),
         };
-        let force = self.action.amplitude().iter().map(|x| x * x).sum::<f64>().sqrt();
+        let force = amplitude.iter().map(|x| x * x).sum::<f64>().sqrt();
         (factor * force).abs() * reach
     }
 
@@ -176,7 +181,7 @@ impl Load {
     /// `own`.
     pub(crate) fn add_force(
         &self,
-        factor: f64,
+        (amplitude, factor): (&[f64; 3], f64),
         position: &Position,
         q: &[f64],
         own: &BodyPlace,
@@ -185,7 +190,7 @@ impl Load {
         if factor == 0.0 {
             return;
         }
-        let [fx, fy, fz] = self.in_body(factor, position);
+        let [fx, fy, fz] = self.in_body((amplitude, factor), position);
         if let Some(theta) = own.rotation {
             out[theta] += match &self.action {
                 // (A_θ(x0+u))·F is the moment of F about the axis, in whichever frame both are written.
@@ -210,6 +215,7 @@ impl Load {
     /// column.
     pub(crate) fn subtract_tangent(
         &self,
+        amplitude: &[f64; 3],
         at: &Instant,
         released: bool,
         position: &Position,
@@ -223,11 +229,12 @@ impl Load {
                 Slope::Speed(place, by) => (place, a1 * by),
             };
             let column = &mut matrix[column * rows..(column + 1) * rows];
-            self.add_force(-by * self.onset.factor(at), position, q, own, column);
+            let by = (amplitude, -by * self.onset.factor(at));
+            self.add_force(by, position, q, own, column);
         }
         let factor = self.factor(at, released);
         let Some(theta) = own.rotation.filter(|_| factor != 0.0) else { return };
-        let [fx, fy, _] = self.in_body(factor, position);
+        let [fx, fy, _] = self.in_body((amplitude, factor), position);
         let in_space = self.frame == Frame::Space;
         let is_force = matches!(self.action, Action::Force { .. });
         if let (Action::Force { node, .. }, true) = (&self.action, in_space) {
@@ -250,8 +257,8 @@ impl Load {
     }
 
     /// The force or the couple in the frame of the body.
-    fn in_body(&self, factor: f64, position: &Position) -> [f64; 3] {
-        let [x, y, z] = self.action.amplitude().map(|part| factor * part);
+    fn in_body(&self, (amplitude, factor): (&[f64; 3], f64), position: &Position) -> [f64; 3] {
+        let [x, y, z] = amplitude.map(|part| factor * part);
         match self.frame {
             Frame::Body => [x, y, z],
             Frame::Space => {

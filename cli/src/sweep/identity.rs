@@ -2,12 +2,11 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
 
 use whirl_solver::cache::{Key, instruction_set};
 
 use super::definition::{Keep, Sweep};
-use crate::case::{self, Case, Form, Start};
+use crate::case::Case;
 use crate::checkpoint::Identity;
 use crate::results::STATE;
 use crate::{machine, version};
@@ -19,7 +18,8 @@ pub(super) struct Inputs(BTreeMap<String, String>);
 impl Inputs {
     /// Takes in what a case names beside its texts: meshes, and the state in which another run ended.
     pub(super) fn add(&mut self, case: &Case) {
-        for path in files(case) {
+        let state = case.goes_on_from().map(|folder| folder.join(STATE));
+        for path in case.other_files().into_iter().chain(state) {
             let what = format!("the file `{}`", path.display());
             if !self.0.contains_key(&what)
                 && let Ok(bytes) = fs::read(&path)
@@ -60,25 +60,4 @@ impl Inputs {
         let fixed = fixed.map(|(what, value)| (what.to_owned(), value));
         Identity::new(fixed.into_iter().chain(self.0).collect())
     }
-}
-
-/// Files of which a case is made beside its texts.
-fn files(case: &Case) -> Vec<PathBuf> {
-    fn mesh(body: &case::Body) -> Vec<PathBuf> {
-        match &body.mesh {
-            case::Mesh::File(file) => vec![file.path.clone()],
-            case::Mesh::Matrices(files) => files.request.paths(),
-            case::Mesh::Generated(_) => Vec::new(),
-        }
-    }
-    let mut all = Vec::new();
-    for body in &case.machine.bodies {
-        if let Form::Meshed(own) = &body.form {
-            all.extend(mesh(&own.body));
-        }
-    }
-    if let Start::State(folder) = &case.start {
-        all.push(Path::new(folder.text()).join(STATE));
-    }
-    all
 }

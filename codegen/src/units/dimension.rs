@@ -80,6 +80,11 @@ impl Dimension {
         self
     }
 
+    /// The exponents of m, kg, s, K and rad.
+    pub fn exponents(&self) -> [Exponent; 5] {
+        self.exponents
+    }
+
     /// The exponents of m, kg, s and K.
     pub(crate) fn bases(&self) -> [Exponent; 4] {
         std::array::from_fn(|base| self.exponents[base])

@@ -8,6 +8,7 @@ use super::newton::NewtonState;
 use super::steady::SteadyTest;
 use crate::bearing::Worst;
 use crate::equations::State;
+use crate::told::{ToldLoad, ToldTurn};
 
 /// From when a march counts its time: that at the end of its step n is time + (step + n) Δt, so that a march which goes on
 /// with the same step has the times of one that was never cut, to the bit.
@@ -38,6 +39,10 @@ pub struct Checkpoint {
     pub(super) clock: Clock,
     /// Which driving loads have stopped.
     pub(super) released: Vec<bool>,
+    /// Which loads have amplitudes that they were told.
+    pub(super) told: Vec<Option<ToldLoad>>,
+    /// Rotations that were told, by their places in q.
+    pub(super) turns: Vec<Option<ToldTurn>>,
     /// Where the factors that are kept were computed.
     pub(super) newton: NewtonState,
     pub(super) meters: MeterSums,

@@ -10,6 +10,7 @@ use super::secants::Secants;
 use crate::equations::Equations;
 use crate::equations::State;
 use crate::linalg::{Lu, RoughInverse, copy_block_from};
+use crate::told::ToldLoad;
 
 /// Directions from factors before they are inverted, which takes as long as so many from the inverse save.
 const FACTORED: usize = 24;
@@ -93,12 +94,13 @@ pub(super) struct FactorsState {
     factorisations: usize,
 }
 
-/// Where factors were computed: time (s), state, released loads, the side of a jump, and step length (s), 0 where there are none.
+/// Where factors were computed: time (s), state, released and told loads, the side of a jump, and step length (s), 0 where there are none.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct Factored {
     time: f64,
     state: State,
     released: Vec<bool>,
+    told: Vec<Option<ToldLoad>>,
     before: bool,
     dt: f64,
 }
@@ -108,12 +110,14 @@ impl Factored {
         (self.time, self.before, self.dt) = (time, equations.before, dt);
         self.state.copy_from(state);
         self.released.copy_from_slice(&equations.released);
+        self.told.copy_from_slice(&equations.told);
     }
 
     /// Sets what acts on a system to what acted there.
     fn restore(&self, equations: &mut Equations) {
         equations.before = self.before;
         equations.released.copy_from_slice(&self.released);
+        equations.told.copy_from_slice(&self.told);
     }
 
     fn is_there(&self) -> bool {
@@ -141,11 +145,12 @@ impl KeptFactors {
         let machine = equations.machine;
         let (size, first) = (machine.size(), machine.first_unknown());
         let unknowns = size - first;
-        let released = vec![false; machine.loads.len()];
+        let (released, told) = (vec![false; machine.loads.len()], vec![None; machine.loads.len()]);
         let nothing = || Factored {
             time: 0.0,
             state: State::new(size),
             released: released.clone(),
+            told: told.clone(),
             before: false,
             dt: 0.0,
         };

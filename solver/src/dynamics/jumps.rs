@@ -4,7 +4,6 @@
 //! split there: its first part ends with what acts before the jump, and the accelerations start anew from what acts after it.
 
 use super::march::{March, accelerate};
-use crate::equations::State;
 use crate::error::Error;
 use crate::loads::Onset;
 use crate::machine::{Body, Machine, Rotation};
@@ -57,8 +56,7 @@ impl March<'_> {
 
     /// Starts the accelerations anew from what acts from time `t` (s) on.
     pub(super) fn jump(&mut self, t: f64) -> Result<(), Error> {
-        let State { q, v, a, .. } = &mut self.state;
-        self.machine.set_given(t, false, [q, v, a]);
+        self.set_given(t, false);
         accelerate(&mut self.equations, t, &mut self.state)?;
         self.meters.jump(&self.equations);
         Ok(())

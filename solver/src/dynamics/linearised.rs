@@ -14,6 +14,7 @@ use super::parts::Part;
 use crate::equations::Equations;
 use crate::equations::State;
 use crate::error::Error;
+use crate::told::ToldLoad;
 
 /// Where a machine was linearised: enough to do it again with the same bits.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -21,12 +22,14 @@ pub(super) struct Place {
     time: f64,
     state: State,
     released: Vec<bool>,
+    told: Vec<Option<ToldLoad>>,
 }
 
 impl Place {
     /// Where a system was just evaluated.
     pub(super) fn of(equations: &Equations, state: &State) -> Self {
-        Place { time: equations.time, state: state.clone(), released: equations.released.clone() }
+        let (released, told) = (equations.released.clone(), equations.told.clone());
+        Place { time: equations.time, state: state.clone(), released, told }
     }
 }
 
@@ -101,9 +104,10 @@ impl Linearised {
         place: &Place,
     ) -> Result<Self, Error> {
         let released = std::mem::replace(&mut equations.released, place.released.clone());
+        let told = std::mem::replace(&mut equations.told, place.told.clone());
         equations.evaluate(place.time, &place.state);
         let new = Linearised::new(equations, parts, length, &place.state);
-        equations.released = released;
+        (equations.released, equations.told) = (released, told);
         new
     }
 

@@ -25,6 +25,7 @@ use crate::error::Error;
 use crate::history::History;
 use crate::linalg::Lu;
 use crate::machine::{BodyPlace, Machine};
+use crate::told::ToldTurn;
 
 /// How far and how a machine is marched.
 #[derive(Debug, Clone, PartialEq)]
@@ -169,6 +170,8 @@ pub struct March<'m> {
     pub(super) last_iterations: usize,
     pub(super) tally: Tally,
     pub(super) meters: Meters,
+    /// Rotations that were told, by their places in q.
+    pub(super) turns: Vec<Option<ToldTurn>>,
     row: Vec<f64>,
     /// Values of the row before those of the outputs by request.
     usual: usize,
@@ -258,6 +261,7 @@ impl<'m> March<'m> {
             clock: Clock::default(),
             last_iterations: 0,
             tally,
+            turns: vec![None; machine.first_unknown()],
             row: vec![0.0; columns],
             usual: columns - asked,
             settled: settled_from(machine),
@@ -272,9 +276,9 @@ impl<'m> March<'m> {
     pub(super) fn go_on(&mut self, clock: Clock, time: f64, newton: Option<NewtonState>) {
         self.clock = clock;
         if let Some(newton) = newton {
-            let released = self.equations.released.clone();
+            let (released, told) = (self.equations.released.clone(), self.equations.told.clone());
             self.newton.resume_from(&mut self.equations, self.options.integrator, newton);
-            self.equations.released = released;
+            (self.equations.released, self.equations.told) = (released, told);
             self.equations.evaluate(time, &self.state);
         }
     }
@@ -289,16 +293,17 @@ impl<'m> March<'m> {
         options: &MarchOptions,
         from: Checkpoint,
     ) -> Result<Self, Error> {
-        let Checkpoint { state, time, clock, released, newton, meters, worst, tally } = from;
+        let Checkpoint { state, time, clock, newton, meters, worst, tally, .. } = from;
         let mut march = March::new(machine, options).map_err(|failure| failure.error)?;
         let equations = &mut march.equations;
         march.newton.resume_from(equations, options.integrator, newton);
-        equations.released = released;
+        (equations.released, equations.told) = (from.released, from.told);
         equations.evaluate(time, &state);
         equations.springs.resume(&worst);
         march.meters.resume_from(equations, meters)?;
         equations.evaluate(time, &state);
         (march.state, march.clock, march.tally) = (state, clock, tally);
+        march.turns = from.turns;
         Ok(march)
     }
 
@@ -309,6 +314,8 @@ impl<'m> March<'m> {
             time: self.equations.time,
             clock: self.clock,
             released: self.equations.released.clone(),
+            told: self.equations.told.clone(),
+            turns: self.turns.clone(),
             newton: self.newton.kept(),
             meters: self.meters.sums(),
             worst: self.worst().to_vec(),
@@ -335,16 +342,22 @@ impl<'m> March<'m> {
         self.meters.end_row();
         self.tally.step += 1;
         self.tally.iterations += self.last_iterations;
+        self.observe();
         let time = self.time();
-        let (usual, asked) = self.row.split_at_mut(self.usual);
-        write_row(&self.equations, &self.state, time, self.last_iterations, usual);
-        write_outputs(&mut self.equations, &self.state, time, asked);
         let settled = time >= self.settled && self.is_released();
         if let Some(test) = self.tally.steady.as_mut().filter(|_| settled) {
             let displacements = &self.row[displacements(self.machine.monitors.len())];
             test.add(time, self.equations.springs.forces.iter().chain(displacements));
         }
         Ok(())
+    }
+
+    /// Writes the row of the state as it is: before the first step, that of the start.
+    pub fn observe(&mut self) {
+        let time = self.time();
+        let (usual, asked) = self.row.split_at_mut(self.usual);
+        write_row(&self.equations, &self.state, time, self.last_iterations, usual);
+        write_outputs(&mut self.equations, &self.state, time, asked);
     }
 
     /// Whether no drive is on its way to its target speed.

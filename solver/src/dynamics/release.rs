@@ -33,8 +33,7 @@ impl March<'_> {
     pub(super) fn attempt(&mut self, t: f64, dt: f64, start: &State) -> StepReport {
         let step = Coefficients::new(self.integrator, dt);
         step.predict(start, &mut self.state);
-        let State { q, v, a, .. } = &mut self.state;
-        self.machine.set_given(t + dt, self.equations.before, [q, v, a]);
+        self.set_given(t + dt, self.equations.before);
         let report = self.newton.solve(&mut self.equations, t + dt, &step, &mut self.state);
         step.end(start, self.machine.first_unknown(), &mut self.state);
         self.last_iterations += report.iterations;

@@ -19,6 +19,7 @@ use crate::loads::Load;
 use crate::machine::{Body, Machine};
 use crate::shaft::Shaft;
 use crate::support::Support;
+use crate::told::ToldLoad;
 
 /// Differences of angle (rad), and of speed as a share of it, that are rounding.
 const ROUNDING: f64 = 1e-6;
@@ -57,8 +58,9 @@ struct LastBody {
 
 impl LastState {
     pub(super) fn new(machine: &Machine, time_step: f64, time: f64, from: Checkpoint) -> Self {
-        let Checkpoint { state, time: evaluated, clock, released, newton, tally, meters, .. } =
-            from;
+        let Checkpoint {
+            state, time: evaluated, clock, released, told, newton, tally, meters, ..
+        } = from;
         let bodies = machine.bodies.iter().zip(machine.places()).map(|(body, place)| {
             let part = |all: &[f64]| all[place.flexible.clone()].to_vec();
             LastBody {
@@ -82,7 +84,7 @@ impl LastState {
             clock: Clock { step: clock.step + tally.step, ..clock },
             evaluated,
             loads: loads(machine).into_iter().zip(released.iter().copied()).collect(),
-            acting: acting(machine, evaluated, &state, &released),
+            acting: acting(machine, evaluated, &state, (&released, &told)),
             newton,
             control: meters.control().map(ControlMemory::counted_anew),
         }
@@ -177,7 +179,9 @@ impl<'m> March<'m> {
         let released: Vec<bool> =
             own.iter().map(|load| known(load).is_some_and(|(_, released)| *released)).collect();
         let same_loads = own.iter().eq(last.loads.iter().map(|(load, _)| load));
-        let same = acting(machine, last.evaluated, &state, &released) == last.acting;
+        let untold = vec![None; machine.loads.len()];
+        let acting = acting(machine, last.evaluated, &state, (&released, &untold));
+        let same = acting == last.acting;
         // With another Δt the state is no multiple of it.
         let same_step = last.time_step == options.time_step;
         let clock = match same_step {
@@ -253,9 +257,15 @@ fn loads(machine: &Machine) -> Vec<Key> {
 }
 
 /// Everything that acts on a machine at an instant, to the bit, in the order of its coordinates.
-fn acting(machine: &Machine, time: f64, state: &State, released: &[bool]) -> Key {
+fn acting(
+    machine: &Machine,
+    time: f64,
+    state: &State,
+    (released, told): (&[bool], &[Option<ToldLoad>]),
+) -> Key {
     let mut equations = Equations::new(machine);
     equations.released.copy_from_slice(released);
+    equations.told.copy_from_slice(told);
     equations.evaluate(time, state);
     let coordinates: Vec<String> =
         (0..machine.size()).map(|place| machine.coordinate(place)).collect();

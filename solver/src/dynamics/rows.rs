@@ -183,10 +183,12 @@ impl Equations<'_> {
     /// The loads projected on row `i`.
     fn projected_loads<'s>(&'s self, state: &'s State, i: usize) -> impl Iterator<Item = f64> + 's {
         let (machine, owner) = (self.machine, self.machine.owner(i));
-        let loads = machine.loads.iter().zip(&self.load_factors);
-        loads.filter(move |(load, _)| load.body == owner.body).map(move |(load, factor)| {
+        let strengths = self.amplitudes.iter().zip(&self.load_factors);
+        let loads = machine.loads.iter().zip(strengths);
+        loads.filter(move |(load, _)| load.body == owner.body).map(move |(load, strength)| {
             let flexible = machine.places()[load.body].flexible.clone();
-            load.projected(*factor, &state.q[flexible], owner.coordinate)
+            let (amplitude, factor) = strength;
+            load.projected((amplitude, *factor), &state.q[flexible], owner.coordinate)
         })
     }
 
@@ -194,9 +196,11 @@ impl Equations<'_> {
     fn followed_loads<'s>(&'s self, state: &'s State, i: usize) -> impl Iterator<Item = f64> + 's {
         let (machine, owner) = (self.machine, self.machine.owner(i));
         let now = instant(machine, self.time, state);
-        machine.loads.iter().filter(move |load| load.body == owner.body).map(move |load| {
+        let loads = machine.loads.iter().zip(&self.amplitudes);
+        loads.filter(move |(load, _)| load.body == owner.body).map(move |(load, amplitude)| {
             let flexible = machine.places()[load.body].flexible.clone();
-            load.projected(load.followed(&now), &state.q[flexible], owner.coordinate)
+            let strength = (amplitude, load.followed(&now));
+            load.projected(strength, &state.q[flexible], owner.coordinate)
         })
     }
 

@@ -20,6 +20,7 @@ use crate::loads::{Load, Position};
 use crate::machine::{Body, BodyPlace, Machine};
 use crate::support::Support;
 use crate::time_function::Instant;
+use crate::told::{ToldLoad, told_or_own};
 
 /// What derivatives by q̇ weigh beside those by q where they are told apart (1/s): so much that rounding of these, which are
 /// larger by frequencies of about that, takes no digits of them.
@@ -56,6 +57,10 @@ pub struct Equations<'m> {
     pub(crate) springs: SpringState,
     /// For every load whether it has stopped driving.
     pub(crate) released: Vec<bool>,
+    /// For every load the amplitude that it was told to have in place of its own; none of one that has its own.
+    pub(crate) told: Vec<Option<ToldLoad>>,
+    /// What every load had as its amplitude.
+    pub(crate) amplitudes: Vec<[f64; 3]>,
     /// Whether what begins at the instant of an evaluation does not act yet: see `dynamics::jumps`.
     pub(crate) before: bool,
     /// What the loads were multiplied by.
@@ -95,6 +100,8 @@ impl<'m> Equations<'m> {
             spring: values(),
             springs: SpringState::new(&machine.springs),
             released: vec![false; machine.loads.len()],
+            told: vec![None; machine.loads.len()],
+            amplitudes: machine.loads.iter().map(|load| load.action.amplitude()).collect(),
             before: false,
             load_factors: vec![0.0; machine.loads.len()],
             row_bounds: values(),
@@ -145,11 +152,12 @@ impl<'m> Equations<'m> {
 
         self.load.fill(0.0);
         let now = Instant { before: self.before, ..instant(machine, t, state) };
-        let loads = machine.loads.iter().zip(&self.released).zip(&mut self.load_factors);
-        for ((load, released), factor) in loads {
+        for (k, load) in machine.loads.iter().enumerate() {
             let (place, position) = placed(machine, load, &state.q);
-            *factor = load.factor(&now, *released);
-            load.add_force(*factor, &position, &state.q, place, &mut self.load);
+            let (amplitude, factor) = (&mut self.amplitudes[k], &mut self.load_factors[k]);
+            *amplitude = told_or_own(load, self.told[k].as_ref(), t);
+            *factor = load.factor(&now, self.released[k]);
+            load.add_force((amplitude, *factor), &position, &state.q, place, &mut self.load);
         }
 
         self.springs.update(&machine.springs, t, &state.q, &state.v);
@@ -178,10 +186,12 @@ impl<'m> Equations<'m> {
         }
         let machine = self.machine;
         let now = Instant { before: self.before, ..instant(machine, self.time, state) };
-        for (own, released) in machine.loads.iter().zip(&self.released) {
+        let acting = machine.loads.iter().zip(&self.amplitudes).zip(&self.released);
+        for ((own, amplitude), released) in acting {
             let (place, position) = placed(machine, own, &state.q);
             if place.rotation.is_some() {
-                own.add_force(own.factor(&now, *released), &position, &state.q, place, load);
+                let strength = (amplitude, own.factor(&now, *released));
+                own.add_force(strength, &position, &state.q, place, load);
             }
         }
         for body in &self.turning {
@@ -264,9 +274,11 @@ impl<'m> Equations<'m> {
             }
         }
         let now = Instant { before: self.before, ..instant(machine, t, state) };
-        for (load, released) in machine.loads.iter().zip(&self.released) {
+        let acting = machine.loads.iter().zip(&self.told).zip(&self.released);
+        for ((load, told), released) in acting {
             let (_, position) = placed(machine, load, &state.q);
-            load.subtract_tangent(&now, *released, &position, weights.rate, out);
+            let amplitude = told_or_own(load, told.as_ref(), t);
+            load.subtract_tangent(&amplitude, &now, *released, &position, weights.rate, out);
         }
     }
 

@@ -304,8 +304,8 @@ impl LinearMachine {
             let (place, position) = placed(machine, load, q);
             for (sign, own) in [(-1.0, Some(load)), (1.0, other.as_ref())] {
                 let Some(own) = own else { continue };
-                let factor = sign * own.factor(&now, *released);
-                own.add_force(factor, &position, q, place, &mut equations.load);
+                let strength = (&own.action.amplitude(), sign * own.factor(&now, *released));
+                own.add_force(strength, &position, q, place, &mut equations.load);
             }
         }
     }

@@ -101,7 +101,7 @@ impl LinearMachine {
             let place = &self.machine.places()[load.body];
             let position = Position::new(place.rotation.map_or(0.0, |theta| state.q[theta]));
             let mut all = vec![0.0; self.machine.size()];
-            load.add_force(1.0, &position, &state.q, place, &mut all);
+            load.add_force((&load.action.amplitude(), 1.0), &position, &state.q, place, &mut all);
             if place.rotation.is_some() {
                 self.force_in_space(at, (load.body, 0.0), &mut all[place.flexible.clone()]);
             }

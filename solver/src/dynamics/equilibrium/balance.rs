@@ -340,11 +340,11 @@ impl<'m> Balance<'m> {
             let (place, position) = placed(machine, load, &self.state.q);
             let now = instant(machine, 0.0, &self.state);
             let factor = load.factor(&now, self.released(load));
+            let own = load.action.amplitude();
             match load.frame {
                 Frame::Space => {
-                    let factor = self.share * factor;
                     load.add_force(
-                        factor,
+                        (&own, self.share * factor),
                         &position,
                         &self.state.q,
                         place,
@@ -352,7 +352,8 @@ impl<'m> Balance<'m> {
                     );
                 }
                 Frame::Body => {
-                    load.add_force(factor, &position, &self.state.q, place, &mut turning);
+                    let strength = (&own, factor);
+                    load.add_force(strength, &position, &self.state.q, place, &mut turning);
                 }
             }
         }

@@ -125,8 +125,10 @@ impl Balance<'_> {
         let Memory { by_position, by_rate, load } = memory;
         for own in &machine.loads {
             let (_, position) = placed(machine, own, &self.state.q);
+            let amplitude = own.action.amplitude();
             for (a1, part) in [0.0, 1.0].into_iter().zip(load.iter_mut()) {
-                own.subtract_tangent(&now, self.released(own), &position, a1, part);
+                let released = self.released(own);
+                own.subtract_tangent(&amplitude, &now, released, &position, a1, part);
             }
             let (share, last) = match own.frame {
                 Frame::Space => (self.share, size),

@@ -1,0 +1,78 @@
+//! The shared library that runs a unit: built from the crate `whirl-fmu`, found beside the program.
+
+use std::env::consts::{ARCH, DLL_PREFIX, DLL_SUFFIX, OS};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::errors::Failure;
+use crate::version;
+
+/// What to do where there is none.
+const BUILD: &str = "cargo build --release -p whirl-fmu";
+
+/// The library with what the standard calls its platform.
+pub(super) struct Library {
+    /// Its bytes.
+    pub(super) content: Vec<u8>,
+    /// `linux64` and so on.
+    pub(super) platform: &'static str,
+    /// `.so` and so on.
+    pub(super) ending: &'static str,
+}
+
+impl Library {
+    /// That of a path, or the one beside the program.
+    ///
+    /// # Errors
+    /// There is none, or one of another version of the program; a platform that the standard has no name for.
+    pub(super) fn find(given: Option<&Path>) -> Result<Library, Failure> {
+        let Some(platform) = platform() else {
+            return Err(Failure::Argument {
+                message: format!("FMI 2.0 has no units for {OS} on {ARCH}"),
+                help: "export on Linux, Windows or macOS on a processor of the x86-64 kind"
+                    .to_owned(),
+            });
+        };
+        let name = format!("{DLL_PREFIX}whirl_fmu{DLL_SUFFIX}");
+        let path = match given {
+            Some(path) => path.to_path_buf(),
+            None => beside(&name),
+        };
+        let content = fs::read(&path).map_err(|error| Failure::Argument {
+            message: format!("cannot read the library of units, `{}`: {error}", path.display()),
+            help: format!(
+                "build it from the sources of this version with `{BUILD}`; elsewhere than beside `whirl`, name it with \
+                 `--library {}`",
+                Path::new("target/release").join(&name).display()
+            ),
+        })?;
+        let sources = version::SOURCES.as_bytes();
+        if !content.windows(sources.len()).any(|own| own == sources) {
+            return Err(Failure::Argument {
+                message: format!(
+                    "`{}` is no library of units, or one of another version of `whirl`",
+                    path.display()
+                ),
+                help: format!(
+                    "build both from the same sources: `{BUILD}` and `cargo build --release`"
+                ),
+            });
+        }
+        Ok(Library { content, platform, ending: DLL_SUFFIX })
+    }
+}
+
+/// The path of a file beside the program, as far as that is known.
+fn beside(name: &str) -> PathBuf {
+    let program = std::env::current_exe().and_then(|own| own.canonicalize());
+    program.map_or_else(|_| PathBuf::from(name), |own| own.with_file_name(name))
+}
+
+fn platform() -> Option<&'static str> {
+    match (OS, ARCH) {
+        ("linux", "x86_64") => Some("linux64"),
+        ("windows", "x86_64") => Some("win64"),
+        ("macos", "x86_64") => Some("darwin64"),
+        _ => None,
+    }
+}
