@@ -14,9 +14,9 @@ use crate::schedule::{Input, Output, Program, Request, Stage, schedule, schedule
 impl FilmSpec {
     /// The module of its kernels.
     pub(crate) fn module(&self) -> Result<String, Diagnostics> {
-        let at_node = [&self.unknowns[0], &self.unknowns[1], &self.gap].map(|own| own.name.clone());
-        let nodal = self.kernel("Nodal", &at_node, &self.nodal_program()?);
-        let stored = self.kernel("Stored", &at_node, &self.stored_program()?);
+        let own = [&self.unknowns[0], &self.unknowns[1], &self.gap].map(|own| own.name.clone());
+        let nodal = self.kernel("Nodal", &own, &self.nodal_program()?);
+        let stored = self.kernel("Stored", &own, &self.stored_program()?);
         let (residual, surface) = (self.residual_program()?, self.surface_program()?);
         let about = self.about();
         let [flow, surface_kernel] = [("Flow", &residual), ("Surface", &surface)].map(|(name, (derived, program))| {
