@@ -29,6 +29,8 @@ pub struct Balance {
     pub motion: Motion,
     /// What every node held per area at the step's beginning (m).
     pub before: Vec<f64>,
+    /// What may be lacking at a node, of the largest sum of flows at one.
+    pub tolerance: f64,
     /// Lengths of a cell, speed, parameters.
     pub(super) uniform: Vec<f64>,
     /// Place of every node in the order of elimination.
@@ -88,6 +90,7 @@ impl Balance {
                 per_step: 0.0,
             },
             before: rows(nodes),
+            tolerance: 1e-11,
             uniform: film.uniform.clone(),
             order: grid.order(),
             places: places.collect(),

@@ -60,6 +60,12 @@ impl OilFilm {
         first: f64,
     ) -> Result<Self, WrongFilm> {
         let cell = kernel.nodes;
+        if cell[0] != 2 {
+            return wrong(
+                format!("cells of `{}` have {} nodes around", kernel.origin.name, cell[0]),
+                "films are solved in cells of two nodes around",
+            );
+        }
         let [x, z] = cell.map(|nodes| nodes - 1);
         if around < 8 || !around.is_multiple_of(x) {
             return wrong(

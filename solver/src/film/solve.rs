@@ -5,9 +5,7 @@ use super::openings::OilFilm;
 
 /// Most changes of a steady film: a front of reformation moves by about a cell each time.
 const MOST: usize = 400;
-/// What may be lacking at a node, of the largest sum of flows at one.
-const TOLERANCE: f64 = 1e-12;
-/// The same where rounding lets it get no smaller.
+/// What may be lacking at a node, of the largest sum of flows at one, where rounding lets it get no smaller.
 const ROUNDED: f64 = 1e-9;
 
 /// Pressure and its partner at the nodes.
@@ -101,7 +99,7 @@ impl Balance {
             let rounded = lacking <= ROUNDED && lacking >= 0.5 * best;
             best = best.min(lacking);
             self.factor(film, oil);
-            if lacking <= TOLERANCE || rounded {
+            if lacking <= self.tolerance || rounded {
                 return Ok(changes);
             }
             self.advance(film, oil);

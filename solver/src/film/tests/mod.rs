@@ -10,7 +10,10 @@ use whirl_specs::{CLEARANCES, FILMS, Film};
 use super::{Balance, Journal, JournalMotion, Oil, OilFilm, Reaction};
 
 pub(super) const RADIUS: f64 = 0.025;
-pub(super) const CLEARANCE: f64 = 25e-6;
+/// So small that shear does not count beside pressure, as in tables.
+pub(super) const CLEARANCE: f64 = RADIUS * 1e-5;
+/// As machines have it.
+pub(super) const WIDE: f64 = RADIUS * 1e-3;
 pub(super) const VISCOSITY: f64 = 0.02;
 pub(super) const OMEGA: f64 = 300.0;
 
@@ -21,7 +24,7 @@ pub(super) fn kind(name: &str) -> &'static Film {
 /// A smooth film with open ends.
 pub(super) fn film(name: &str, nodes: [usize; 2], length: f64, first: f64) -> OilFilm {
     let mut film = OilFilm::new(kind(name), nodes, [RADIUS, length], first).unwrap();
-    film.set("sigma", 1e-10).unwrap();
+    film.set("sigma", 1e-12).unwrap();
     film.set("mu_0", VISCOSITY).unwrap();
     film
 }
@@ -36,7 +39,11 @@ pub(super) struct Bench {
 
 impl Bench {
     pub(super) fn new(film: OilFilm) -> Self {
-        let journal = Journal::new(film, &CLEARANCES[0], CLEARANCE).unwrap();
+        Self::with(film, CLEARANCE)
+    }
+
+    pub(super) fn with(film: OilFilm, clearance: f64) -> Self {
+        let journal = Journal::new(film, &CLEARANCES[0], clearance).unwrap();
         let (oil, balance) = (Oil::full(&journal.film), Balance::new(&journal.film));
         let outputs = vec![0.0; journal.film.kernel.outputs.len()];
         Bench { journal, oil, balance, outputs }

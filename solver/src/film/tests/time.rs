@@ -1,6 +1,6 @@
 //! Films in time: squeeze with a cavity, oil that is kept, what fast steps do.
 
-use super::{Bench, CLEARANCE, OMEGA, RADIUS, film};
+use super::{Bench, OMEGA, WIDE as CLEARANCE, film};
 use crate::film::{Balance, JournalMotion, Oil};
 
 /// Optasanu and Bonneau, J. Tribol. 122 (2000) 162; Ausas, Jai and Buscaglia, J. Tribol. 131 (2009) 031702: plates that
@@ -47,7 +47,8 @@ fn plates_that_oscillate_have_the_cavity_of_the_closed_form() {
         balance.motion.gap.fill(gap(t));
         balance.motion.stored_gap.fill(gap(t) + 0.5 * dt * rate(t));
         let changes = balance.solve(&film, &mut oil).unwrap();
-        assert!(changes < 40, "{changes} changes at {t}");
+        // A front moves by a cell a change: where the cavity closes, through most of the plates.
+        assert!(changes < if t < 0.7 { 40 } else { 200 }, "{changes} changes at {t}");
         let before: f64 = balance.before.iter().zip(film.grid.areas()).map(|(held, area)| held * area).sum();
         let lost = balance.volume(&film) - before - dt * balance.inflow(&film, 2);
         assert!(lost.abs() < 1e-10 * before, "{lost} of {before} at {t}");
@@ -67,8 +68,11 @@ fn plates_that_oscillate_have_the_cavity_of_the_closed_form() {
         }
     }
     assert!(volume > 0.0);
+    // At last it moves by 20 cells a step.
+    let closing = errors.pop().unwrap();
+    assert!(closing.abs() < 4.0, "{closing}");
     let rms = (errors.iter().map(|error| error * error).sum::<f64>() / errors.len() as f64).sqrt();
-    assert!(rms < 0.8 && errors.iter().all(|error| error.abs() < 1.5), "{errors:?}");
+    assert!(rms < 0.7 && errors.iter().all(|error| error.abs() < 1.0), "{errors:?}");
 }
 
 /// A journal on a circle, over a hole.
@@ -86,7 +90,7 @@ fn circling(phase: f64) -> JournalMotion {
 fn no_oil_is_lost_or_made_in_a_march() {
     let mut film = film("jfo", [60, 7], 0.03, 0.0);
     film.supply("hole", 2.9..3.3, -0.006..0.006, 2e5).unwrap();
-    let mut bench = Bench::new(film);
+    let mut bench = Bench::with(film, CLEARANCE);
     let dt = 1e-4;
     bench.react(&circling(0.0));
     let mut changes = 0;
@@ -114,7 +118,7 @@ fn no_oil_is_lost_or_made_in_a_march() {
 
 #[test]
 fn nodes_that_move_faster_than_their_gap_hold_oil_by_the_gap_itself() {
-    let mut bench = Bench::new(film("jfo", [48, 5], 0.03, 0.0));
+    let mut bench = Bench::with(film("jfo", [48, 5], 0.03, 0.0), CLEARANCE);
     let motion = JournalMotion {
         displacement: [0.9 * CLEARANCE, 0.0],
         velocity: [2.0, 0.0],
@@ -127,5 +131,4 @@ fn nodes_that_move_faster_than_their_gap_hold_oil_by_the_gap_itself() {
     let own = &bench.balance.motion;
     assert!(own.stored_gap.iter().all(|gap| *gap > 0.0));
     assert_eq!(own.shifted.iter().filter(|shifted| !**shifted).count(), fast);
-    assert!(RADIUS > 0.0);
 }
