@@ -29,8 +29,8 @@ mod x86;
 
 pub use cell_kernel::{CellKernel, FormKernel, StressKernel, Structure};
 pub use film::{
-    Film, FilmEdge, FilmField, FilmFieldKind, FilmForce, FilmFunction, FilmKernel, FilmParameter, FilmSlope,
-    FilmValues, each_of_film,
+    Film, FilmEdge, FilmField, FilmFieldKind, FilmForce, FilmFunction, FilmKernel, FilmParameter,
+    FilmSlope, FilmValues, each_of_film,
 };
 pub use lane::{FUNCTIONS, Lane, Shared};
 pub use matrices::{Batch, CellMatrix, Matrix};

@@ -205,7 +205,9 @@ fn film(name: &str, names: &[String]) -> String {
     text += &format!("[forces]\n{p} = {{ on = \"h\", value = '{p}' }}\n");
     text += &format!("{h} = {{ on = \"s_mean\", value = '{p}*ddx({h})' }}\n");
     text += &format!("[edges.{r}]\ngiven = [\"{p}\"]\ncomplementary = [\"out\", \"{r}\"]\n");
-    text += &format!("[outputs.{u}]\nunit = \"N\"\nterms.{u} = {{ value = '{p}', points = \"nodes\" }}\n");
+    text += &format!(
+        "[outputs.{u}]\nunit = \"N\"\nterms.{u} = {{ value = '{p}', points = \"nodes\" }}\n"
+    );
     text
 }
 
@@ -253,7 +255,10 @@ fn specs_of_hostile_names_compile() {
     let of_films: Vec<String> =
         words.iter().filter(|word| !meant.contains(&word.as_str())).map(name).collect();
     for (place, some) in of_films.chunks(60).filter(|some| some.len() > 6).enumerate() {
-        workspace.write(&format!("specs/films/film-{place}.toml"), &film(&format!("self-{place}"), some));
+        workspace.write(
+            &format!("specs/films/film-{place}.toml"),
+            &film(&format!("self-{place}"), some),
+        );
     }
     for (place, some) in words.chunks(120).enumerate() {
         let (scalars, others) = some.split_at(some.len() / 2);

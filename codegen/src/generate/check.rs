@@ -127,13 +127,17 @@ fn clearance(own: &ClearanceSpec) -> Result<(), Diagnostics> {
 /// Clearances have the measures on which a film's forces work.
 fn film(film: &FilmSpec, clearances: &[ClearanceSpec]) -> Result<(), Diagnostics> {
     let mut errors = Diagnostics::new();
-    for (clearance, force) in clearances.iter().flat_map(|own| film.forces.iter().map(move |force| (own, force))) {
+    for (clearance, force) in
+        clearances.iter().flat_map(|own| film.forces.iter().map(move |force| (own, force)))
+    {
         let names: Vec<&str> = clearance.measures.iter().map(|(name, _)| name.as_str()).collect();
         let on = force.on.text();
         if !names.contains(&on) {
             let path = clearance.file.path.display();
             let message = format!("the clearance of `{path}` has no measure `{on}`");
-            errors.push(force.on.error_here(Code::UNKNOWN_NAME, message).maybe_help(suggest(on, &names)));
+            errors.push(
+                force.on.error_here(Code::UNKNOWN_NAME, message).maybe_help(suggest(on, &names)),
+            );
         }
     }
     errors.into_result(())

@@ -21,7 +21,9 @@ fn specs() -> Vec<FilmSpec> {
     for entry in fs::read_dir(folder).expect("films") {
         let path = entry.expect("a file").path();
         let text = fs::read_to_string(&path).expect("a text");
-        all.push(FilmSpec::read(&Source::new(&path, text)).unwrap_or_else(|errors| panic!("{errors}")));
+        all.push(
+            FilmSpec::read(&Source::new(&path, text)).unwrap_or_else(|errors| panic!("{errors}")),
+        );
     }
     assert!(all.len() >= 2);
     all
@@ -86,7 +88,8 @@ impl Cells<'_> {
     fn inputs(&self, cell: &CellValues<f64>) -> Vec<f64> {
         let count = cell.nodes[0].len();
         let mut inputs = cell.uniform.clone();
-        let fields = |a: usize| self.spec.at_node([0, 1, 2].map(|row| cell.nodes[row][a]), &cell.uniform);
+        let fields =
+            |a: usize| self.spec.at_node([0, 1, 2].map(|row| cell.nodes[row][a]), &cell.uniform);
         for (kind, ..) in &self.derived.fields {
             let row = match kind {
                 FieldKind::Unknown(row) => *row,
@@ -120,7 +123,9 @@ impl Cells<'_> {
                 for input in 0..OWN {
                     let direction = input * count + node;
                     let values = dual(cell, direction);
-                    let fields = self.spec.at_node([0, 1, 2].map(|row| values.nodes[row][node]), &values.uniform);
+                    let fields = self
+                        .spec
+                        .at_node([0, 1, 2].map(|row| values.nodes[row][node]), &values.uniform);
                     let (mut sum, mut size) = (0.0, 0.0);
                     for (slope, value) in own.slopes.iter().zip(slopes) {
                         if slope.node != node {
@@ -182,14 +187,19 @@ fn check(cells: &Cells<'_>) {
         let seen = points.iter().zip(&inputs).zip(&expected).any(|((cell, inputs), expected)| {
             !cells.agrees(cell, &run(&cells.program, inputs, Some(flip)), expected)
         });
-        assert!(seen, "{}: {:?} of {:?}", cells.spec.name, flip, cells.program.instructions[flip.place]);
+        assert!(
+            seen,
+            "{}: {:?} of {:?}",
+            cells.spec.name, flip, cells.program.instructions[flip.place]
+        );
     }
 }
 
 #[test]
 fn one_sign_in_the_residual_of_a_cell_is_seen() {
     for spec in &specs() {
-        let (derived, program) = spec.residual_program().unwrap_or_else(|errors| panic!("{errors}"));
+        let (derived, program) =
+            spec.residual_program().unwrap_or_else(|errors| panic!("{errors}"));
         check(&Cells { spec, derived, program, direct: FilmSpec::residual_of });
     }
 }
@@ -206,8 +216,16 @@ fn one_sign_in_forces_and_outputs_is_seen() {
 fn one_sign_at_the_nodes_is_seen() {
     for spec in &specs() {
         let programs = [
-            (spec.nodal_program().unwrap_or_else(|errors| panic!("{errors}")), OWN, spec.nodal.len()),
-            (spec.stored_program().unwrap_or_else(|errors| panic!("{errors}")), OWN + spec.nodal.len(), 1),
+            (
+                spec.nodal_program().unwrap_or_else(|errors| panic!("{errors}")),
+                OWN,
+                spec.nodal.len(),
+            ),
+            (
+                spec.stored_program().unwrap_or_else(|errors| panic!("{errors}")),
+                OWN + spec.nodal.len(),
+                1,
+            ),
         ];
         for (program, first, count) in programs {
             let points: Vec<(Vec<f64>, Vec<Vec<Dual>>)> = points(spec)
@@ -219,7 +237,8 @@ fn one_sign_at_the_nodes_is_seen() {
                             value: own[i],
                             slope: f64::from(u8::from(i == direction)),
                         });
-                        let uniform: Vec<Dual> = cell.uniform.iter().map(|value| Dual::constant(*value)).collect();
+                        let uniform: Vec<Dual> =
+                            cell.uniform.iter().map(|value| Dual::constant(*value)).collect();
                         spec.at_node(own, &uniform)[first..first + count].to_vec()
                     });
                     let directions = directions.collect();
@@ -240,7 +259,8 @@ fn one_sign_at_the_nodes_is_seen() {
             for output in 0..program.outputs.len() {
                 for flip in flips(&program, output) {
                     let same = points.iter().all(|(inputs, _)| {
-                        let [with, without] = [Some(flip), None].map(|flip| run(&program, inputs, flip));
+                        let [with, without] =
+                            [Some(flip), None].map(|flip| run(&program, inputs, flip));
                         with.iter().zip(&without).all(|(a, b)| (a - b).abs() <= 1e-14 * b.abs())
                     });
                     if same {
@@ -249,7 +269,11 @@ fn one_sign_at_the_nodes_is_seen() {
                     let seen = points.iter().any(|(inputs, expected)| {
                         !agrees(&run(&program, inputs, Some(flip)), expected)
                     });
-                    assert!(seen, "{}: {:?} of {:?}", spec.name, flip, program.instructions[flip.place]);
+                    assert!(
+                        seen,
+                        "{}: {:?} of {:?}",
+                        spec.name, flip, program.instructions[flip.place]
+                    );
                 }
             }
         }

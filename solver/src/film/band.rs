@@ -124,7 +124,8 @@ mod tests {
         let mut full = vec![vec![0.0; size]; size];
         for i in 0..size {
             for j in i.saturating_sub(half)..(i + half + 1).min(size) {
-                let value = ((7 * i + 3 * j) as f64 * 1.3).sin() + if i == j { 3.0 * half as f64 } else { 0.0 };
+                let value = ((7 * i + 3 * j) as f64 * 1.3).sin()
+                    + if i == j { 3.0 * half as f64 } else { 0.0 };
                 band.add(i, j, value);
                 full[i][j] = value;
             }

@@ -65,7 +65,10 @@ impl Journal {
     ) -> Result<Self, WrongFilm> {
         if !(clearance > 0.0) {
             let help = "give the radial clearance: radius of the bore less that of the journal";
-            return Err(WrongFilm { what: "a film needs a clearance above zero".to_owned(), help: help.to_owned() });
+            return Err(WrongFilm {
+                what: "a film needs a clearance above zero".to_owned(),
+                help: help.to_owned(),
+            });
         }
         let grid = &film.grid;
         let mut out = vec![0.0; kernels.measures.len()];

@@ -92,7 +92,12 @@ impl OilFilm {
         let last = along - 1;
         for (name, row) in [("end at -z", 0), ("end at +z", last)] {
             let nodes = (row * around..(row + 1) * around).collect();
-            film.add(Opening { name: name.to_owned(), edge: film.edge("open")?, pressure: 0.0, nodes });
+            film.add(Opening {
+                name: name.to_owned(),
+                edge: film.edge("open")?,
+                pressure: 0.0,
+                nodes,
+            });
         }
         Ok(film)
     }
@@ -164,7 +169,10 @@ impl OilFilm {
         let half = self.grid.length / 2.0;
         if z.start < -half * (1.0 + 1e-9) || z.end > half * (1.0 + 1e-9) {
             return wrong(
-                format!("the opening `{name}` reaches beyond the film, which is {} mm long", 1e3 * self.grid.length),
+                format!(
+                    "the opening `{name}` reaches beyond the film, which is {} mm long",
+                    1e3 * self.grid.length
+                ),
                 "shorten it, or move it",
             );
         }
@@ -182,7 +190,9 @@ impl OilFilm {
                 "give the film more nodes, or the opening the size of one distance at least",
             );
         }
-        if let Some(other) = nodes.iter().find_map(|node| self.opening_of[*node].filter(|own| *own >= 2)) {
+        if let Some(other) =
+            nodes.iter().find_map(|node| self.opening_of[*node].filter(|own| *own >= 2))
+        {
             let other = self.openings[other].name.clone();
             return wrong(
                 format!("the openings `{name}` and `{other}` share nodes of the film"),

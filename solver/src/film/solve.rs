@@ -30,7 +30,8 @@ impl Oil {
     /// Full of oil without pressure but at openings.
     pub fn full(film: &OilFilm) -> Self {
         let nodes = film.grid.nodes();
-        let mut oil = Oil { unknowns: [vec![0.0; nodes], vec![0.0; nodes]], second: vec![false; nodes] };
+        let mut oil =
+            Oil { unknowns: [vec![0.0; nodes], vec![0.0; nodes]], second: vec![false; nodes] };
         oil.supply(film);
         oil
     }

@@ -5,9 +5,9 @@
 
 use std::collections::BTreeMap;
 
+use super::operators::named;
 use super::rule::{Rule, shape};
 use super::spec::{FieldKind, FilmSpec, Term};
-use super::operators::named;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::expression::{Graph, Id, Rational};
 use crate::operation::Relation;
@@ -179,11 +179,13 @@ impl<'s> Cell<'s> {
     /// N_a, ∂N_a/∂x and ∂N_a/∂z at a point, as numbers and numbers times 2/dx, 2/dz.
     fn function(&mut self, a: usize, point: &Point) -> [Id; 3] {
         let around = self.spec.nodes[0];
-        let ((x, by_x), (z, by_z)) = (&point.functions[0][a % around], &point.functions[1][a / around]);
+        let ((x, by_x), (z, by_z)) =
+            (&point.functions[0][a % around], &point.functions[1][a / around]);
         let value = self.graph.number(x * z);
         let slopes = [by_x * z, x * by_z];
         let [dx, dz] = self.per_half;
-        let slopes = [dx, dz].into_iter().zip(slopes).map(|(per, slope)| self.graph.times(slope, per));
+        let slopes =
+            [dx, dz].into_iter().zip(slopes).map(|(per, slope)| self.graph.times(slope, per));
         let slopes: Vec<Id> = slopes.collect();
         [value, slopes[0], slopes[1]]
     }
@@ -235,7 +237,8 @@ impl<'s> Cell<'s> {
 
     /// With slopes by all fields; those that nothing depends on are left out.
     fn derived(mut self, values: Vec<(String, Id)>) -> Result<Derived, Diagnostics> {
-        let used = |graph: &Graph, node: Id| values.iter().any(|(_, value)| graph.depends(*value, node));
+        let used =
+            |graph: &Graph, node: Id| values.iter().any(|(_, value)| graph.depends(*value, node));
         let fields = std::mem::take(&mut self.fields).into_iter();
         let fields: Vec<(FieldKind, String, Vec<Id>)> = fields
             .filter(|(.., nodes)| nodes.iter().any(|node| used(&self.graph, *node)))
@@ -257,7 +260,8 @@ impl<'s> Cell<'s> {
             outcomes.push(Outcome { name, value, slopes, by_speed });
         }
         if self.graph.exceeded() {
-            let message = "what follows from this film grows beyond the bounds on numbers and terms";
+            let message =
+                "what follows from this film grows beyond the bounds on numbers and terms";
             return Err(Diagnostic::new(&self.spec.file, Code::LIMIT, None, message).into());
         }
         Ok(Derived { graph: self.graph, fields, values: outcomes })
@@ -297,4 +301,3 @@ impl FilmSpec {
         Ok(AtNode { graph: cell.graph, values: all })
     }
 }
-

@@ -12,14 +12,19 @@ impl FilmSpec {
         let [around, along] = self.nodes;
         page.heading("Cell");
         page.item(&format!("{around} nodes around, {along} along the bore"));
-        page.item("what a node holds is never negative, and moments on both surfaces balance: checked");
+        page.item(
+            "what a node holds is never negative, and moments on both surfaces balance: checked",
+        );
     }
 
     /// Everything about a film but its code.
     pub(in crate::kinds) fn explain(&self, page: &mut Page) {
         self.report(page);
         page.heading("Unknowns: at every node both at least zero, one of them zero");
-        let rows = self.unknowns.iter().map(|own| vec![own.name.clone(), own.unit.clone(), own.title.clone()]);
+        let rows = self
+            .unknowns
+            .iter()
+            .map(|own| vec![own.name.clone(), own.unit.clone(), own.title.clone()]);
         page.columns(&rows.collect::<Vec<_>>());
         page.heading("Given by the motion");
         let given = [&self.gap, &self.speed].into_iter();
@@ -27,7 +32,8 @@ impl FilmSpec {
         page.columns(&rows.collect::<Vec<_>>());
         page.heading("Parameters");
         let rows = self.parameters.iter().map(|own| {
-            let unit = if own.unit.text() == "1" { String::new() } else { format!(" {}", own.unit) };
+            let unit =
+                if own.unit.text() == "1" { String::new() } else { format!(" {}", own.unit) };
             let value = short(num_traits::ToPrimitive::to_f64(&own.written).unwrap_or(f64::NAN));
             vec![format!("{} = {value}{unit}", own.name), own.title.clone()]
         });
@@ -44,7 +50,11 @@ impl FilmSpec {
         terms(page, &self.terms);
         page.heading("Forces per area, at the nodes");
         let rows = self.forces.iter().map(|own| {
-            vec![format!("{} (Pa)", own.name), format!("on {}", own.on.text()), own.formula.text.text().to_owned()]
+            vec![
+                format!("{} (Pa)", own.name),
+                format!("on {}", own.on.text()),
+                own.formula.text.text().to_owned(),
+            ]
         });
         page.columns(&rows.collect::<Vec<_>>());
         page.heading("Edges and openings");
@@ -73,17 +83,24 @@ impl FilmSpec {
             for (name, values) in &nodal.values {
                 for (by, slope) in names.into_iter().zip(&values[1..]) {
                     if !nodal.graph.is_zero(*slope) {
-                        page.item(&format!("d{name}_d{by} = {}", display_rounded(&nodal.graph, *slope)));
+                        page.item(&format!(
+                            "d{name}_d{by} = {}",
+                            display_rounded(&nodal.graph, *slope)
+                        ));
                     }
                 }
             }
         }
-        let programs = [("residual of a cell", self.residual_program()), ("forces and outputs of a cell", self.surface_program())];
+        let programs = [
+            ("residual of a cell", self.residual_program()),
+            ("forces and outputs of a cell", self.surface_program()),
+        ];
         for (what, program) in programs {
             match program {
                 Ok((derived, program)) => {
                     let slopes: usize = derived.values.iter().map(|own| own.slopes.len()).sum();
-                    let fields: Vec<&str> = derived.fields.iter().map(|(_, name, _)| name.as_str()).collect();
+                    let fields: Vec<&str> =
+                        derived.fields.iter().map(|(_, name, _)| name.as_str()).collect();
                     page.item(&format!(
                         "{what}: {} over {}, with {} that are not zero; {}",
                         count(derived.values.len(), "value"),

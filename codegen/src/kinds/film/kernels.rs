@@ -19,11 +19,15 @@ impl FilmSpec {
         let stored = self.kernel("Stored", &own, &self.stored_program()?);
         let (residual, surface) = (self.residual_program()?, self.surface_program()?);
         let about = self.about();
-        let [flow, surface_kernel] = [("Flow", &residual), ("Surface", &surface)].map(|(name, (derived, program))| {
-            let inputs: Vec<String> =
-                derived.fields.iter().flat_map(|(_, name, nodes)| (0..nodes.len()).map(|a| at_node(name, a))).collect();
-            self.kernel(name, &inputs, program)
-        });
+        let [flow, surface_kernel] =
+            [("Flow", &residual), ("Surface", &surface)].map(|(name, (derived, program))| {
+                let inputs: Vec<String> = derived
+                    .fields
+                    .iter()
+                    .flat_map(|(_, name, nodes)| (0..nodes.len()).map(|a| at_node(name, a)))
+                    .collect();
+                self.kernel(name, &inputs, program)
+            });
         let functions = quote!(#nodal #stored #flow #surface_kernel);
         let origin = about.origin(&functions);
         let entry = self.entry(&origin, &residual.0, &surface.0);
@@ -90,7 +94,12 @@ impl FilmSpec {
                 outputs.push(Output { name: format!("{}by_speed_", own.name), expression });
             }
         }
-        let request = Request { stages: vec![Stage::new("cell", &[], 1.0)], inputs, outputs, names: Vec::new() };
+        let request = Request {
+            stages: vec![Stage::new("cell", &[], 1.0)],
+            inputs,
+            outputs,
+            names: Vec::new(),
+        };
         let program = schedule_as_written(&mut derived.graph.clone(), &request);
         program.map_err(|error| unscheduled(&self.file, &error))
     }
@@ -115,14 +124,26 @@ impl FilmSpec {
     fn node_program(&self, at: AtNode) -> Result<Program, Diagnostics> {
         let own = [&self.unknowns[0], &self.unknowns[1], &self.gap];
         let mut inputs = self.uniform_inputs();
-        inputs.extend(own.map(|own| Input { name: own.name.clone(), symbol: own.symbol, stage: 0 }));
+        inputs.extend(own.map(|own| Input {
+            name: own.name.clone(),
+            symbol: own.symbol,
+            stage: 0,
+        }));
         let mut outputs = Vec::new();
         for (place, (_, values)) in at.values.iter().enumerate() {
             for (slope, expression) in values.iter().enumerate() {
-                outputs.push(Output { name: format!("value{place}_by{slope}_"), expression: *expression });
+                outputs.push(Output {
+                    name: format!("value{place}_by{slope}_"),
+                    expression: *expression,
+                });
             }
         }
-        let request = Request { stages: vec![Stage::new("node", &[], 1.0)], inputs, outputs, names: Vec::new() };
+        let request = Request {
+            stages: vec![Stage::new("node", &[], 1.0)],
+            inputs,
+            outputs,
+            names: Vec::new(),
+        };
         schedule(&mut at.graph.clone(), &request).map_err(|error| unscheduled(&self.file, &error))
     }
 
@@ -135,12 +156,14 @@ impl FilmSpec {
             true => identifier(name).to_token_stream(),
             false => quote!(_),
         };
-        let uniform: Vec<TokenStream> = self.uniform().into_iter().map(|(name, _)| pattern(name)).collect();
+        let uniform: Vec<TokenStream> =
+            self.uniform().into_iter().map(|(name, _)| pattern(name)).collect();
         let taken: Vec<TokenStream> = inputs.iter().map(|name| pattern(name)).collect();
         let (shared, own) = (emit::count(uniform.len()), emit::count(taken.len()));
         let given = emit::count(program.outputs.len());
         let statements = statements(program, 0, Numbers::Lanes);
-        let outputs = program.outputs.iter().map(|own| operand(program, own.operand, Numbers::Lanes));
+        let outputs =
+            program.outputs.iter().map(|own| operand(program, own.operand, Numbers::Lanes));
         let about = documented(&format!("SI; {}.", program.total_counts()));
         let rows = documented("Rows of `count` values, SI: see [`crate::FilmFunction`].");
         quote! {
@@ -172,7 +195,8 @@ impl FilmSpec {
             quote!(FilmParameter { name: #name, unit: #unit, title: #title, value: #value, per_unit: #per_unit })
         });
         let nodal = self.nodal.iter().map(|own| &own.name);
-        let [flow, forces] = [(residual, quote!(flow)), (surface, quote!(surface))].map(|(derived, function)| values(derived, &function));
+        let [flow, forces] = [(residual, quote!(flow)), (surface, quote!(surface))]
+            .map(|(derived, function)| values(derived, &function));
         let force = self.forces.iter().map(|own| {
             let (name, on) = (&own.name, own.on.text());
             quote!(FilmForce { name: #name, on: #on })

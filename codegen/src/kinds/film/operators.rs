@@ -92,7 +92,8 @@ fn operator(
 ) -> Rewritten<String> {
     let upstream = operator == "upstream";
     let speed = known.speed;
-    let shown = if upstream { format!("`upstream(f, {speed})`") } else { format!("`{operator}(f)`") };
+    let shown =
+        if upstream { format!("`upstream(f, {speed})`") } else { format!("`{operator}(f)`") };
     let name = |term: &Term| match &term.kind {
         TermKind::Name(name) => Some(name.clone()),
         _ => None,
@@ -101,7 +102,13 @@ fn operator(
     let field = match (names.as_slice(), upstream) {
         ([field], false) => field,
         ([field, Some(second)], true) if second == speed => field,
-        _ => return Err(error(span, format!("this is written {shown}, f a field of the nodes"), None)),
+        _ => {
+            return Err(error(
+                span,
+                format!("this is written {shown}, f a field of the nodes"),
+                None,
+            ));
+        }
     };
     let may_be_test = known.test && !upstream;
     let mut fields = known.fields.to_vec();

@@ -39,7 +39,11 @@ fn parameters(spec: &FilmSpec, errors: &mut Diagnostics) {
 /// A parameter in SI.
 pub(super) fn number(own: &super::spec::Parameter) -> f64 {
     let written = own.written.to_f64().unwrap_or(f64::NAN);
-    if own.written == crate::rational::Rational::from(0) { 0.0 } else { Unit::to_si(&own.unit, written) }
+    if own.written == crate::rational::Rational::from(0) {
+        0.0
+    } else {
+        Unit::to_si(&own.unit, written)
+    }
 }
 
 fn linear(spec: &FilmSpec, errors: &mut Diagnostics) {
@@ -133,7 +137,8 @@ fn moments(spec: &FilmSpec, errors: &mut Diagnostics) {
     let Some(normal) = on(MEASURES[0]) else { return };
     let slope = graph.scalar(&named("ddx", &spec.gap.name));
     let wanted = graph.mul(normal.value, slope);
-    let shown = format!("`({})*ddx({})` on `{}`", normal.formula.text.text(), spec.gap.name, MEASURES[2]);
+    let shown =
+        format!("`({})*ddx({})` on `{}`", normal.formula.text.text(), spec.gap.name, MEASURES[2]);
     let (place, fine) = match on(MEASURES[2]) {
         Some(mean) => (&mean.formula.text, normal::equal(&mut graph, mean.value, wanted)),
         None => (&normal.formula.text, false),

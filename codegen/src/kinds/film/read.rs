@@ -25,7 +25,9 @@ pub(super) fn read(file: &Arc<Source>) -> Result<FilmSpec, Diagnostics> {
         let error = crate::diagnostic::Diagnostic::new(file, Code::LIMIT, None, message);
         return Err(error.into());
     }
-    read::spec(file, KIND.shape, |document, root, head| Reader::new(document).spec(file, root, head))
+    read::spec(file, KIND.shape, |document, root, head| {
+        Reader::new(document).spec(file, root, head)
+    })
 }
 
 struct Reader<'d> {
@@ -62,7 +64,11 @@ impl<'d> Reader<'d> {
 
     fn spec(mut self, file: &Arc<Source>, root: Table<'d>, head: Head) -> Option<FilmSpec> {
         let fine = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
-        head.check(self.document, fine, "a film's name is made of letters, digits, `-`, `_` and `.`");
+        head.check(
+            self.document,
+            fine,
+            "a film's name is made of letters, digits, `-`, `_` and `.`",
+        );
         let nodes = self.cell(&root);
         let [dx, dz] = LENGTHS.map(|name| self.declare(name, Dimension::LENGTH));
         let unknowns = self.variables(&root, "unknowns", 2, None);
@@ -119,9 +125,18 @@ impl<'d> Reader<'d> {
 
     fn cell(&self, root: &Table<'d>) -> Option<[usize; 2]> {
         let table = root.table("cell")?;
-        let nodes = (table.count("around"), table.count("along"));
+        let nodes = ["around", "along"].map(|key| {
+            let count = table.count(key)?;
+            if !(2..=3).contains(&count) {
+                let message = format!("a cell has 2 or 3 nodes `{key}` the bore, not {count}");
+                table.error(Code::BAD_VALUE, table.place(key), message);
+                return None;
+            }
+            Some(count)
+        });
         table.finish();
-        Some([nodes.0?, nodes.1?])
+        let [around, along] = nodes;
+        Some([around?, along?])
     }
 
     /// A free name.
@@ -235,7 +250,9 @@ impl<'d> Reader<'d> {
             let unit_place = entry.string("unit");
             let unit = unit_place.as_ref().and_then(|text| read::unit(self.document, text));
             entry.finish();
-            let (Some(name), Some((written, _)), Some(unit)) = (name, value, unit) else { continue };
+            let (Some(name), Some((written, _)), Some(unit)) = (name, value, unit) else {
+                continue;
+            };
             let symbol = self.declare(&name, *unit.dimension());
             self.declared.push(key.clone());
             let title = title.map_or(String::new(), |title| title.text().to_owned());
@@ -263,7 +280,9 @@ impl<'d> Reader<'d> {
         for key in &keys {
             let name = self.name(key);
             let text = table.string(key.text());
-            let lowered = text.and_then(|text| self.formula(&text, &Known { fields: &[], speed: "", test: false }));
+            let lowered = text.and_then(|text| {
+                self.formula(&text, &Known { fields: &[], speed: "", test: false })
+            });
             let (Some(name), Some((formula, id, dimension))) = (name, lowered) else { continue };
             self.no_cell(&formula);
             let value = self.graph.substitute(id, &values);
@@ -288,7 +307,8 @@ impl<'d> Reader<'d> {
         if let Some((name, span)) = of_cell {
             let message = format!("`{name}` is not known at the nodes");
             let error = formula.text.error(Code::BAD_VALUE, span.clone(), message);
-            self.document.push(error.help("use it in `definitions`, which are evaluated where they stand"));
+            self.document
+                .push(error.help("use it in `definitions`, which are evaluated where they stand"));
         }
     }
 
@@ -315,7 +335,8 @@ impl<'d> Reader<'d> {
         let table = root.table("stored")?;
         let text = table.string("value");
         table.finish();
-        let (formula, id, dimension) = self.formula(&text?, &Known { fields: &[], speed: "", test: false })?;
+        let (formula, id, dimension) =
+            self.formula(&text?, &Known { fields: &[], speed: "", test: false })?;
         self.no_cell(&formula);
         self.measures(&formula, dimension, &Dimension::LENGTH, "what a node holds per area");
         let values = nodal.iter().map(|field| (field.symbol, field.value)).collect();
@@ -343,11 +364,13 @@ impl<'d> Reader<'d> {
             let lowered = text.and_then(|text| self.over_fields(&text, test));
             let rules = self.points(&entry, nodes);
             entry.finish();
-            let (Some(name), Some((formula, value, dimension)), Some(rules)) = (name, lowered, rules)
+            let (Some(name), Some((formula, value, dimension)), Some(rules)) =
+                (name, lowered, rules)
             else {
                 continue;
             };
-            let what = if test { "a term of the weak form" } else { "a term of this integral, per area," };
+            let what =
+                if test { "a term of the weak form" } else { "a term of this integral, per area," };
             self.measures(&formula, dimension, wanted, what);
             list.push(Term { name, formula, value, rules });
         }
@@ -361,7 +384,9 @@ impl<'d> Reader<'d> {
             entry.error(Code::BAD_VALUE, span, message);
         };
         match entry.value("points")? {
-            Value::String(text) if text.text() == NODES => nodes.map(|nodes| nodes.map(Rule::nodes)),
+            Value::String(text) if text.text() == NODES => {
+                nodes.map(|nodes| nodes.map(Rule::nodes))
+            }
             Value::Array(items, span) => {
                 let rules: Option<Vec<Rule>> = items
                     .iter()
@@ -395,7 +420,8 @@ impl<'d> Reader<'d> {
             let text = entry.string("value");
             let lowered = text.and_then(|text| self.over_fields(&text, false));
             entry.finish();
-            let (Some(name), Some(on), Some((formula, value, dimension))) = (name, on, lowered) else {
+            let (Some(name), Some(on), Some((formula, value, dimension))) = (name, on, lowered)
+            else {
                 continue;
             };
             self.measures(&formula, dimension, &Dimension::PRESSURE, "a force per area");
@@ -458,7 +484,8 @@ impl<'d> Reader<'d> {
             let name = read::name(self.document, key, Ok);
             let unit = self.si(&entry, None);
             let title = entry.optional_string("title");
-            let per_area = unit.as_ref().and_then(|(unit, _)| unit.dimension().checked_over(&Dimension::AREA));
+            let per_area =
+                unit.as_ref().and_then(|(unit, _)| unit.dimension().checked_over(&Dimension::AREA));
             let per_area = per_area.unwrap_or(Dimension::NUMBER);
             let terms = entry.table("terms").map(|terms| {
                 let list = self.terms(&terms, nodes, false, &per_area);

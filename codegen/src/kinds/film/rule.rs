@@ -13,8 +13,7 @@ pub(crate) struct Rule {
 }
 
 /// All that a file may say.
-pub(super) const WORDS: &[&str] =
-    &["midpoint", "gauss(2)", "gauss(3)", "lobatto(2)", "lobatto(3)"];
+pub(super) const WORDS: &[&str] = &["midpoint", "gauss(2)", "gauss(3)", "lobatto(2)", "lobatto(3)"];
 
 /// The word for the nodes of the cell in both directions.
 pub(super) const NODES: &str = "nodes";
@@ -55,7 +54,10 @@ pub(super) fn shape(nodes: usize, at: &Rational) -> Vec<(Rational, Rational)> {
     let x = at;
     if nodes == 2 {
         let value = |sign: &Rational| &half * &(&one + &(sign * x));
-        return [-one.clone(), one.clone()].iter().map(|sign| (value(sign), &half * sign)).collect();
+        return [-one.clone(), one.clone()]
+            .iter()
+            .map(|sign| (value(sign), &half * sign))
+            .collect();
     }
     let two = Rational::from(2);
     let side = |sign: &Rational| {
@@ -78,12 +80,17 @@ mod tests {
 
     #[test]
     fn rules_integrate_what_they_should() {
-        for (word, degree) in
-            [("midpoint", 1), ("gauss(2)", 3), ("gauss(3)", 5), ("lobatto(2)", 1), ("lobatto(3)", 3)]
-        {
+        for (word, degree) in [
+            ("midpoint", 1),
+            ("gauss(2)", 3),
+            ("gauss(3)", 5),
+            ("lobatto(2)", 1),
+            ("lobatto(3)", 3),
+        ] {
             let rule = Rule::called(word).unwrap();
             for power in 0..=degree {
-                let terms = rule.points.iter().map(|(at, weight)| number(weight) * number(at).powi(power));
+                let terms =
+                    rule.points.iter().map(|(at, weight)| number(weight) * number(at).powi(power));
                 let exact = if power % 2 == 0 { 2.0 / f64::from(power + 1) } else { 0.0 };
                 assert!((terms.sum::<f64>() - exact).abs() < 1e-15, "{word} {power}");
             }

@@ -1,7 +1,9 @@
 //! What a film file may say.
 
 use super::rule;
-use crate::document::schema::Shape::{Count, Either, Formula, List, Named, Number, Table, Text, Tuple, Words};
+use crate::document::schema::Shape::{
+    Count, Either, Formula, List, Named, Number, Table, Text, Tuple, Words,
+};
 use crate::document::schema::{HEAD, Key, Shape, key, needed};
 use crate::kinds::kind::Kind;
 
@@ -28,11 +30,19 @@ const FILM: &[Key] = &[
     needed("gap", VARIABLES, "one length, given at every node by the motion of the surfaces"),
     needed("speed", VARIABLES, "mean speed of the surfaces around the bore, in the bore's frame"),
     needed("parameters", Named(&Table(&[PARAMETER])), "numbers of a film"),
-    key("nodal", Named(&Formula), "fields that follow at the nodes; interpolated as the unknowns are"),
+    key(
+        "nodal",
+        Named(&Formula),
+        "fields that follow at the nodes; interpolated as the unknowns are",
+    ),
     key("definitions", Named(&Formula), "names for parts of formulas, evaluated where they stand"),
     needed("stored", Table(&[STORED]), "oil that a node holds"),
     needed("residual", Named(&Table(&[TERM])), "the weak form, linear in the test function v"),
-    needed("forces", Named(&Table(&[FORCE])), "what the film does to the surfaces, per area at the nodes"),
+    needed(
+        "forces",
+        Named(&Table(&[FORCE])),
+        "what the film does to the surfaces, per area at the nodes",
+    ),
     needed("edges", Named(&Table(&[EDGE])), "what nodes on an edge or an opening may be"),
     key("outputs", Named(&Table(&[OUTPUT])), "integrals over the bore"),
 ];
@@ -73,7 +83,11 @@ const FORCE: &[Key] = &[
 
 const EDGE: &[Key] = &[
     needed("given", List(&Text), "unknowns whose values are given there"),
-    key("complementary", Tuple(&Text, 2), "`out`, what leaves there, and the unknown that takes turns with it"),
+    key(
+        "complementary",
+        Tuple(&Text, 2),
+        "`out`, what leaves there, and the unknown that takes turns with it",
+    ),
 ];
 
 const OUTPUT: &[Key] = &[

@@ -171,7 +171,8 @@ impl FilmSpec {
     /// All fields of the nodes: unknowns, gap, then what follows from them.
     pub fn fields(&self) -> Vec<(FieldKind, &str, Id)> {
         let unknowns = self.unknowns.iter().enumerate();
-        let unknowns = unknowns.map(|(i, own)| (FieldKind::Unknown(i), own.name.as_str(), own.symbol));
+        let unknowns =
+            unknowns.map(|(i, own)| (FieldKind::Unknown(i), own.name.as_str(), own.symbol));
         let gap = (FieldKind::Gap, self.gap.name.as_str(), self.gap.symbol);
         let nodal = self.nodal.iter().enumerate();
         let nodal = nodal.map(|(i, own)| (FieldKind::Nodal(i), own.name.as_str(), own.symbol));

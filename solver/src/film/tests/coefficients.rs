@@ -47,10 +47,15 @@ fn coefficients_are_those_of_lund_and_thomsen() {
             }
             let [[a, b], [c, d]] = [[slopes[0][0], slopes[0][1]], [slopes[1][0], slopes[1][1]]];
             let determinant = a * d - b * c;
-            let change = [(d * rest[0] - b * rest[1]) / determinant, (a * rest[1] - c * rest[0]) / determinant];
+            let change = [
+                (d * rest[0] - b * rest[1]) / determinant,
+                (a * rest[1] - c * rest[0]) / determinant,
+            ];
             // Within the bore.
             let mut share = 1.0;
-            while (place[0] - share * change[0]).hypot(place[1] - share * change[1]) > 0.95 * CLEARANCE {
+            while (place[0] - share * change[0]).hypot(place[1] - share * change[1])
+                > 0.95 * CLEARANCE
+            {
                 share *= 0.5;
             }
             place = [place[0] - share * change[0], place[1] - share * change[1]];

@@ -58,7 +58,9 @@ const SIZES: [f64; INPUTS] = [
 
 #[test]
 fn slopes_are_those_of_differences() {
-    for (name, step) in [("jfo", Some(2e-4)), ("jfo", None), ("reynolds", Some(2e-4)), ("reynolds", None)] {
+    for (name, step) in
+        [("jfo", Some(2e-4)), ("jfo", None), ("reynolds", Some(2e-4)), ("reynolds", None)]
+    {
         let mut bench = bench(name);
         let start = motion(step);
         // A state with a cavity that is not steady.
@@ -83,10 +85,19 @@ fn slopes_are_those_of_differences() {
             for output in 0..OUTPUTS {
                 let difference = (above[output] - below[output]) / (2.0 * by);
                 let found = slopes[output][input];
-                let size = if output < 2 { 1.0 } else if output < 4 { LENGTH } else { CLEARANCE };
+                let size = if output < 2 {
+                    1.0
+                } else if output < 4 {
+                    LENGTH
+                } else {
+                    CLEARANCE
+                };
                 let scale = size * forces[0].hypot(forces[1]) / SIZES[input];
                 let error = (found - difference).abs() / scale;
-                assert!(error < 2e-6, "{name} {step:?}: {output} by {input}: {found} against {difference}");
+                assert!(
+                    error < 2e-6,
+                    "{name} {step:?}: {output} by {input}: {found} against {difference}"
+                );
             }
         }
     }
@@ -127,7 +138,10 @@ fn moments_on_journal_and_bore_balance_the_forces() {
         }
     }
     let moment = x * forces[1] - y * forces[0];
-    assert!((half_of_moment + 0.5 * moment).abs() < 4e-3 * moment.abs(), "{half_of_moment} {moment}");
+    assert!(
+        (half_of_moment + 0.5 * moment).abs() < 4e-3 * moment.abs(),
+        "{half_of_moment} {moment}"
+    );
     assert!((poiseuille + 0.5 * moment).abs() < 2e-2 * moment.abs(), "{poiseuille} {moment}");
 }
 

@@ -78,7 +78,8 @@ fn side_flow_is_what_enters_and_that_of_butenschoen() {
             let mut bench = Bench::new(fed("jfo", [96, 9], length));
             bench.react(&turning(eps));
             let film = &bench.journal.film;
-            let [left, right, groove] = [0, 1, 2].map(|opening| bench.balance.inflow(film, opening));
+            let [left, right, groove] =
+                [0, 1, 2].map(|opening| bench.balance.inflow(film, opening));
             let unit = RADIUS.powi(2) * CLEARANCE * OMEGA;
             let what = format!("B/D {ratio}, ε {eps}");
             close(-(left + right) / unit, flow, 0.01, &what);
@@ -91,7 +92,9 @@ fn side_flow_is_what_enters_and_that_of_butenschoen() {
 #[test]
 fn friction_of_a_full_film_is_that_of_the_tables() {
     // (R/c) f of Raimondi and Boyd, whose oil is sheared all around.
-    for (ratio, eps, friction) in [(1.0, 0.4, 5.79), (1.0, 0.6, 3.22), (1.0, 0.8, 1.7), (0.5, 0.6, 8.10), (0.25, 0.8, 8.80)] {
+    for (ratio, eps, friction) in
+        [(1.0, 0.4, 5.79), (1.0, 0.6, 3.22), (1.0, 0.8, 1.7), (0.5, 0.6, 8.10), (0.25, 0.8, 8.80)]
+    {
         let length = 2.0 * RADIUS * ratio;
         let mut film = fed("jfo", [96, 9], length);
         film.set("streamers", 0.0).unwrap();
@@ -210,7 +213,12 @@ fn long_films_rupture_where_the_closed_form_says() {
         close(found, s, 2e-3, &format!("ε {eps}: S"));
         assert!((angle - attitude).abs() < 0.1, "ε {eps}: {angle}° against {attitude}°");
         let load = forces[0].hypot(forces[1]);
-        close(load / (2.0 * RADIUS * RADIUS) / bench.p_max(), peak, 2e-3, &format!("ε {eps}: P/p_max"));
+        close(
+            load / (2.0 * RADIUS * RADIUS) / bench.p_max(),
+            peak,
+            2e-3,
+            &format!("ε {eps}: P/p_max"),
+        );
     }
 }
 
@@ -246,7 +254,8 @@ fn a_short_film_is_that_of_ocvirk() {
     // W c²/(μ ω R L³) and the attitude angle of the short bearing (Ocvirk, NACA TN 2808, 1952) at L/D 1/40. Its pressure is so
     // small that shear does not count beside it only where the clearance is smaller still.
     let (length, clearance) = (2.0 * RADIUS / 40.0, 1e-3 * CLEARANCE);
-    for (eps, load, attitude) in [(0.1, 0.0804, 82.71), (0.5, 0.7504, 53.68), (0.9, 24.006, 20.83)] {
+    for (eps, load, attitude) in [(0.1, 0.0804, 82.71), (0.5, 0.7504, 53.68), (0.9, 24.006, 20.83)]
+    {
         let mut film = film("reynolds", [288, 7], length, 0.0);
         film.set("sigma", 1e-15).unwrap();
         let mut bench = Bench::with(film, clearance);

@@ -28,7 +28,8 @@ fn plates_that_oscillate_have_the_cavity_of_the_closed_form() {
     let cells = 400;
     // A ring of length 1 whose ends meet in what is fed; a viscosity of 1/6 makes the equation that of the papers.
     let radius = 1.0 / std::f64::consts::TAU;
-    let mut film = crate::film::OilFilm::new(super::kind("jfo"), [cells, 3], [radius, 1.0], 0.0).unwrap();
+    let mut film =
+        crate::film::OilFilm::new(super::kind("jfo"), [cells, 3], [radius, 1.0], 0.0).unwrap();
     film.set("mu_0", 1.0 / 6.0).unwrap();
     film.set("sigma", 1e-6).unwrap();
     (0..2).for_each(|end| film.close(end));
@@ -49,12 +50,15 @@ fn plates_that_oscillate_have_the_cavity_of_the_closed_form() {
         let changes = balance.solve(&film, &mut oil).unwrap();
         // A front moves by a cell a change: where the cavity closes, through most of the plates.
         assert!(changes < if t < 0.7 { 40 } else { 200 }, "{changes} changes at {t}");
-        let before: f64 = balance.before.iter().zip(film.grid.areas()).map(|(held, area)| held * area).sum();
+        let before: f64 =
+            balance.before.iter().zip(film.grid.areas()).map(|(held, area)| held * area).sum();
         let lost = balance.volume(&film) - before - dt * balance.inflow(&film, 2);
         assert!(lost.abs() < 1e-10 * before, "{lost} of {before} at {t}");
         balance.before.copy_from_slice(&balance.stored[..film.grid.nodes()]);
         volume = balance.volume(&film);
-        let Some([_, edge, load]) = PLATES.iter().find(|row| (row[0] - t).abs() < 1e-9) else { continue };
+        let Some([_, edge, load]) = PLATES.iter().find(|row| (row[0] - t).abs() < 1e-9) else {
+            continue;
+        };
         // Of the middle row: half of the nodes that are full, in cells.
         let row = &oil.second[cells..2 * cells];
         let full = row.iter().filter(|second| !**second).count();
@@ -104,7 +108,8 @@ fn no_oil_is_lost_or_made_in_a_march() {
     let mut entered = 0.0;
     let steps = 400;
     for step in 1..=steps {
-        let motion = JournalMotion { step: Some(dt), ..circling(0.3 * OMEGA * dt * f64::from(step)) };
+        let motion =
+            JournalMotion { step: Some(dt), ..circling(0.3 * OMEGA * dt * f64::from(step)) };
         bench.journal.place(&motion, &mut bench.balance);
         changes += bench.balance.solve(&film, &mut bench.oil).unwrap();
         entered += dt * (0..3).map(|opening| bench.balance.inflow(&film, opening)).sum::<f64>();

@@ -41,7 +41,8 @@ impl ClearanceSpec {
         });
         let kinds = kinds.collect::<Result<TokenStream, Diagnostics>>()?;
         let kinds = quote!(#[doc = " Kinds of laws."] pub mod contacts { #kinds });
-        let functions: TokenStream = own.into_iter().chain(measures).chain([measure, kinds]).collect();
+        let functions: TokenStream =
+            own.into_iter().chain(measures).chain([measure, kinds]).collect();
         let names = self.measures.iter().map(|(name, _)| name);
         let entries = self.contacts.iter().map(|contact| identifier(&contact.name));
         let about = self.about();
