@@ -3,8 +3,9 @@
 use whirl_specs::FilmFieldKind;
 
 use super::band::Band;
+use super::oil::Oil;
 use super::openings::OilFilm;
-use super::solve::Oil;
+use super::reaction::OUTPUTS;
 
 /// How the surfaces stand and move, at the nodes.
 #[derive(Debug, Clone)]
@@ -60,9 +61,9 @@ pub struct Balance {
     /// Right side and solution in the order of elimination.
     pub(super) change: Vec<f64>,
     /// Right sides of the outputs of a journal.
-    pub(super) adjoint: Vec<[f64; super::journal::OUTPUTS]>,
+    pub(super) adjoint: Vec<[f64; OUTPUTS]>,
     /// Slopes of these by the gap and by the gap that holds oil, at every node.
-    pub(super) by_node: [Vec<[f64; super::journal::OUTPUTS]>; 2],
+    pub(super) by_node: [Vec<[f64; OUTPUTS]>; 2],
 }
 
 impl Balance {
@@ -107,8 +108,8 @@ impl Balance {
             scale: 0.0,
             matrix: Band::new(nodes, grid.half_band()),
             change: rows(nodes),
-            adjoint: vec![[0.0; super::journal::OUTPUTS]; nodes],
-            by_node: [(); 2].map(|()| vec![[0.0; super::journal::OUTPUTS]; nodes]),
+            adjoint: vec![[0.0; OUTPUTS]; nodes],
+            by_node: [(); 2].map(|()| vec![[0.0; OUTPUTS]; nodes]),
         }
     }
 

@@ -3,14 +3,10 @@
 use whirl_specs::Clearance;
 
 use super::balance::Balance;
+use super::oil::Oil;
 use super::openings::{OilFilm, WrongFilm};
-use super::slopes::{Gradients, arms};
-use super::solve::{Oil, Unsolved};
-
-/// Forces along x and y, moments about x and y, and the moment about z, on the journal, in the bore's frame.
-pub const OUTPUTS: usize = 5;
-/// Displacements along x and y, tilts about x and y; as many rates; the speed.
-pub const INPUTS: usize = 9;
+use super::reaction::{Gradients, INPUTS, JournalMotion, OUTPUTS, Reaction, arms};
+use super::solve::Unsolved;
 
 /// A journal in a bore with a film between them.
 #[derive(Debug, Clone)]
@@ -25,32 +21,6 @@ pub struct Journal {
     centred: Vec<f64>,
     /// Mean speed of both surfaces by the speed of the journal (m).
     speed: f64,
-}
-
-/// How the journal stands and moves in its bore.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct JournalMotion {
-    /// e_x, e_y of the middle (m).
-    pub displacement: [f64; 2],
-    /// Small rotations about x and y (rad).
-    pub tilt: [f64; 2],
-    /// Rates of both (m/s, rad/s).
-    pub velocity: [f64; 2],
-    /// Rates of the tilts (rad/s).
-    pub tilting: [f64; 2],
-    /// Speed of the journal against the bore (rad/s).
-    pub omega: f64,
-    /// Length of the step (s); none where the film is steady but for the rates.
-    pub step: Option<f64>,
-}
-
-/// What a film does to its journal.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Reaction {
-    /// F_x, F_y (N), M_x, M_y, M_z (N·m).
-    pub forces: [f64; OUTPUTS],
-    /// Slopes of each by displacements, tilts, their rates, and the speed.
-    pub slopes: [[f64; INPUTS]; OUTPUTS],
 }
 
 impl Journal {

@@ -16,7 +16,9 @@ mod balance;
 mod band;
 mod grid;
 mod journal;
+mod oil;
 mod openings;
+mod reaction;
 mod slopes;
 mod solve;
 #[cfg(test)]
@@ -24,6 +26,8 @@ mod tests;
 
 pub use balance::{Balance, Motion};
 pub use grid::Grid;
-pub use journal::{INPUTS, Journal, JournalMotion, OUTPUTS, Reaction};
+pub use journal::Journal;
+pub use oil::Oil;
 pub use openings::{OilFilm, Opening, WrongFilm};
-pub use solve::{Oil, Unsolved};
+pub use reaction::{INPUTS, JournalMotion, OUTPUTS, Reaction};
+pub use solve::Unsolved;

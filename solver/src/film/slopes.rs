@@ -2,18 +2,9 @@
 //! Jᵀ λ = ∂F/∂y, dF = (∂F/∂h − λᵀ ∂R/∂h) dh.
 
 use super::balance::Balance;
-use super::journal::OUTPUTS;
+use super::oil::Oil;
 use super::openings::OilFilm;
-use super::solve::Oil;
-
-/// Slopes of the measures of every force by displacement and turn of the journal, of every node around.
-pub(super) type Gradients = Vec<Vec<[f64; 3]>>;
-
-/// Forces and moments of unit force at a node: by e_x, e_y, tilts about x and y, and the turn.
-pub(super) fn arms([x, y, turn]: [f64; 3], z: f64) -> [f64; OUTPUTS] {
-    // A tilt moves a section at z along y by −z, one about y along x by z.
-    [x, y, -z * y, z * x, turn]
-}
+use super::reaction::{Gradients, OUTPUTS, arms};
 
 impl Balance {
     /// Forces and moments on the journal; the integrals of the outputs.

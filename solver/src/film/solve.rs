@@ -1,21 +1,13 @@
-//! The state of a film, and the iteration to the next: Newton's method on min(p, r) by an active set.
+//! The iteration to the next state of a film: Newton's method on min(p, r) by an active set.
 
 use super::balance::Balance;
+use super::oil::Oil;
 use super::openings::OilFilm;
 
 /// Most changes of a steady film: a front of reformation moves by about a cell each time.
 const MOST: usize = 400;
 /// What may be lacking at a node, of the largest sum of flows at one, where rounding lets it get no smaller.
 const ROUNDED: f64 = 1e-9;
-
-/// Pressure and its partner at the nodes.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Oil {
-    /// Both unknowns of the film's spec, SI; a value a node.
-    pub unknowns: [Vec<f64>; 2],
-    /// Whether the second is the one that is not zero.
-    pub(super) second: Vec<bool>,
-}
 
 /// Why a film has no solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,61 +16,6 @@ pub enum Unsolved {
     Unbounded,
     /// What is lacking, of the largest sum of flows, after so many changes.
     Lacking(f64, usize),
-}
-
-impl Oil {
-    /// Full of oil without pressure but at openings.
-    pub fn full(film: &OilFilm) -> Self {
-        let nodes = film.grid.nodes();
-        let mut oil =
-            Oil { unknowns: [vec![0.0; nodes], vec![0.0; nodes]], second: vec![false; nodes] };
-        oil.supply(film);
-        oil
-    }
-
-    /// Puts the pressures of openings to their nodes.
-    pub fn supply(&mut self, film: &OilFilm) {
-        for opening in &film.openings {
-            for node in &opening.nodes {
-                for (unknown, value) in [opening.pressure, 0.0].into_iter().enumerate() {
-                    if opening.edge.given[unknown] {
-                        self.unknowns[unknown][*node] = value;
-                    }
-                }
-                self.second[*node] &= opening.edge.out;
-            }
-        }
-    }
-
-    /// Which unknown of a node is not zero; none where both are given or what leaves takes its place.
-    pub(super) fn active(&self, film: &OilFilm, node: usize) -> Option<usize> {
-        let second = self.second[node];
-        match film.opening_of[node].map(|own| film.openings[own].edge) {
-            None => Some(usize::from(second)),
-            Some(edge) => (edge.out && second).then_some(1),
-        }
-    }
-
-    /// Both unknowns, for checkpoints: the second is kept where it is not zero.
-    pub fn write(&self, out: &mut [f64]) {
-        let nodes = self.second.len();
-        for a in 0..nodes {
-            out[a] = self.unknowns[0][a];
-            // A second unknown of zero that takes part is told from one that does not by its sign.
-            let other = self.unknowns[1][a];
-            out[nodes + a] = if self.second[a] { other } else { -0.0 };
-        }
-    }
-
-    /// What [`Oil::write`] wrote.
-    pub fn read(&mut self, from: &[f64]) {
-        let nodes = self.second.len();
-        for a in 0..nodes {
-            self.unknowns[0][a] = from[a];
-            self.second[a] = from[nodes + a].is_sign_positive();
-            self.unknowns[1][a] = from[nodes + a].abs();
-        }
-    }
 }
 
 impl Balance {
