@@ -5,7 +5,7 @@ use whirl_specs::FilmFieldKind;
 use super::band::Band;
 use super::oil::Oil;
 use super::openings::OilFilm;
-use super::reaction::OUTPUTS;
+use super::reaction::WIDE;
 
 /// How the surfaces stand and move, at the nodes.
 #[derive(Debug, Clone)]
@@ -38,6 +38,8 @@ pub struct Balance {
     pub(super) order: Vec<usize>,
     /// Of every row of cells, node of a cell and cell around: the node.
     pub(super) places: Vec<usize>,
+    /// Of every row of cells, slope and cell around: the place of its entry in the matrix.
+    entries: Vec<usize>,
     /// Both unknowns and the gap, row by row.
     own: Vec<f64>,
     /// Fields at nodes with their slopes.
@@ -61,9 +63,9 @@ pub struct Balance {
     /// Right side and solution in the order of elimination.
     pub(super) change: Vec<f64>,
     /// Right sides of the outputs of a journal.
-    pub(super) adjoint: Vec<[f64; OUTPUTS]>,
+    pub(super) adjoint: Vec<[f64; WIDE]>,
     /// Slopes of these by the gap and by the gap that holds oil, at every node.
-    pub(super) by_node: [Vec<[f64; OUTPUTS]>; 2],
+    pub(super) by_node: [Vec<[f64; WIDE]>; 2],
 }
 
 impl Balance {
@@ -77,6 +79,18 @@ impl Balance {
             let (k, rest) = (place / (count * across), place % (count * across));
             grid.node(rest % across, k, rest / across)
         });
+        let places: Vec<usize> = places.collect();
+        let order = grid.order();
+        let matrix = Band::new(nodes, grid.half_band());
+        let mut entries = Vec::with_capacity(up * kernel.flow.slopes.len() * across);
+        for k in 0..up {
+            for slope in kernel.flow.slopes {
+                let [rows, columns] = [slope.value, slope.node]
+                    .map(|a| &places[(k * count + a) * across..][..across]);
+                let both = rows.iter().zip(columns);
+                entries.extend(both.map(|(row, column)| matrix.place(order[*row], order[*column])));
+            }
+        }
         let rows = |count: usize| vec![0.0; count];
         let both = [&kernel.flow, &kernel.surface];
         let padded = grid.pitch() * grid.along;
@@ -93,8 +107,9 @@ impl Balance {
             before: rows(nodes),
             tolerance: 1e-11,
             uniform: film.uniform.clone(),
-            order: grid.order(),
-            places: places.collect(),
+            order,
+            places,
+            entries,
             own: rows(3 * nodes),
             nodal: rows(4 * kernel.nodal.len() * nodes),
             stored: rows(4 * nodes),
@@ -106,10 +121,10 @@ impl Balance {
             by_gap: factors(),
             residual: rows(nodes),
             scale: 0.0,
-            matrix: Band::new(nodes, grid.half_band()),
+            matrix,
             change: rows(nodes),
-            adjoint: vec![[0.0; OUTPUTS]; nodes],
-            by_node: [(); 2].map(|()| vec![[0.0; OUTPUTS]; nodes]),
+            adjoint: vec![[0.0; WIDE]; nodes],
+            by_node: [(); 2].map(|()| vec![[0.0; WIDE]; nodes]),
         }
     }
 
@@ -228,18 +243,16 @@ impl Balance {
         let [across, up] = film.grid.cells();
         let count = kernel.nodes[0] * kernel.nodes[1];
         self.matrix.clear();
+        let slopes = kernel.flow.slopes;
         for k in 0..up {
             let out = &self.flow[k * kernel.flow.count * across..];
-            for slope in kernel.flow.slopes {
-                let [rows, columns] = [slope.value, slope.node]
-                    .map(|a| &self.places[(k * count + a) * across..][..across]);
+            for (place, slope) in slopes.iter().enumerate() {
+                let columns = &self.places[(k * count + slope.node) * across..][..across];
                 let by = &self.by_active[0][slope.field * nodes..][..nodes];
                 let values = &out[slope.row * across..][..across];
-                for ((value, row), column) in values.iter().zip(rows).zip(columns) {
-                    let factor = by[*column];
-                    if factor != 0.0 {
-                        self.matrix.add(self.order[*row], self.order[*column], value * factor);
-                    }
+                let entries = &self.entries[(k * slopes.len() + place) * across..][..across];
+                for ((value, entry), column) in values.iter().zip(entries).zip(columns) {
+                    self.matrix.add_at(*entry, value * by[*column]);
                 }
             }
         }
@@ -250,7 +263,8 @@ impl Balance {
                 }
                 None => 1.0,
             };
-            self.matrix.add(self.order[a], self.order[a], value);
+            let entry = self.matrix.place(self.order[a], self.order[a]);
+            self.matrix.add_at(entry, value);
         }
         self.matrix.factor();
     }

@@ -24,9 +24,14 @@ impl Band {
         self.values.fill(0.0);
     }
 
-    /// Adds to an entry, which must lie in the band.
-    pub(super) fn add(&mut self, row: usize, column: usize, value: f64) {
-        let place = row * self.width() + self.half + column - row;
+    /// Where an entry stands, which must lie in the band.
+    pub(super) fn place(&self, row: usize, column: usize) -> usize {
+        row * self.width() + self.half + column - row
+    }
+
+    /// Adds to the entry at a place.
+    #[inline]
+    pub(super) fn add_at(&mut self, place: usize, value: f64) {
         self.values[place] += value;
     }
 
@@ -126,7 +131,8 @@ mod tests {
             for j in i.saturating_sub(half)..(i + half + 1).min(size) {
                 let value = ((7 * i + 3 * j) as f64 * 1.3).sin()
                     + if i == j { 3.0 * half as f64 } else { 0.0 };
-                band.add(i, j, value);
+                let place = band.place(i, j);
+                band.add_at(place, value);
                 full[i][j] = value;
             }
         }
@@ -157,8 +163,10 @@ mod tests {
     #[test]
     fn what_no_row_determines_stays() {
         let mut band = Band::new(3, 1);
-        band.add(0, 0, 2.0);
-        band.add(2, 2, 4.0);
+        for (i, value) in [(0, 2.0), (2, 4.0)] {
+            let place = band.place(i, i);
+            band.add_at(place, value);
+        }
         band.factor();
         let mut x = vec![2.0, 0.0, 4.0];
         band.solve(&mut x);

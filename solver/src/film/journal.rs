@@ -146,7 +146,7 @@ impl Journal {
                 let a = j * grid.around + i;
                 let own = &balance.motion;
                 // The turn does not change the gap.
-                let [x, y, about_x, about_y, _] = arms(*gradient, z);
+                let [x, y, about_x, about_y, ..] = arms(*gradient, z);
                 let gradient = [x, y, about_x, about_y];
                 let shifted = own.shifted[a];
                 let [by_gap, by_stored] = [balance.by_node[0][a], balance.by_node[1][a]];

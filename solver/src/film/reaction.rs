@@ -2,6 +2,8 @@
 
 /// Forces along x and y, moments about x and y, and the moment about z, on the journal, in the bore's frame.
 pub const OUTPUTS: usize = 5;
+/// As many numbers as fill a register, the last of them zero.
+pub(super) const WIDE: usize = 8;
 /// Displacements along x and y, tilts about x and y; as many rates; the speed.
 pub const INPUTS: usize = 9;
 
@@ -35,7 +37,8 @@ pub struct Reaction {
 pub(super) type Gradients = Vec<Vec<[f64; 3]>>;
 
 /// Forces and moments of unit force at a node: by e_x, e_y, tilts about x and y, and the turn.
-pub(super) fn arms([x, y, turn]: [f64; 3], z: f64) -> [f64; OUTPUTS] {
+#[inline(always)]
+pub(super) fn arms([x, y, turn]: [f64; 3], z: f64) -> [f64; WIDE] {
     // A tilt moves a section at z along y by −z, one about y along x by z.
-    [x, y, -z * y, z * x, turn]
+    [x, y, -z * y, z * x, turn, 0.0, 0.0, 0.0]
 }

@@ -4,7 +4,8 @@
 use super::balance::Balance;
 use super::oil::Oil;
 use super::openings::OilFilm;
-use super::reaction::{Gradients, OUTPUTS, arms};
+use super::reaction::{Gradients, OUTPUTS, WIDE, arms};
+use crate::linalg::widely;
 
 impl Balance {
     /// Forces and moments on the journal; the integrals of the outputs.
@@ -55,80 +56,79 @@ impl Balance {
         film: &OilFilm,
         oil: &Oil,
         gradients: &Gradients,
-    ) -> [f64; OUTPUTS] {
+    ) -> [f64; WIDE] {
         let (kernel, grid) = (film.kernel, &film.grid);
         let nodes = grid.nodes();
         let [across, up] = grid.cells();
         let count = kernel.nodes[0] * kernel.nodes[1];
         self.factors(film, oil, 1);
-        self.adjoint.fill([0.0; OUTPUTS]);
-        for rows in &mut self.by_node {
-            rows.fill([0.0; OUTPUTS]);
-        }
-        let mut by_speed = [0.0; OUTPUTS];
-        for k in 0..up {
-            let out = &self.surface[k * kernel.surface.count * across..];
-            let places = |a: usize| &self.places[(k * count + a) * across..][..across];
-            for slope in kernel.surface.slopes {
-                let Some(gradients) = gradients.get(slope.value / count) else { continue };
-                let (own, by) = (places(slope.value % count), places(slope.node));
-                let z = grid.z(own[0] / grid.around);
-                let values = &out[slope.row * across..][..across];
-                let active = &self.by_active[1][slope.field * nodes..][..nodes];
-                let gap = &self.by_gap[1][slope.field * nodes..][..nodes];
-                for ((value, node), by) in values.iter().zip(own).zip(by) {
-                    let arms = arms(gradients[node % grid.around], z);
-                    let (first, second) = (value * active[*by], value * gap[*by]);
-                    for n in 0..OUTPUTS {
-                        self.adjoint[self.order[*by]][n] += first * arms[n];
-                        self.by_node[0][*by][n] += second * arms[n];
+        let mut by_speed = [0.0; WIDE];
+        let Balance { surface, flow, places, order, by_active, by_gap, adjoint, by_node, .. } =
+            self;
+        let [by_own, by_stored] = by_node;
+        adjoint.fill([0.0; WIDE]);
+        by_own.fill([0.0; WIDE]);
+        let places = |k: usize, a: usize| &places[(k * count + a) * across..][..across];
+        widely(|| {
+            for k in 0..up {
+                let out = &surface[k * kernel.surface.count * across..];
+                for slope in kernel.surface.slopes {
+                    let Some(gradients) = gradients.get(slope.value / count) else { continue };
+                    let (own, by) = (places(k, slope.value % count), places(k, slope.node));
+                    let z = grid.z(own[0] / grid.around);
+                    let values = &out[slope.row * across..][..across];
+                    let active = &by_active[1][slope.field * nodes..][..nodes];
+                    let gap = &by_gap[1][slope.field * nodes..][..nodes];
+                    for ((value, node), by) in values.iter().zip(own).zip(by) {
+                        let arms = arms(gradients[node % grid.around], z);
+                        add(&mut adjoint[order[*by]], value * active[*by], &arms);
+                        add(&mut by_own[*by], value * gap[*by], &arms);
+                    }
+                }
+                for (row, value) in kernel.surface.by_speed {
+                    let Some(gradients) = gradients.get(value / count) else { continue };
+                    let own = places(k, value % count);
+                    let z = grid.z(own[0] / grid.around);
+                    for (value, node) in out[row * across..][..across].iter().zip(own) {
+                        add(&mut by_speed, *value, &arms(gradients[node % grid.around], z));
                     }
                 }
             }
-            for (row, value) in kernel.surface.by_speed {
-                let Some(gradients) = gradients.get(value / count) else { continue };
-                let own = places(value % count);
-                let z = grid.z(own[0] / grid.around);
-                for (value, node) in out[row * across..][..across].iter().zip(own) {
-                    let arms = arms(gradients[node % grid.around], z);
-                    for n in 0..OUTPUTS {
-                        by_speed[n] += value * arms[n];
+        });
+        self.matrix.solve_transposed(adjoint);
+        widely(|| {
+            for k in 0..up {
+                let out = &flow[k * kernel.flow.count * across..];
+                for slope in kernel.flow.slopes {
+                    let (rows, by) = (places(k, slope.value), places(k, slope.node));
+                    let gap = &by_gap[0][slope.field * nodes..][..nodes];
+                    let values = &out[slope.row * across..][..across];
+                    for ((value, row), by) in values.iter().zip(rows).zip(by) {
+                        add(&mut by_own[*by], -value * gap[*by], &adjoint[order[*row]]);
+                    }
+                }
+                for (row, value) in kernel.flow.by_speed {
+                    for (value, node) in out[row * across..][..across].iter().zip(places(k, *value))
+                    {
+                        add(&mut by_speed, -value, &adjoint[order[*node]]);
                     }
                 }
             }
-        }
-        self.matrix.solve_transposed(&mut self.adjoint);
-        for k in 0..up {
-            let out = &self.flow[k * kernel.flow.count * across..];
-            let places = |a: usize| &self.places[(k * count + a) * across..][..across];
-            for slope in kernel.flow.slopes {
-                let (rows, by) = (places(slope.value), places(slope.node));
-                let gap = &self.by_gap[0][slope.field * nodes..][..nodes];
-                let values = &out[slope.row * across..][..across];
-                for ((value, row), by) in values.iter().zip(rows).zip(by) {
-                    let factor = value * gap[*by];
-                    let adjoint = &self.adjoint[self.order[*row]];
-                    for n in 0..OUTPUTS {
-                        self.by_node[0][*by][n] -= factor * adjoint[n];
-                    }
-                }
-            }
-            for (row, value) in kernel.flow.by_speed {
-                for (value, node) in out[row * across..][..across].iter().zip(places(*value)) {
-                    for n in 0..OUTPUTS {
-                        by_speed[n] -= value * self.adjoint[self.order[*node]][n];
-                    }
-                }
-            }
-        }
+        });
         // Of a step by what nodes hold, of a steady film by the rate of that: the same slope of it by the gap.
         let rate = if self.motion.per_step > 0.0 { self.motion.per_step } else { 1.0 };
         for a in 0..nodes {
             let factor = self.stored[3 * nodes + a] * film.areas[a] * rate;
-            for n in 0..OUTPUTS {
-                self.by_node[1][a][n] = -factor * self.adjoint[self.order[a]][n];
-            }
+            by_stored[a] = adjoint[order[a]].map(|value| -factor * value);
         }
         by_speed
+    }
+}
+
+/// sum += factor · values
+#[inline(always)]
+fn add(sum: &mut [f64; WIDE], factor: f64, values: &[f64; WIDE]) {
+    for (sum, value) in sum.iter_mut().zip(values) {
+        *sum += factor * value;
     }
 }

@@ -520,7 +520,8 @@ impl<'d> Reader<'d> {
         let scope: Scope =
             self.symbols.iter().map(|(name, id)| (name.clone(), graph.shape(*id))).collect();
         formula::check(&formula, &scope).map_err(refuse).ok()?;
-        let dimension = formula::dimension(&formula, &self.meanings).map_err(refuse).ok()?;
+        let dimension =
+            formula::dimension_of_pure(&formula, &self.meanings).map_err(refuse).ok()?;
         let id = formula::lower(&formula, &mut self.graph, &self.symbols).map_err(refuse).ok()?;
         if self.graph.shape(id) != Shape::Scalar {
             let message = "a number is expected here, not a condition";
