@@ -15,6 +15,7 @@ pub mod curve;
 pub mod dynamics;
 pub mod equations;
 pub mod error;
+pub mod film;
 pub mod gravity;
 pub mod history;
 pub mod linalg;

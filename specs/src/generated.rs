@@ -1,6 +1,6 @@
 //! The text of the generated kernels, for people who want to read it.
 
-use crate::{CLEARANCES, ELEMENTS, FORMS, LAWS, MOTIONS, Origin};
+use crate::{CLEARANCES, ELEMENTS, FILMS, FORMS, LAWS, MOTIONS, Origin};
 
 /// Folder that held the generated files when this crate was built.
 pub const FOLDER: &str = env!("OUT_DIR");
@@ -26,6 +26,7 @@ registries! {
     "forms": FORMS.iter(),
     "motions": MOTIONS.iter().map(|motion| &motion.origin),
     "clearances": CLEARANCES.iter().map(|clearance| &clearance.origin),
+    "films": FILMS.iter().map(|film| &film.origin),
 }
 
 /// The module made from a spec.

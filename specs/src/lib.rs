@@ -1,14 +1,15 @@
 //! The physics as spec files, and the kernels generated from them.
 //!
-//! The files under `elements/`, `forms/`, `laws/` and `motion/` are the source; the build script hands
+//! The files under `elements/`, `films/`, `forms/`, `laws/` and `motion/` are the source; the build script hands
 //! them to `whirl-codegen` and this crate includes the text it writes. [`ELEMENTS`], [`LAWS`],
-//! [`MOTIONS`] and [`CLEARANCES`] list what was found, each entry with its facts and its functions;
+//! [`MOTIONS`], [`CLEARANCES`] and [`FILMS`] list what was found, each entry with its facts and its functions;
 //! [`FORMS`] the forms that the elements integrate, and [`generated`] holds the text itself.
 
 mod cell_kernel;
 pub mod cells;
 pub mod columns;
 mod condensation;
+mod film;
 pub mod generated;
 mod jacobian;
 pub mod lane;
@@ -27,6 +28,10 @@ mod wide;
 mod x86;
 
 pub use cell_kernel::{CellKernel, FormKernel, StressKernel, Structure};
+pub use film::{
+    Film, FilmEdge, FilmField, FilmFieldKind, FilmForce, FilmFunction, FilmKernel, FilmParameter,
+    FilmSlope, FilmValues, each_of_film,
+};
 pub use lane::{FUNCTIONS, Lane, Shared};
 pub use matrices::{Batch, CellMatrix, Matrix};
 pub use origin::{Origin, Variable};

@@ -129,6 +129,12 @@ pub struct Clearance {
     /// Where the bodies of journal and bore turn about axes that are apart (m, in space): what that adds to
     /// ε_x and ε_y at an angle of the journal's body, its derivatives by that angle, and theirs.
     pub apart: fn(angle: f64, distance: [f64; 2]) -> [[f64; 2]; 3],
+    /// Names of the measures on which forces work, the clearance first.
+    pub measures: &'static [&'static str],
+    /// How many coordinates measures depend on.
+    pub coordinates: usize,
+    /// All measures (m, rad) at a spring, from its angle, θ, ε_x and ε_y, the bore's motions, and last c and R.
+    pub measure: fn(at: &[f64], out: &mut [f64]),
     /// Kinds of laws; that of normal forces Q(h, ḣ) first.
     pub contacts: &'static [Contact],
 }

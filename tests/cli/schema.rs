@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 
 use crate::workbench::Workbench;
 
-const KINDS: [&str; 7] = ["law", "element", "form", "motion", "clearance", "case", "sweep"];
+const KINDS: [&str; 8] = ["law", "element", "form", "motion", "clearance", "film", "case", "sweep"];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")

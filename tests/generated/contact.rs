@@ -41,7 +41,7 @@ enum Meaning {
     Psi,
 }
 
-/// Places of the measures: h, s, α, e_x, e_y, e_z, α_x, α_y, e_n.
+/// Places of the measures: h, s, α, e_x, e_y, e_z, α_x, α_y, e_n, s_mean.
 fn meaning(input: &str) -> Meaning {
     match input {
         "h" => Meaning::Value(0),
@@ -235,7 +235,7 @@ impl Bench {
     }
 
     /// All measures of spring j in numbers that carry derivatives along two directions.
-    fn hyper(&self, state: &State, j: usize, first: &[f64], second: &[f64]) -> [Hyper; 9] {
+    fn hyper(&self, state: &State, j: usize, first: &[f64], second: &[f64]) -> [Hyper; 10] {
         let at = |i: usize| Hyper::new(state.q[i], first[i], second[i]);
         let constant = |value: f64| Hyper::new(value, 0.0, 0.0);
         let motion = |wanted: BoreMotion| {

@@ -25,6 +25,55 @@ pieces = [
 ]
 "#;
 
+const FILM: &str = r#"kind = "film"
+name = "example"
+title = "Film between plates, linear along"
+source = "made for this test"
+
+[cell]
+around = 2
+along = 2
+
+[unknowns.p]
+unit = "Pa"
+
+[unknowns.r]
+unit = "1"
+
+[gap.h]
+unit = "m"
+
+[speed.u]
+unit = "m/s"
+
+[parameters.mu]
+value = 20
+unit = "mPa*s"
+title = "viscosity"
+
+[nodal]
+theta = '1 - r'
+
+[stored]
+value = 'theta*h'
+
+[residual]
+pressure = { value = 'h^3/(12*mu)*(ddx(p)*ddx(v) + ddz(p)*ddz(v))', points = ["midpoint", "midpoint"] }
+shear = { value = '-u*h*upstream(theta, u)*ddx(v)', points = ["midpoint", "midpoint"] }
+
+[forces]
+Q = { on = "h", value = 'p' }
+T_m = { on = "s_mean", value = 'p*ddx(h)' }
+
+[edges.open]
+given = ["p"]
+complementary = ["out", "r"]
+
+[outputs.loss]
+unit = "W"
+terms.shear = { value = 'mu*(2*u)^2*theta/h', points = "nodes" }
+"#;
+
 fn file(path: &str, text: &str) -> SpecFile {
     SpecFile { path: path.to_owned(), text: text.to_owned() }
 }
@@ -81,6 +130,12 @@ fn the_text_of_an_element_is_as_committed() {
 fn the_text_of_a_clearance_is_as_committed() {
     let files = generated(&[shipped("motion/clearance.toml")]);
     is_as_committed(text(&files, "clearances.rs"), "clearance.rs");
+}
+
+#[test]
+fn the_text_of_a_film_is_as_committed() {
+    let files = generated(&[file("films/example.toml", FILM)]);
+    is_as_committed(text(&files, "films.rs"), "film.rs");
 }
 
 #[test]

@@ -35,7 +35,7 @@ pub mod journal {
         let twice_y_ = -y_;
         [[x_, y_], [y_, by_angle_y_], [by_angle_y_, twice_y_]]
     }
-    /// h, s, alpha, e_x, e_y, e_z, alpha_x, alpha_y, e_n of psi, theta, eps_x, eps_y, delta, tau, b_x, b_y, beta, b_z, g_x, g_y, gamma, s_z, a_x, a_y, phi, lambda, c, R, SI.
+    /// h, s, alpha, e_x, e_y, e_z, alpha_x, alpha_y, e_n, s_mean of psi, theta, eps_x, eps_y, delta, tau, b_x, b_y, beta, b_z, g_x, g_y, gamma, s_z, a_x, a_y, phi, lambda, c, R, SI.
     pub fn measures<L: Lane>(
         psi: L,
         theta: L,
@@ -57,7 +57,7 @@ pub mod journal {
         lambda: L,
         c: L,
         R: L,
-    ) -> [L; 9] {
+    ) -> [L; 10] {
         let cos_theta = theta.cos();
         let sin_theta = theta.sin();
         let h_part2 = eps_x * cos_theta - eps_y * sin_theta;
@@ -66,8 +66,10 @@ pub mod journal {
         let sin_psi = psi.sin();
         let h = c + delta - h_part2 * cos_psi - h_part5 * sin_psi;
         let s_part = theta + gamma;
-        let s_part5 = R * s_part - tau - h_part2 * sin_psi;
-        let s = s_part5 + h_part5 * cos_psi;
+        let s_part2 = R * s_part;
+        let s_part4 = h_part2 * sin_psi;
+        let s_part6 = h_part5 * cos_psi;
+        let s = s_part2 - tau - s_part4 + s_part6;
         let alpha = theta - beta + gamma;
         let cos_beta = beta.cos();
         let e_x_part = h_part2 - b_x;
@@ -84,7 +86,35 @@ pub mod journal {
         let sin_phi = phi.sin();
         let e_n_part2 = h_part2 - cos_phi * b_x + sin_phi * b_y;
         let e_n = e_n_part2 + R * (s_part + lambda);
-        [h, s, alpha, e_x, e_y, e_z, alpha_x, alpha_y, e_n]
+        let s_mean = (tau + s_part2 - s_part4 + s_part6) * 0.5;
+        [h, s, alpha, e_x, e_y, e_z, alpha_x, alpha_y, e_n, s_mean]
+    }
+    /// All measures from the coordinates in the order of the spec: see [`Clearance::measure`].
+    pub fn measure(at_: &[f64], out_: &mut [f64]) {
+        out_.copy_from_slice(
+            &measures(
+                at_[0],
+                at_[1],
+                at_[2],
+                at_[3],
+                at_[4],
+                at_[5],
+                at_[6],
+                at_[7],
+                at_[8],
+                at_[9],
+                at_[10],
+                at_[11],
+                at_[12],
+                at_[13],
+                at_[14],
+                at_[15],
+                at_[16],
+                at_[17],
+                at_[18],
+                at_[19],
+            ),
+        );
     }
     /// Kinds of laws.
     pub mod contacts {
@@ -3607,11 +3637,25 @@ pub mod journal {
             title: "Radial clearance of the springs of a journal bearing",
             source: "Hu, Mourelatos, Vlahopoulos, J. Sound Vib. 267 (2003) 1-28, eqs. (13), (14), (24), with the shaft's displacement turned from its rotating frame into the fixed one",
             spec: "motion/clearance.toml",
-            text: "kind = \"clearance\"\nname = \"journal\"\ntitle = \"Radial clearance of the springs of a journal bearing\"\nsource = \"Hu, Mourelatos, Vlahopoulos, J. Sound Vib. 267 (2003) 1-28, eqs. (13), (14), (24), with the shaft's displacement turned from its rotating frame into the fixed one\"\n\n# Constants of each spring.\n[spring.psi]\nunit = \"rad\"\ntitle = \"angle of the spring on the bore, from the vertical x axis\"\n\n# One bearing.\n[constants.c]\nunit = \"m\"\ntitle = \"radial clearance of the undeformed bearing\"\n\n[constants.R]\nunit = \"m\"\ntitle = \"radius of the journal\"\n\n# Coordinates that all springs of a ring share.\n[ring.theta]\nunit = \"rad\"\ntitle = \"rotation of the shaft\"\n\n[ring.eps_x]\nunit = \"m\"\ntitle = \"displacement of the shaft's centre line along the turning x axis\"\n\n[ring.eps_y]\nunit = \"m\"\ntitle = \"displacement of the shaft's centre line along the turning y axis\"\n\n# Coordinates of each spring.\n[radial.delta]\nunit = \"m\"\ntitle = \"radial displacement of the bore at the spring, outwards\"\n\n[tangential.tau]\nunit = \"m\"\ntitle = \"displacement of the bore at the spring along the tangent (-sin psi, cos psi)\"\n\n# Mean motion of the bore's ring, and of its whole section.\n[bore.b_x]\nunit = \"m\"\ntitle = \"mean displacement of the bore along the vertical x axis\"\n\n[bore.b_y]\nunit = \"m\"\ntitle = \"mean displacement of the bore along the y axis\"\n\n[bore.beta]\nunit = \"rad\"\ntitle = \"mean rotation of the bore\"\n\n[bore.b_z]\nunit = \"m\"\ntitle = \"mean displacement of the bore along z\"\n\n[bore.g_x]\nunit = \"rad\"\ntitle = \"mean rotation of the bore about the vertical x axis\"\n\n[bore.g_y]\nunit = \"rad\"\ntitle = \"mean rotation of the bore about the y axis\"\n\n# The section of the journal in the frame of its body.\n[section.gamma]\nunit = \"rad\"\ntitle = \"mean rotation of the journal's section against the frame of its body\"\n\n[section.s_z]\nunit = \"m\"\ntitle = \"mean displacement of the journal's section along z\"\n\n[section.a_x]\nunit = \"rad\"\ntitle = \"mean rotation of the journal's section about the turning x axis\"\n\n[section.a_y]\nunit = \"rad\"\ntitle = \"mean rotation of the journal's section about the turning y axis\"\n\n# The second of two gears, whose axes are apart. Its bore's motion b_x, b_y is that of its centre in the frame of its body. Both\n# frames are counted from the line of action, so that x lies along it.\n[gear.phi]\nunit = \"rad\"\ntitle = \"rotation of the frame of the second gear\"\n\n[gear.lambda]\nunit = \"rad\"\ntitle = \"rotation of the second gear times its base radius over that of the first\"\n\n[definitions]\n# The shaft's displacement in the fixed frame, A(theta) eps.\nu_x = 'cos(theta)*eps_x - sin(theta)*eps_y'\nu_y = 'sin(theta)*eps_x + cos(theta)*eps_y'\n\n[clearance]\nh = 'c - cos(psi)*u_x - sin(psi)*u_y + delta'\n\n# Displacement along the bearing from those of its left, middle and right ring; s = z/L_b.\n[axial]\ns = ['2*s^2 - 3*s + 1', '-4*s^2 + 4*s', '2*s^2 - s']\n\n# Where the bodies of journal and bore turn about axes that are apart by (D_x, D_y), fixed in space: what that adds to the\n# displacement eps, seen by the journal's body, which turns by phi. theta is then its angle against the bore's body.\n[apart]\nphi = { D_x = 'cos(phi)*D_x + sin(phi)*D_y', D_y = 'cos(phi)*D_y - sin(phi)*D_x' }\n\n# Other quantities on which laws may depend, and with which their other forces do work.\n\n# Slip of the journal's surface over the bore along the tangent, positive with positive rotation.\n[measures.s]\nvalue = 'R*(theta + gamma) - sin(psi)*u_x + cos(psi)*u_y - tau'\nrate = \"v_t\"\nforce = \"T\"\n\n[measures.alpha]\nvalue = 'theta + gamma - beta'\nrate = \"omega\"\nforce = \"M_z\"\n\n# Displacement of the journal in the bore, along axes that turn with the bore: its forces are in balance where they act, on\n# the centres of both, and what is left of their moment, e x F, is a couple on the bore.\n[measures.e_x]\nvalue = 'cos(beta)*(u_x - b_x) + sin(beta)*(u_y - b_y)'\nforce = \"F_x\"\n\n[measures.e_y]\nvalue = 'cos(beta)*(u_y - b_y) - sin(beta)*(u_x - b_x)'\nforce = \"F_y\"\n\n# Displacement along z, and tilts as small rotations, along axes that turn with the bore: M_x and M_y act as couples on both\n# sections.\n[measures.e_z]\nvalue = 's_z - b_z'\nforce = \"F_z\"\n\n[measures.alpha_x]\nvalue = 'cos(beta)*(cos(theta)*a_x - sin(theta)*a_y - g_x) + sin(beta)*(sin(theta)*a_x + cos(theta)*a_y - g_y)'\nforce = \"M_x\"\n\n[measures.alpha_y]\nvalue = 'cos(beta)*(sin(theta)*a_x + cos(theta)*a_y - g_y) - sin(beta)*(cos(theta)*a_x - sin(theta)*a_y - g_x)'\nforce = \"M_y\"\n\n# Overlap of the teeth of two gears along the line of action; R is the base radius of the first.\n[measures.e_n]\nvalue = 'u_x - cos(phi)*b_x + sin(phi)*b_y + R*(theta + gamma + lambda)'\nforce = \"F_n\"\n\n# Inputs and outputs of a law of springs, of a law of a whole ring, of a law of a whole joint, and of a law of two gears.\n[laws.spring]\ninputs = [\"h\", \"h_dot\", \"psi\", \"omega\", \"v_t\", \"theta\"]\nforces = [\"Q\", \"T\"]\n\n[laws.ring]\ninputs = [\"e_x\", \"e_y\", \"e_x_dot\", \"e_y_dot\", \"omega\", \"theta\"]\nforces = [\"F_x\", \"F_y\", \"M_z\"]\n\n[laws.joint]\ninputs = [\n  \"e_x\", \"e_y\", \"e_z\", \"alpha_x\", \"alpha_y\",\n  \"e_x_dot\", \"e_y_dot\", \"e_z_dot\", \"alpha_x_dot\", \"alpha_y_dot\",\n  \"omega\", \"theta\",\n]\nforces = [\"F_x\", \"F_y\", \"F_z\", \"M_x\", \"M_y\", \"M_z\"]\n\n[laws.gear]\ninputs = [\"e_n\", \"e_n_dot\"]\nforces = [\"F_n\"]\n",
-            hash: "11fa2ef1c088bf9290bc0b85c4b1486b",
+            text: "kind = \"clearance\"\nname = \"journal\"\ntitle = \"Radial clearance of the springs of a journal bearing\"\nsource = \"Hu, Mourelatos, Vlahopoulos, J. Sound Vib. 267 (2003) 1-28, eqs. (13), (14), (24), with the shaft's displacement turned from its rotating frame into the fixed one\"\n\n# Constants of each spring.\n[spring.psi]\nunit = \"rad\"\ntitle = \"angle of the spring on the bore, from the vertical x axis\"\n\n# One bearing.\n[constants.c]\nunit = \"m\"\ntitle = \"radial clearance of the undeformed bearing\"\n\n[constants.R]\nunit = \"m\"\ntitle = \"radius of the journal\"\n\n# Coordinates that all springs of a ring share.\n[ring.theta]\nunit = \"rad\"\ntitle = \"rotation of the shaft\"\n\n[ring.eps_x]\nunit = \"m\"\ntitle = \"displacement of the shaft's centre line along the turning x axis\"\n\n[ring.eps_y]\nunit = \"m\"\ntitle = \"displacement of the shaft's centre line along the turning y axis\"\n\n# Coordinates of each spring.\n[radial.delta]\nunit = \"m\"\ntitle = \"radial displacement of the bore at the spring, outwards\"\n\n[tangential.tau]\nunit = \"m\"\ntitle = \"displacement of the bore at the spring along the tangent (-sin psi, cos psi)\"\n\n# Mean motion of the bore's ring, and of its whole section.\n[bore.b_x]\nunit = \"m\"\ntitle = \"mean displacement of the bore along the vertical x axis\"\n\n[bore.b_y]\nunit = \"m\"\ntitle = \"mean displacement of the bore along the y axis\"\n\n[bore.beta]\nunit = \"rad\"\ntitle = \"mean rotation of the bore\"\n\n[bore.b_z]\nunit = \"m\"\ntitle = \"mean displacement of the bore along z\"\n\n[bore.g_x]\nunit = \"rad\"\ntitle = \"mean rotation of the bore about the vertical x axis\"\n\n[bore.g_y]\nunit = \"rad\"\ntitle = \"mean rotation of the bore about the y axis\"\n\n# The section of the journal in the frame of its body.\n[section.gamma]\nunit = \"rad\"\ntitle = \"mean rotation of the journal's section against the frame of its body\"\n\n[section.s_z]\nunit = \"m\"\ntitle = \"mean displacement of the journal's section along z\"\n\n[section.a_x]\nunit = \"rad\"\ntitle = \"mean rotation of the journal's section about the turning x axis\"\n\n[section.a_y]\nunit = \"rad\"\ntitle = \"mean rotation of the journal's section about the turning y axis\"\n\n# The second of two gears, whose axes are apart. Its bore's motion b_x, b_y is that of its centre in the frame of its body. Both\n# frames are counted from the line of action, so that x lies along it.\n[gear.phi]\nunit = \"rad\"\ntitle = \"rotation of the frame of the second gear\"\n\n[gear.lambda]\nunit = \"rad\"\ntitle = \"rotation of the second gear times its base radius over that of the first\"\n\n[definitions]\n# The shaft's displacement in the fixed frame, A(theta) eps.\nu_x = 'cos(theta)*eps_x - sin(theta)*eps_y'\nu_y = 'sin(theta)*eps_x + cos(theta)*eps_y'\n\n[clearance]\nh = 'c - cos(psi)*u_x - sin(psi)*u_y + delta'\n\n# Displacement along the bearing from those of its left, middle and right ring; s = z/L_b.\n[axial]\ns = ['2*s^2 - 3*s + 1', '-4*s^2 + 4*s', '2*s^2 - s']\n\n# Where the bodies of journal and bore turn about axes that are apart by (D_x, D_y), fixed in space: what that adds to the\n# displacement eps, seen by the journal's body, which turns by phi. theta is then its angle against the bore's body.\n[apart]\nphi = { D_x = 'cos(phi)*D_x + sin(phi)*D_y', D_y = 'cos(phi)*D_y - sin(phi)*D_x' }\n\n# Other quantities on which laws may depend, and with which their other forces do work.\n\n# Slip of the journal's surface over the bore along the tangent, positive with positive rotation.\n[measures.s]\nvalue = 'R*(theta + gamma) - sin(psi)*u_x + cos(psi)*u_y - tau'\nrate = \"v_t\"\nforce = \"T\"\n\n[measures.alpha]\nvalue = 'theta + gamma - beta'\nrate = \"omega\"\nforce = \"M_z\"\n\n# Displacement of the journal in the bore, along axes that turn with the bore: its forces are in balance where they act, on\n# the centres of both, and what is left of their moment, e x F, is a couple on the bore.\n[measures.e_x]\nvalue = 'cos(beta)*(u_x - b_x) + sin(beta)*(u_y - b_y)'\nforce = \"F_x\"\n\n[measures.e_y]\nvalue = 'cos(beta)*(u_y - b_y) - sin(beta)*(u_x - b_x)'\nforce = \"F_y\"\n\n# Displacement along z, and tilts as small rotations, along axes that turn with the bore: M_x and M_y act as couples on both\n# sections.\n[measures.e_z]\nvalue = 's_z - b_z'\nforce = \"F_z\"\n\n[measures.alpha_x]\nvalue = 'cos(beta)*(cos(theta)*a_x - sin(theta)*a_y - g_x) + sin(beta)*(sin(theta)*a_x + cos(theta)*a_y - g_y)'\nforce = \"M_x\"\n\n[measures.alpha_y]\nvalue = 'cos(beta)*(sin(theta)*a_x + cos(theta)*a_y - g_y) - sin(beta)*(cos(theta)*a_x - sin(theta)*a_y - g_x)'\nforce = \"M_y\"\n\n# Overlap of the teeth of two gears along the line of action; R is the base radius of the first.\n[measures.e_n]\nvalue = 'u_x - cos(phi)*b_x + sin(phi)*b_y + R*(theta + gamma + lambda)'\nforce = \"F_n\"\n\n# Mean motion of both surfaces along the tangent, in the frame of the bore: oil shears both alike where its pressure drives it.\n[measures.s_mean]\nvalue = '(R*(theta + gamma) - sin(psi)*u_x + cos(psi)*u_y + tau)/2'\nforce = \"T_m\"\n\n# Inputs and outputs of a law of springs, of a law of a whole ring, of a law of a whole joint, and of a law of two gears.\n[laws.spring]\ninputs = [\"h\", \"h_dot\", \"psi\", \"omega\", \"v_t\", \"theta\"]\nforces = [\"Q\", \"T\"]\n\n[laws.ring]\ninputs = [\"e_x\", \"e_y\", \"e_x_dot\", \"e_y_dot\", \"omega\", \"theta\"]\nforces = [\"F_x\", \"F_y\", \"M_z\"]\n\n[laws.joint]\ninputs = [\n  \"e_x\", \"e_y\", \"e_z\", \"alpha_x\", \"alpha_y\",\n  \"e_x_dot\", \"e_y_dot\", \"e_z_dot\", \"alpha_x_dot\", \"alpha_y_dot\",\n  \"omega\", \"theta\",\n]\nforces = [\"F_x\", \"F_y\", \"F_z\", \"M_x\", \"M_y\", \"M_z\"]\n\n[laws.gear]\ninputs = [\"e_n\", \"e_n_dot\"]\nforces = [\"F_n\"]\n",
+            hash: "d125c1195bc00a6275d230f77eefb665",
         },
         axial,
         apart,
+        measures: &[
+            "h",
+            "s",
+            "alpha",
+            "e_x",
+            "e_y",
+            "e_z",
+            "alpha_x",
+            "alpha_y",
+            "e_n",
+            "s_mean",
+        ],
+        coordinates: 20,
+        measure,
         contacts: &[
             contacts::normal::ENTRY,
             contacts::spring::ENTRY,

@@ -99,5 +99,7 @@ impl Code {
             "Write `jacobian = \"centre\"` and `scale = 'det0/det'`, and use modes whose gradients integrate to zero."
         FORM "E053" "A form that is not bilinear in u and v, or from which enhanced modes cannot be condensed."
             "Write every term with `u` once and `v` once."
+        FILM "E060" "A film that may hold less than nothing, or whose moments do not balance."
+            "Correct what a node holds, or the force on the mean motion of the surfaces, as the message says."
     }
 }

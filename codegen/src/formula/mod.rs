@@ -39,6 +39,7 @@ pub use evaluate::{Value, evaluate};
 pub use lower::lower;
 pub use parse::parse;
 pub(crate) use series::whole;
+pub(crate) use unit::dimension_of_pure;
 pub use unit::{Meaning, dimension};
 
 use crate::diagnostic::Located;

@@ -8,7 +8,7 @@ use crate::rational::Rational;
 use num_traits::{One, ToPrimitive, Zero};
 
 use super::function::Builtin;
-use super::{Formula, Side, Term, TermKind};
+use super::{Formula, PI, Side, Term, TermKind};
 use crate::diagnostic::{Code, Diagnostics};
 use crate::operation::Function;
 use crate::units::{Dimension, Exponent};
@@ -31,7 +31,27 @@ pub fn dimension(
     formula: &Formula,
     names: &BTreeMap<String, Meaning>,
 ) -> Result<Option<Dimension>, Diagnostics> {
-    let mut checker = Checker { formula, names, counters: Vec::new(), errors: Diagnostics::new() };
+    found(formula, names, false)
+}
+
+/// The dimension of a formula in which numbers have no unit.
+///
+/// # Errors
+/// As [`dimension`].
+pub(crate) fn dimension_of_pure(
+    formula: &Formula,
+    names: &BTreeMap<String, Meaning>,
+) -> Result<Option<Dimension>, Diagnostics> {
+    found(formula, names, true)
+}
+
+fn found(
+    formula: &Formula,
+    names: &BTreeMap<String, Meaning>,
+    pure: bool,
+) -> Result<Option<Dimension>, Diagnostics> {
+    let (counters, errors) = (Vec::new(), Diagnostics::new());
+    let mut checker = Checker { formula, names, pure, counters, errors };
     let dimension = checker.term(&formula.root);
     checker.errors.into_result(dimension)
 }
@@ -42,6 +62,8 @@ const ALIKE: &str = "both must be alike: look for a missing factor or a wrong na
 struct Checker<'f> {
     formula: &'f Formula,
     names: &'f BTreeMap<String, Meaning>,
+    /// Whether numbers have no unit.
+    pure: bool,
     /// Counters of the sums around the term.
     counters: Vec<String>,
     errors: Diagnostics,
@@ -59,7 +81,8 @@ impl Checker<'_> {
     /// The dimension of a term; `None` if it is open, or if something inside it is wrong.
     fn term(&mut self, term: &Term) -> Option<Dimension> {
         match &term.kind {
-            TermKind::Number(_) => None,
+            TermKind::Number(_) => self.pure.then_some(Dimension::NUMBER),
+            TermKind::Name(name) if self.pure && name == PI => Some(Dimension::NUMBER),
             TermKind::Name(name) if self.counters.contains(name) => Some(Dimension::NUMBER),
             TermKind::Name(name) => self.names.get(name).map(|m| m.dimension.without_angle()),
             TermKind::Negate(inner) => self.term(inner),

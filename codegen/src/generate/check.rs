@@ -4,19 +4,21 @@ use super::parallel;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, suggest};
 use crate::kinds::clearance::ClearanceSpec;
 use crate::kinds::element::{ElementSpec, demand};
+use crate::kinds::film::FilmSpec;
 use crate::kinds::form::{Form, Structure};
 use crate::kinds::law::{Acts, LawSpec};
 use crate::kinds::list::Specs;
 use crate::units::{Dimension, Unit};
 
 pub(super) fn check(specs: &Specs) -> Result<(), Diagnostics> {
-    let Specs { forms, elements, laws, motions: _, clearances } = specs;
+    let Specs { forms, elements, laws, motions: _, clearances, films } = specs;
     let forms: Vec<&Form> = forms.iter().flat_map(|set| &set.forms).collect();
     let size = |own: &ElementSpec| own.file.text.len();
     let elements = parallel::map(elements, size, |own| element(own, &forms, elements));
     let laws = laws.iter().map(|own| law(own, clearances));
+    let films = films.iter().map(|own| film(own, clearances));
     let clearances = clearances.iter().map(clearance);
-    Diagnostics::all(elements.into_iter().chain(laws).chain(clearances))?;
+    Diagnostics::all(elements.into_iter().chain(laws).chain(clearances).chain(films))?;
     Ok(())
 }
 
@@ -117,6 +119,25 @@ fn clearance(own: &ClearanceSpec) -> Result<(), Diagnostics> {
                 let error = Diagnostic::new(&own.file, Code::UNKNOWN_NAME, None, message);
                 errors.push(error.help(format!("they have {}", known.join(", "))));
             }
+        }
+    }
+    errors.into_result(())
+}
+
+/// Clearances have the measures on which a film's forces work.
+fn film(film: &FilmSpec, clearances: &[ClearanceSpec]) -> Result<(), Diagnostics> {
+    let mut errors = Diagnostics::new();
+    for (clearance, force) in
+        clearances.iter().flat_map(|own| film.forces.iter().map(move |force| (own, force)))
+    {
+        let names: Vec<&str> = clearance.measures.iter().map(|(name, _)| name.as_str()).collect();
+        let on = force.on.text();
+        if !names.contains(&on) {
+            let path = clearance.file.path.display();
+            let message = format!("the clearance of `{path}` has no measure `{on}`");
+            errors.push(
+                force.on.error_here(Code::UNKNOWN_NAME, message).maybe_help(suggest(on, &names)),
+            );
         }
     }
     errors.into_result(())

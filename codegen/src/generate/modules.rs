@@ -34,7 +34,7 @@ impl<'a> Job<'a> {
 
 /// Forms first: the kernels of elements call them, so that their text counts for the hashes of elements.
 pub(super) fn modules(specs: &Specs) -> Result<ByKind<Vec<Module>>, Diagnostics> {
-    let Specs { forms, elements, laws, motions, clearances } = specs;
+    let Specs { forms, elements, laws, motions, clearances, films } = specs;
     let written = Diagnostics::all(map(forms, |own| own.file.text.len(), FormKernels::new));
     let called = written.as_deref().unwrap_or_default();
     let mut jobs = Vec::new();
@@ -46,6 +46,7 @@ pub(super) fn modules(specs: &Specs) -> Result<ByKind<Vec<Module>>, Diagnostics>
     jobs.extend(
         clearances.iter().map(|own| Job::new(&KINDS.clearances, own.about(), || own.module())),
     );
+    jobs.extend(films.iter().map(|own| Job::new(&KINDS.films, own.about(), || own.module())));
     let module = |name: &str, text| Module { name: name.to_owned(), text };
     let rest = map(&jobs, |job| job.size, |job| Ok(module(job.name, (job.write)()?)));
     drop(jobs);
@@ -59,5 +60,6 @@ pub(super) fn modules(specs: &Specs) -> Result<ByKind<Vec<Module>>, Diagnostics>
         laws: next(laws.len()),
         motions: next(motions.len()),
         clearances: next(clearances.len()),
+        films: next(films.len()),
     })
 }

@@ -19,13 +19,15 @@ pub struct ByKind<T> {
     pub motions: T,
     /// Clearances of springs.
     pub clearances: T,
+    /// Oil films.
+    pub films: T,
 }
 
 impl<T> ByKind<T> {
     /// All, in order.
-    pub fn in_order(self) -> [T; 5] {
-        let ByKind { forms, elements, laws, motions, clearances } = self;
-        [forms, elements, laws, motions, clearances]
+    pub fn in_order(self) -> [T; 6] {
+        let ByKind { forms, elements, laws, motions, clearances, films } = self;
+        [forms, elements, laws, motions, clearances, films]
     }
 }
 

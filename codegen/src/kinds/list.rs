@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::clearance::{self, ClearanceSpec};
 use super::element::{self, ElementSpec};
+use super::film::{self, FilmSpec};
 use super::form::{self, FormSpec};
 use super::kind::{About, ByKind, Kind};
 use super::law::{self, LawSpec};
@@ -20,6 +21,7 @@ pub const KINDS: ByKind<Kind> = ByKind {
     laws: law::KIND,
     motions: motion::KIND,
     clearances: clearance::KIND,
+    films: film::KIND,
 };
 
 /// How a file of each kind is read.
@@ -29,6 +31,7 @@ const READERS: ByKind<fn(&Arc<Source>, &Beside<'_>) -> Result<Spec, Diagnostics>
     laws: |file, beside| LawSpec::read_with(file, beside).map(Box::new).map(Spec::Law),
     motions: |file, _| MotionSpec::read(file).map(Box::new).map(Spec::Motion),
     clearances: |file, _| ClearanceSpec::read(file).map(Box::new).map(Spec::Clearance),
+    films: |file, _| FilmSpec::read(file).map(Box::new).map(Spec::Film),
 };
 
 /// The specs of a project, a list a kind.
@@ -39,6 +42,7 @@ pub(crate) struct Specs {
     pub(crate) laws: Vec<LawSpec>,
     pub(crate) motions: Vec<MotionSpec>,
     pub(crate) clearances: Vec<ClearanceSpec>,
+    pub(crate) films: Vec<FilmSpec>,
 }
 
 impl Specs {
@@ -49,6 +53,7 @@ impl Specs {
             Spec::Law(law) => self.laws.push(*law),
             Spec::Motion(motion) => self.motions.push(*motion),
             Spec::Clearance(clearance) => self.clearances.push(*clearance),
+            Spec::Film(film) => self.films.push(*film),
         }
     }
 }
@@ -66,6 +71,8 @@ pub enum Spec {
     Motion(Box<MotionSpec>),
     /// The clearance of springs.
     Clearance(Box<ClearanceSpec>),
+    /// An oil film.
+    Film(Box<FilmSpec>),
 }
 
 /// The same with a spec, whatever its kind.
@@ -77,6 +84,7 @@ macro_rules! whatever {
             Spec::Law($spec) => $of_it,
             Spec::Motion($spec) => $of_it,
             Spec::Clearance($spec) => $of_it,
+            Spec::Film($spec) => $of_it,
         }
     };
 }
@@ -107,6 +115,7 @@ impl Spec {
             Spec::Law(_) => KINDS.laws,
             Spec::Motion(_) => KINDS.motions,
             Spec::Clearance(_) => KINDS.clearances,
+            Spec::Film(_) => KINDS.films,
         }
     }
 
@@ -120,7 +129,7 @@ impl Spec {
         match self {
             Spec::Form(form) => form.names(),
             Spec::Element(element) => element.names(),
-            Spec::Law(_) | Spec::Motion(_) | Spec::Clearance(_) => {
+            Spec::Law(_) | Spec::Motion(_) | Spec::Clearance(_) | Spec::Film(_) => {
                 vec![(self.kind().name, self.about().name)]
             }
         }

@@ -2,6 +2,7 @@
 
 pub mod clearance;
 pub mod element;
+pub mod film;
 pub mod form;
 pub(crate) mod kernel;
 pub mod kind;

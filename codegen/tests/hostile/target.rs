@@ -112,6 +112,8 @@ pub(crate) fn folder(text: &str) -> &'static str {
         "forms"
     } else if says("motion") || says("clearance") {
         "motion"
+    } else if says("film") {
+        "films"
     } else {
         "laws"
     }

@@ -2,6 +2,7 @@
 //! compares them with differences of the spec's own formula, and those of laws with slopes by dual numbers.
 
 mod clearances;
+mod films;
 mod flip;
 mod laws;
 mod motions;

@@ -28,6 +28,12 @@ impl ClearanceSpec {
         ];
         // Where there are more measures than the clearance.
         let measures = measures_program(self).transpose().map_err(refused)?;
+        let measure = measure(self, measures.is_some());
+        let coordinates = match measures.is_some() {
+            true => all_coordinates(self).len(),
+            false => springs_own(self).len(),
+        };
+        let coordinates = Literal::usize_unsuffixed(coordinates);
         let measures = measures.map(|program| measures_of(self, &program));
         let kinds = self.contacts.iter().map(|contact| {
             let (program, sums) = program(self, contact, self.derive(contact)?).map_err(refused)?;
@@ -35,7 +41,9 @@ impl ClearanceSpec {
         });
         let kinds = kinds.collect::<Result<TokenStream, Diagnostics>>()?;
         let kinds = quote!(#[doc = " Kinds of laws."] pub mod contacts { #kinds });
-        let functions: TokenStream = own.into_iter().chain(measures).chain([kinds]).collect();
+        let functions: TokenStream =
+            own.into_iter().chain(measures).chain([measure, kinds]).collect();
+        let names = self.measures.iter().map(|(name, _)| name);
         let entries = self.contacts.iter().map(|contact| identifier(&contact.name));
         let about = self.about();
         let origin = about.origin(&functions);
@@ -56,6 +64,9 @@ impl ClearanceSpec {
                     origin: #origin,
                     axial,
                     apart,
+                    measures: &[#(#names),*],
+                    coordinates: #coordinates,
+                    measure,
                     contacts: &[#(contacts::#entries::ENTRY),*],
                 };
             }
@@ -208,6 +219,27 @@ fn measures_of(spec: &ClearanceSpec, program: &Program) -> TokenStream {
         pub fn measures<L: Lane>(#(#arguments: L),*) -> [L; #count] {
             #(#statements)*
             [#(#results),*]
+        }
+    }
+}
+
+/// All measures at once, by the place of each coordinate.
+fn measure(spec: &ClearanceSpec, further: bool) -> TokenStream {
+    let (function, count) = match further {
+        true => (quote!(measures), all_coordinates(spec).len()),
+        false => (quote!(value), springs_own(spec).len()),
+    };
+    // Of all coordinates those of the clearance: what moves first, c and R last.
+    let places = (0..count).map(Literal::usize_unsuffixed);
+    let call = quote!(#function(#(at_[#places]),*));
+    let out = match further {
+        true => quote!(out_.copy_from_slice(&#call);),
+        false => quote!(out_[0] = #call;),
+    };
+    quote! {
+        /// All measures from the coordinates in the order of the spec: see [`Clearance::measure`].
+        pub fn measure(at_: &[f64], out_: &mut [f64]) {
+            #out
         }
     }
 }

@@ -1,0 +1,167 @@
+//! Nodes of the developed bore, the cells between them, and the order in which they are eliminated.
+
+use std::f64::consts::TAU;
+use std::ops::Range;
+
+/// Evenly spaced nodes all around a bore, in rows along it. Node (i, j), the i-th around in the j-th row, has place
+/// j·around + i.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Grid {
+    /// Nodes around.
+    pub around: usize,
+    /// Rows along.
+    pub along: usize,
+    /// Radius at which the bore is developed (m).
+    pub radius: f64,
+    /// Length of the film (m).
+    pub length: f64,
+    /// Angle of the first node of every row (rad).
+    pub first: f64,
+    /// Nodes of a cell around and along.
+    pub(super) cell: [usize; 2],
+}
+
+impl Grid {
+    /// Angle of the i-th node around (rad).
+    pub fn angle(&self, i: usize) -> f64 {
+        self.first + TAU * i as f64 / self.around as f64
+    }
+
+    /// Distance of a row from the middle of the film (m).
+    pub fn z(&self, j: usize) -> f64 {
+        self.length * (j as f64 / (self.along - 1) as f64 - 0.5)
+    }
+
+    /// Nodes of all rows.
+    pub fn nodes(&self) -> usize {
+        self.around * self.along
+    }
+
+    /// Distance between neighbours around and along (m).
+    pub fn spacing(&self) -> [f64; 2] {
+        [TAU * self.radius / self.around as f64, self.length / (self.along - 1) as f64]
+    }
+
+    /// Lengths of a cell around and along (m).
+    pub(super) fn cell_lengths(&self) -> [f64; 2] {
+        let [x, z] = self.spacing();
+        [x * (self.cell[0] - 1) as f64, z * (self.cell[1] - 1) as f64]
+    }
+
+    /// Cells around and along.
+    pub(super) fn cells(&self) -> [usize; 2] {
+        [self.around / (self.cell[0] - 1), (self.along - 1) / (self.cell[1] - 1)]
+    }
+
+    /// Areas of the nodes of one row after the other (m²): shares of the cells as their functions have them at the nodes.
+    pub fn areas(&self) -> Vec<f64> {
+        let weights = |nodes: usize| match nodes {
+            2 => vec![0.5, 0.5],
+            _ => vec![1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0],
+        };
+        let (x, z) = (weights(self.cell[0]), weights(self.cell[1]));
+        let [dx, dz] = self.cell_lengths();
+        let mut areas = vec![0.0; self.nodes()];
+        let [across, up] = self.cells();
+        for k in 0..up {
+            for c in 0..across {
+                for (a, weight) in x.iter().enumerate() {
+                    for (b, other) in z.iter().enumerate() {
+                        areas[self.node(c, k, a + self.cell[0] * b)] += weight * other * dx * dz;
+                    }
+                }
+            }
+        }
+        areas
+    }
+
+    /// Place of node a of the c-th cell around in the k-th row of cells.
+    pub(super) fn node(&self, c: usize, k: usize, a: usize) -> usize {
+        let i = (c * (self.cell[0] - 1) + a % self.cell[0]) % self.around;
+        let j = k * (self.cell[1] - 1) + a / self.cell[0];
+        j * self.around + i
+    }
+
+    /// Values of a row with those at its beginning repeated behind its end, so that cells find theirs side by side.
+    pub(super) fn pitch(&self) -> usize {
+        self.around + self.cell[0] - 1
+    }
+
+    /// Rows of the band matrix: those around in the order 0, n − 1, 1, n − 2 …, so that neighbours stay close where the ring
+    /// closes.
+    pub(super) fn order(&self) -> Vec<usize> {
+        let n = self.around;
+        let folded = |i: usize| if 2 * i < n { 2 * i } else { 2 * (n - i) - 1 };
+        let mut order = Vec::with_capacity(self.nodes());
+        for j in 0..self.along {
+            order.extend((0..n).map(|i| folded(i) * self.along + j));
+        }
+        order
+    }
+
+    /// Entries of the band matrix beside its diagonal.
+    pub(super) fn half_band(&self) -> usize {
+        2 * (self.cell[0] - 1) * self.along + self.cell[1] - 1
+    }
+
+    /// Nodes whose control area lies in a rectangle of the developed bore, and the rectangle that they cover: angle and z,
+    /// half widths (rad, m).
+    pub(super) fn within(&self, angle: Range<f64>, z: Range<f64>) -> Vec<usize> {
+        let mut found = Vec::new();
+        let [_, dz] = self.spacing();
+        for j in 0..self.along {
+            let here = self.z(j);
+            if here < z.start - 1e-9 * dz || here > z.end + 1e-9 * dz {
+                continue;
+            }
+            for i in 0..self.around {
+                // Seen from the beginning of the range, once around.
+                let turned = (self.angle(i) - angle.start).rem_euclid(TAU);
+                if turned <= angle.end - angle.start {
+                    found.push(j * self.around + i);
+                }
+            }
+        }
+        found
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::*;
+
+    fn grid(around: usize, along: usize) -> Grid {
+        Grid { around, along, radius: 0.02, length: 0.03, first: 0.1, cell: [2, 3] }
+    }
+
+    #[test]
+    fn areas_add_up_to_the_bore() {
+        for (around, along) in [(12, 3), (37, 5), (72, 7)] {
+            let grid = grid(around, along);
+            let total: f64 = grid.areas().iter().sum();
+            assert!((total / (2.0 * PI * 0.02 * 0.03) - 1.0).abs() < 1e-13);
+        }
+    }
+
+    #[test]
+    fn neighbours_stay_within_the_band() {
+        for around in [11, 12, 37] {
+            let grid = grid(around, 7);
+            let order = grid.order();
+            let mut seen = vec![false; grid.nodes()];
+            order.iter().for_each(|place| seen[*place] = true);
+            assert!(seen.iter().all(|seen| *seen));
+            let mut furthest = 0;
+            let [across, up] = grid.cells();
+            for (c, k) in (0..across).flat_map(|c| (0..up).map(move |k| (c, k))) {
+                for (a, b) in (0..6).flat_map(|a| (0..6).map(move |b| (a, b))) {
+                    let [a, b] = [a, b].map(|own| order[grid.node(c, k, own)]);
+                    furthest = furthest.max(a.abs_diff(b));
+                }
+            }
+            assert_eq!(furthest, grid.half_band());
+        }
+    }
+}

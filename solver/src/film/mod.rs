@@ -1,0 +1,33 @@
+//! Oil films between a journal and its bore: Reynolds' equation on the developed bore, with two unknowns a node of which
+//! one is zero, by the kernels of a film's spec.
+//!
+//! ```text
+//! description: Grid, Opening, OilFilm      (immutable)
+//! state:       Oil                         (pressure and fill of the nodes)
+//! Balance:     residual ─▶ active set ─▶ elimination ─▶ next state, until the balance of oil holds
+//! Journal:     displacement, tilts, rates ─▶ gaps ─▶ forces, moments and their slopes
+//! ```
+//!
+//! A node holds oil, and its rate balances what flows between cells:
+//! R_a = Σ_cells R_cell + A_a (X(θ, h̃) − X₀)/Δt, with h̃ = h + ½ Δt ḣ, the gap whose difference over a step is Δt ḣ₁, so that
+//! a whole film feels Newmark's own rate and oil is conserved in X. Without Δt the film is steady, or squeezed by a given ḣ.
+
+mod balance;
+mod band;
+mod grid;
+mod journal;
+mod oil;
+mod openings;
+mod reaction;
+mod slopes;
+mod solve;
+#[cfg(test)]
+mod tests;
+
+pub use balance::{Balance, Motion};
+pub use grid::Grid;
+pub use journal::Journal;
+pub use oil::Oil;
+pub use openings::{OilFilm, Opening, WrongFilm};
+pub use reaction::{INPUTS, JournalMotion, OUTPUTS, Reaction};
+pub use solve::Unsolved;

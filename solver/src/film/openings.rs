@@ -1,0 +1,221 @@
+//! A film as it is described: its grid, its numbers, and where oil comes and goes.
+
+use std::ops::Range;
+
+use whirl_specs::{Film, FilmEdge};
+
+use super::grid::Grid;
+
+/// Nodes of an end, a hole or a groove.
+#[derive(Debug, Clone)]
+pub struct Opening {
+    /// Name in results and messages.
+    pub name: String,
+    /// What its nodes may be, by the film's spec.
+    pub(super) edge: &'static FilmEdge,
+    /// Pressure above that of the cavity (Pa).
+    pub pressure: f64,
+    /// Its nodes, ascending.
+    pub(super) nodes: Vec<usize>,
+}
+
+/// A film between a journal and a bore.
+#[derive(Debug, Clone)]
+pub struct OilFilm {
+    pub(super) kernel: &'static Film,
+    /// The nodes.
+    pub grid: Grid,
+    /// Lengths of a cell, speed, parameters: as kernels take them.
+    pub(super) uniform: Vec<f64>,
+    /// Ends first, then holes and grooves.
+    pub openings: Vec<Opening>,
+    /// Of every node the opening that it belongs to.
+    pub(super) opening_of: Vec<Option<usize>>,
+    /// Areas of the nodes (m²).
+    pub(super) areas: Vec<f64>,
+}
+
+/// What is wrong with a film, and how to fix it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct WrongFilm {
+    /// What is wrong.
+    pub what: String,
+    /// How to fix it.
+    pub help: String,
+}
+
+fn wrong<T>(what: impl Into<String>, help: impl Into<String>) -> Result<T, WrongFilm> {
+    Err(WrongFilm { what: what.into(), help: help.into() })
+}
+
+impl OilFilm {
+    /// A film of this kind with open ends and the parameters of its spec.
+    ///
+    /// # Errors
+    /// A grid that its cells do not fill.
+    pub fn new(
+        kernel: &'static Film,
+        [around, along]: [usize; 2],
+        [radius, length]: [f64; 2],
+        first: f64,
+    ) -> Result<Self, WrongFilm> {
+        let cell = kernel.nodes;
+        if cell[0] != 2 {
+            return wrong(
+                format!("cells of `{}` have {} nodes around", kernel.origin.name, cell[0]),
+                "films are solved in cells of two nodes around",
+            );
+        }
+        let [x, z] = cell.map(|nodes| nodes - 1);
+        if around < 8 || !around.is_multiple_of(x) {
+            return wrong(
+                format!("{around} nodes around are too few, or do not close"),
+                format!("take at least 8, a multiple of {x}"),
+            );
+        }
+        if along <= z || !(along - 1).is_multiple_of(z) {
+            return wrong(
+                format!("{along} nodes along are not filled by cells of {}", z + 1),
+                format!("take a multiple of {z} and one more, such as {}", 3 * z + 1),
+            );
+        }
+        if !(radius > 0.0 && length > 0.0) {
+            return wrong("a film needs a radius and a length above zero", "give both");
+        }
+        let grid = Grid { around, along, radius, length, first, cell };
+        let mut uniform = grid.cell_lengths().to_vec();
+        uniform.push(0.0);
+        uniform.extend(kernel.parameters.iter().map(|own| own.value));
+        let areas = grid.areas();
+        let opening_of = vec![None; grid.nodes()];
+        let mut film = OilFilm { kernel, grid, uniform, openings: Vec::new(), opening_of, areas };
+        let last = along - 1;
+        for (name, row) in [("end at -z", 0), ("end at +z", last)] {
+            let nodes = (row * around..(row + 1) * around).collect();
+            film.add(Opening {
+                name: name.to_owned(),
+                edge: film.edge("open")?,
+                pressure: 0.0,
+                nodes,
+            });
+        }
+        Ok(film)
+    }
+
+    fn edge(&self, name: &str) -> Result<&'static FilmEdge, WrongFilm> {
+        let known: Vec<&str> = self.kernel.edges.iter().map(|edge| edge.name).collect();
+        match self.kernel.edge(name) {
+            Some(edge) => Ok(edge),
+            None => wrong(
+                format!("the film `{}` knows no edge `{name}`", self.kernel.origin.name),
+                format!("its spec has {}", known.join(", ")),
+            ),
+        }
+    }
+
+    /// Sets a parameter (SI) by its name in the spec.
+    ///
+    /// # Errors
+    /// A name that is none of its parameters.
+    pub fn set(&mut self, name: &str, value: f64) -> Result<(), WrongFilm> {
+        let parameters = self.kernel.parameters;
+        match parameters.iter().position(|own| own.name == name) {
+            Some(place) => {
+                self.uniform[3 + place] = value;
+                Ok(())
+            }
+            None => {
+                let known: Vec<&str> = parameters.iter().map(|own| own.name).collect();
+                wrong(
+                    format!("the film `{}` has no parameter `{name}`", self.kernel.origin.name),
+                    format!("it has {}", known.join(", ")),
+                )
+            }
+        }
+    }
+
+    /// Floods an end: 0 at −z, 1 at +z, with a pressure above that of the cavity (Pa).
+    ///
+    /// # Errors
+    /// A film whose spec has no supply.
+    pub fn flood(&mut self, end: usize, pressure: f64) -> Result<(), WrongFilm> {
+        let edge = self.edge("supply")?;
+        let opening = &mut self.openings[end];
+        (opening.edge, opening.pressure) = (edge, pressure);
+        Ok(())
+    }
+
+    /// Closes an end: 0 at −z, 1 at +z. Nothing leaves there, as in a plane of symmetry.
+    pub fn close(&mut self, end: usize) {
+        for node in std::mem::take(&mut self.openings[end].nodes) {
+            self.opening_of[node] = None;
+        }
+    }
+
+    /// A hole or a groove in the bore: a rectangle over angles (rad) and z from the middle (m), with its pressure above that of
+    /// the cavity (Pa). Nodes in it are supplied; its edge is half a distance of nodes beyond the last of them.
+    ///
+    /// # Errors
+    /// A rectangle in which no node lies, or that another opening has a part of.
+    pub fn supply(
+        &mut self,
+        name: &str,
+        angle: Range<f64>,
+        z: Range<f64>,
+        pressure: f64,
+    ) -> Result<(), WrongFilm> {
+        let edge = self.edge("supply")?;
+        let [dx, dz] = self.grid.spacing();
+        let half = self.grid.length / 2.0;
+        if z.start < -half * (1.0 + 1e-9) || z.end > half * (1.0 + 1e-9) {
+            return wrong(
+                format!(
+                    "the opening `{name}` reaches beyond the film, which is {} mm long",
+                    1e3 * self.grid.length
+                ),
+                "shorten it, or move it",
+            );
+        }
+        let nodes = self.grid.within(angle.clone(), z.clone());
+        if nodes.is_empty() {
+            let width = 1e3 * self.grid.radius * (angle.end - angle.start);
+            return wrong(
+                format!(
+                    "the opening `{name}` of {width:.3} mm around and {:.3} mm along lies between the nodes of the film, which \
+                     are {:.3} mm and {:.3} mm apart",
+                    1e3 * (z.end - z.start),
+                    1e3 * dx,
+                    1e3 * dz
+                ),
+                "give the film more nodes, or the opening the size of one distance at least",
+            );
+        }
+        if let Some(other) =
+            nodes.iter().find_map(|node| self.opening_of[*node].filter(|own| *own >= 2))
+        {
+            let other = self.openings[other].name.clone();
+            return wrong(
+                format!("the openings `{name}` and `{other}` share nodes of the film"),
+                "move them apart, join them, or give the film more nodes",
+            );
+        }
+        self.add(Opening { name: name.to_owned(), edge, pressure, nodes });
+        Ok(())
+    }
+
+    /// Takes nodes from what had them before: an opening that reaches an end has its nodes there.
+    fn add(&mut self, opening: Opening) {
+        let place = self.openings.len();
+        for node in &opening.nodes {
+            if let Some(before) = self.opening_of[*node].replace(place) {
+                self.openings[before].nodes.retain(|own| own != node);
+            }
+        }
+        self.openings.push(opening);
+    }
+
+    /// Part of the developed bore that an opening covers by its nodes (m²).
+    pub fn area(&self, opening: usize) -> f64 {
+        self.openings[opening].nodes.iter().map(|node| self.areas[*node]).sum()
+    }
+}

@@ -1,0 +1,134 @@
+//! Forces of a solved film on a rigid journal, and their slopes, by one solution with the transposed matrix for each: with
+//! Jᵀ λ = ∂F/∂y, dF = (∂F/∂h − λᵀ ∂R/∂h) dh.
+
+use super::balance::Balance;
+use super::oil::Oil;
+use super::openings::OilFilm;
+use super::reaction::{Gradients, OUTPUTS, WIDE, arms};
+use crate::linalg::widely;
+
+impl Balance {
+    /// Forces and moments on the journal; the integrals of the outputs.
+    pub(super) fn forces(
+        &mut self,
+        film: &OilFilm,
+        gradients: &Gradients,
+        outputs: &mut [f64],
+    ) -> [f64; OUTPUTS] {
+        self.cells(film, 1);
+        let (kernel, grid) = (film.kernel, &film.grid);
+        let [across, up] = grid.cells();
+        let count = kernel.nodes[0] * kernel.nodes[1];
+        let mut total = [0.0; OUTPUTS];
+        outputs.fill(0.0);
+        for k in 0..up {
+            let out = &self.surface[k * kernel.surface.count * across..];
+            for (value, row) in kernel.surface.rows.iter().enumerate() {
+                let values = &out[row * across..][..across];
+                let (force, a) = (value / count, value % count);
+                let Some(gradients) = gradients.get(force) else {
+                    let output = value - count * gradients.len();
+                    outputs[output] += values.iter().sum::<f64>();
+                    continue;
+                };
+                let places = &self.places[(k * count + a) * across..][..across];
+                let z = grid.z(places[0] / grid.around);
+                let mut sums = [0.0; 3];
+                for (value, node) in values.iter().zip(places) {
+                    let gradient = gradients[node % grid.around];
+                    for (sum, gradient) in sums.iter_mut().zip(gradient) {
+                        *sum += value * gradient;
+                    }
+                }
+                for (total, arm) in total.iter_mut().zip(arms(sums, z)) {
+                    *total += arm;
+                }
+            }
+        }
+        total
+    }
+
+    /// Slopes of forces and moments by the gap and by the gap that holds oil at every node, to `by_node`, and by the speed. The
+    /// matrix must be that of the state.
+    #[inline(never)]
+    pub(super) fn slopes(
+        &mut self,
+        film: &OilFilm,
+        oil: &Oil,
+        gradients: &Gradients,
+    ) -> [f64; WIDE] {
+        let (kernel, grid) = (film.kernel, &film.grid);
+        let nodes = grid.nodes();
+        let [across, up] = grid.cells();
+        let count = kernel.nodes[0] * kernel.nodes[1];
+        self.factors(film, oil, 1);
+        let mut by_speed = [0.0; WIDE];
+        let Balance { surface, flow, places, order, by_active, by_gap, adjoint, by_node, .. } =
+            self;
+        let [by_own, by_stored] = by_node;
+        adjoint.fill([0.0; WIDE]);
+        by_own.fill([0.0; WIDE]);
+        let places = |k: usize, a: usize| &places[(k * count + a) * across..][..across];
+        widely(|| {
+            for k in 0..up {
+                let out = &surface[k * kernel.surface.count * across..];
+                for slope in kernel.surface.slopes {
+                    let Some(gradients) = gradients.get(slope.value / count) else { continue };
+                    let (own, by) = (places(k, slope.value % count), places(k, slope.node));
+                    let z = grid.z(own[0] / grid.around);
+                    let values = &out[slope.row * across..][..across];
+                    let active = &by_active[1][slope.field * nodes..][..nodes];
+                    let gap = &by_gap[1][slope.field * nodes..][..nodes];
+                    for ((value, node), by) in values.iter().zip(own).zip(by) {
+                        let arms = arms(gradients[node % grid.around], z);
+                        add(&mut adjoint[order[*by]], value * active[*by], &arms);
+                        add(&mut by_own[*by], value * gap[*by], &arms);
+                    }
+                }
+                for (row, value) in kernel.surface.by_speed {
+                    let Some(gradients) = gradients.get(value / count) else { continue };
+                    let own = places(k, value % count);
+                    let z = grid.z(own[0] / grid.around);
+                    for (value, node) in out[row * across..][..across].iter().zip(own) {
+                        add(&mut by_speed, *value, &arms(gradients[node % grid.around], z));
+                    }
+                }
+            }
+        });
+        self.matrix.solve_transposed(adjoint);
+        widely(|| {
+            for k in 0..up {
+                let out = &flow[k * kernel.flow.count * across..];
+                for slope in kernel.flow.slopes {
+                    let (rows, by) = (places(k, slope.value), places(k, slope.node));
+                    let gap = &by_gap[0][slope.field * nodes..][..nodes];
+                    let values = &out[slope.row * across..][..across];
+                    for ((value, row), by) in values.iter().zip(rows).zip(by) {
+                        add(&mut by_own[*by], -value * gap[*by], &adjoint[order[*row]]);
+                    }
+                }
+                for (row, value) in kernel.flow.by_speed {
+                    for (value, node) in out[row * across..][..across].iter().zip(places(k, *value))
+                    {
+                        add(&mut by_speed, -value, &adjoint[order[*node]]);
+                    }
+                }
+            }
+        });
+        // Of a step by what nodes hold, of a steady film by the rate of that: the same slope of it by the gap.
+        let rate = if self.motion.per_step > 0.0 { self.motion.per_step } else { 1.0 };
+        for a in 0..nodes {
+            let factor = self.stored[3 * nodes + a] * film.areas[a] * rate;
+            by_stored[a] = adjoint[order[a]].map(|value| -factor * value);
+        }
+        by_speed
+    }
+}
+
+/// sum += factor · values
+#[inline(always)]
+fn add(sum: &mut [f64; WIDE], factor: f64, values: &[f64; WIDE]) {
+    for (sum, value) in sum.iter_mut().zip(values) {
+        *sum += factor * value;
+    }
+}

@@ -1,0 +1,99 @@
+//! The iteration to the next state of a film: Newton's method on min(p, r) by an active set.
+
+use super::balance::Balance;
+use super::oil::Oil;
+use super::openings::OilFilm;
+
+/// Most changes of a steady film: a front of reformation moves by about a cell each time.
+const MOST: usize = 400;
+/// What may be lacking at a node, of the largest sum of flows at one, where rounding lets it get no smaller.
+const ROUNDED: f64 = 1e-9;
+
+/// Why a film has no solution.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Unsolved {
+    /// The balance grew beyond numbers.
+    Unbounded,
+    /// What is lacking, of the largest sum of flows, after so many changes.
+    Lacking(f64, usize),
+}
+
+impl Balance {
+    /// Solves the film for the motion of the surfaces, from the state given on; the matrix is that of the solution then.
+    /// The number of changes.
+    ///
+    /// # Errors
+    /// A balance that is not reached.
+    pub fn solve(&mut self, film: &OilFilm, oil: &mut Oil) -> Result<usize, Unsolved> {
+        oil.supply(film);
+        self.evaluate(film, oil);
+        let mut best = f64::INFINITY;
+        for changes in 0..MOST {
+            let lacking = self.lacking(film, oil);
+            if !lacking.is_finite() {
+                return Err(Unsolved::Unbounded);
+            }
+            // Where it has stopped to fall, rounding rules.
+            let rounded = lacking <= ROUNDED && lacking >= 0.5 * best;
+            best = best.min(lacking);
+            self.factor(film, oil);
+            if lacking <= self.tolerance || rounded {
+                return Ok(changes);
+            }
+            self.advance(film, oil);
+            self.evaluate(film, oil);
+        }
+        Err(Unsolved::Lacking(self.lacking(film, oil), MOST))
+    }
+
+    /// The largest R of a node, of the largest sum of flows; what may leave does not count.
+    fn lacking(&self, film: &OilFilm, oil: &Oil) -> f64 {
+        let mut worst: f64 = 0.0;
+        for (a, r) in self.residual.iter().enumerate() {
+            let lacks = match film.opening_of[a].map(|own| film.openings[own].edge) {
+                Some(edge) if !edge.out => continue,
+                // R = −out.
+                Some(_) if !oil.second[a] => r.max(0.0),
+                _ => r.abs(),
+            };
+            // Not by `max`, which drops what is no number.
+            if !(lacks <= worst) {
+                worst = lacks;
+            }
+        }
+        if self.scale > 0.0 { worst / self.scale } else { worst }
+    }
+
+    /// One linear solution; unknowns that fell below zero change places with their partners.
+    fn advance(&mut self, film: &OilFilm, oil: &mut Oil) {
+        for (a, r) in self.residual.iter().enumerate() {
+            self.change[self.order[a]] = -r;
+        }
+        self.matrix.solve(&mut self.change);
+        for a in 0..oil.second.len() {
+            let change = self.change[self.order[a]];
+            let edge = film.opening_of[a].map(|own| film.openings[own].edge);
+            match (edge, oil.active(film, a)) {
+                (Some(edge), _) if !edge.out => {}
+                // What leaves.
+                (_, None) => oil.second[a] = change < 0.0,
+                (_, Some(unknown)) => {
+                    let value = oil.unknowns[unknown][a] + change;
+                    let stays = value >= 0.0;
+                    oil.unknowns[unknown][a] = if stays { value } else { 0.0 };
+                    oil.second[a] = (unknown == 1) == stays;
+                }
+            }
+        }
+    }
+
+    /// What enters at an opening (m³/s); negative where oil leaves.
+    pub fn inflow(&self, film: &OilFilm, opening: usize) -> f64 {
+        film.openings[opening].nodes.iter().map(|node| self.residual[*node]).sum()
+    }
+
+    /// Oil between the surfaces, by the gap that holds it (m³).
+    pub fn volume(&self, film: &OilFilm) -> f64 {
+        self.held().iter().zip(&film.areas).map(|(held, area)| held * area).sum()
+    }
+}
