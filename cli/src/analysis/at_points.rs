@@ -71,7 +71,10 @@ fn without_numbers(own: &Analysis, name: &Located) -> Option<Diagnostic> {
             let message = format!("`{}` gives matrices, which no table has", name.text());
             wrong(message, "name an analysis with numbers, such as `modes` or `stability`")
         }
-        AnalysisKind::Modes | AnalysisKind::Coefficients | AnalysisKind::Forces
+        AnalysisKind::Modes
+        | AnalysisKind::Coefficients
+        | AnalysisKind::Forces
+        | AnalysisKind::Periodic
             if own.speeds.len() > 1 =>
         {
             let help = "give one of `speeds`: add a table of another name with `speeds = \"3000 rpm\"`, or let a speed vary";

@@ -61,6 +61,9 @@ impl March<'_> {
         self.machine.set_given(t, false, [q, v, a]);
         accelerate(&mut self.equations, t, &mut self.state)?;
         self.meters.jump(&self.equations);
-        Ok(())
+        match &mut self.linear {
+            Some(linear) => linear.begin(&mut self.equations, &self.state),
+            None => Ok(()),
+        }
     }
 }
