@@ -216,7 +216,7 @@ fn run(
         false => None,
     };
     // Variants of a case are read anew.
-    let text = match analyses.iter().any(|own| own.kind == AnalysisKind::Lateral) {
+    let text = match analyses.iter().any(Subject::needs_text) {
         true => Some(CaseText::find(file, None)?),
         false => None,
     };
@@ -229,16 +229,22 @@ fn run(
         figures: !arguments.no_figures && output.is_some(),
     };
     let (mut done, mut interrupted) = (0, false);
+    let mut unfinished: Option<Failure> = None;
     for analysis in analyses {
         let name = &analysis.name;
         let work = || streams::warned(|warnings| subject.found(analysis, warnings));
         let found = match progress::during(show, "analysing", work) {
             Ok(found) => found,
             // What the ones before came to is kept.
-            Err(Failure::Unfinished { .. }) if done > 0 => {
+            Err(Failure::Unfinished { .. }) if done > 0 && interruption.asked() => {
                 show.note(&format!("`{name}` was interrupted before anything was found"));
                 interrupted = true;
                 break;
+            }
+            // One that comes to nothing keeps no other from being done.
+            Err(error @ Failure::Unfinished { .. }) if !interruption.asked() => {
+                unfinished.get_or_insert(error);
+                continue;
             }
             Err(error) => return Err(error),
         };
@@ -262,7 +268,7 @@ fn run(
             break;
         }
     }
-    if let (Some(output), Some(folder)) = (output, folder) {
+    if let (Some(output), Some(folder), true) = (output, folder, done > 0) {
         output.commit()?;
         show.note(&format!("results are in {}", folder.display()));
     }
@@ -274,5 +280,5 @@ fn run(
             help: None,
         });
     }
-    Ok(())
+    unfinished.map_or(Ok(()), Err)
 }

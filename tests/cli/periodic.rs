@@ -224,12 +224,88 @@ fn what_does_not_repeat_is_refused_at_its_place() {
         let bench = Workbench::new()
             .file("case.toml", &case)
             .file("wall.law.toml", WALL)
-            .file("once.csv", "t [s],F [N]\n0,0\n1,5\n");
+            .file("once.csv", "time [s],force [N]\n0,0\n1,5\n");
         let outcome = bench.whirl(&["analyse", "case.toml", "--out", "out", "--no-figures"]);
         assert_eq!(outcome.status, 2, "{words}: {}", outcome.stderr);
         assert!(outcome.stderr.contains(words), "{words}: {}", outcome.stderr);
         assert!(outcome.stderr.contains(place), "{words}: {}", outcome.stderr);
         assert!(outcome.stderr.contains("help"), "{words}: {}", outcome.stderr);
         assert!(!bench.path("out").exists() || bench.listing_of("out").is_empty());
+    }
+}
+
+/// The branch of a case: its table and its events by kind and value.
+fn followed(case: &str, more: &[(&str, &str)]) -> (Workbench, Vec<(String, f64)>) {
+    let mut bench = Workbench::new().file("case.toml", case).file("wall.law.toml", WALL);
+    for (name, text) in more {
+        bench = bench.file(name, text);
+    }
+    analysed(&bench);
+    let text = std::fs::read_to_string(bench.path("out/cycle.events.csv")).expect("events");
+    let event = |line: &str| {
+        let mut cells = line.split(',');
+        let kind = cells.next().expect("a kind").to_owned();
+        (kind, cells.next().expect("a value").parse().expect("a number"))
+    };
+    let events = text.lines().skip(1).map(event).collect();
+    (bench, events)
+}
+
+/// Rub A: contact all around begins at 93.93 rad/s, the motion in contact folds at 287.17 and is unstable back to 109.62, where contact
+/// ends and the branch turns into the free motion, of N = 48 steps a turn, by the closed form with ω̃.
+#[test]
+fn a_rub_is_followed_through_its_fold_and_back_to_the_free_motion() {
+    let case = rub(80.0, 0.25e-3, "steps = 48\nvary = \"mass.unbalance.speed = 80 rad/s .. 320 rad/s\"\npoints = 400\n");
+    let (bench, events) = followed(&case, &[]);
+    let folds: Vec<f64> = events.iter().filter(|own| own.0 == "fold").map(|own| own.1).collect();
+    assert_eq!(folds.len(), 1, "{events:?}");
+    assert!((folds[0] / 287.1673208443 - 1.0).abs() < 1e-8, "{folds:?}");
+    let value = column(&bench, "cycle.csv", "value");
+    let most = column(&bench, "cycle.csv", "X1_um.max");
+    assert!(*value.last().expect("points") > 320.0, "{value:?}");
+    let text = std::fs::read_to_string(bench.path("out/cycle.csv")).expect("a table");
+    let unstable: Vec<bool> = text.lines().skip(1).map(|line| line.contains("unstable")).collect();
+    // What is unstable is in contact, between the corner and the fold.
+    let mut count = 0;
+    for ((value, most), unstable) in value.iter().zip(&most).zip(&unstable) {
+        if *unstable {
+            count += 1;
+            assert!((109.6..287.2).contains(value) && *most > 999.0, "{value}: {most}");
+        }
+    }
+    assert!(count > 20, "{count}");
+    let least = value.iter().zip(&unstable).filter(|own| *own.1).map(|own| *own.0);
+    assert!(least.fold(f64::INFINITY, f64::min) < 110.5);
+}
+
+/// x″ + 0.05 x′ + x + 0.1 x³ = 0.18 cos Ωt (Krack and Gross, Harmonic Balance for Nonlinear Vibration Problems, 2019, example 01): it
+/// folds at 1.2696019555 and 1.1157002518.
+#[test]
+fn a_duffing_oscillator_folds_where_others_find_it() {
+    const CUBIC: &str = "kind = \"law\"\nname = \"cubic\"\ntitle = \"a cubic spring\"\nsource = \"Duffing\"\n\
+        [inputs.e_x]\nunit = \"m\"\ntitle = \"x\"\nrange = [-5, 5]\n[inputs.e_y]\nunit = \"m\"\ntitle = \"y\"\nrange = [-5, 5]\n\
+        [parameters.k]\nvalue = 0.1\nunit = \"N/m^3\"\ntitle = \"of the cube\"\n\
+        [outputs.F_x]\nunit = \"N\"\ntitle = \"force\"\nvalue = '-k*e_x^3'\n\
+        [outputs.F_y]\nunit = \"N\"\ntitle = \"force\"\nvalue = '-k*e_y^3'\n";
+    let folds = |steps: usize| {
+        let case = format!(
+            "title = \"a Duffing oscillator\"\n[body.block]\nturns = \"no\"\nmass = \"1 kg\"\n\
+             stiffness = [\"1 N/m\", \"1 N/m\"]\ndamping = [\"0.05 N*s/m\", \"0.05 N*s/m\"]\n\
+             [joint.spring]\nkind = \"stop\"\nfirst = {{ body = \"block\" }}\nside = \"around\"\ngap = \"1 um\"\n\
+             law = \"cubic.law.toml\"\n\
+             [loads.push]\nbody = \"block\"\nforce = \"0.18 N\"\nfrequency = \"0.11 Hz\"\n\
+             [analysis.cycle]\nkind = \"periodic\"\nsteps = {steps}\npoints = 400\n\
+             vary = \"loads.push.frequency = 0.11 Hz .. 0.24 Hz\"\n"
+        );
+        let (_, events) = followed(&case, &[("cubic.law.toml", CUBIC)]);
+        let own = events.iter().filter(|own| own.0 == "fold").map(|own| TAU * own.1);
+        let own: Vec<f64> = own.collect();
+        assert_eq!(own.len(), 2, "{events:?}");
+        own
+    };
+    let (coarse, fine) = (folds(80), folds(160));
+    for ((coarse, fine), exact) in coarse.iter().zip(&fine).zip([1.2696019555, 1.1157002518]) {
+        let limit = (4.0 * fine - coarse) / 3.0;
+        assert!((limit - exact).abs() < 2e-6, "{limit} for {exact}: {coarse}, {fine}");
     }
 }

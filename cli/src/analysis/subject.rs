@@ -15,7 +15,7 @@ use crate::signals::Interruption;
 /// A case with all that its analyses take.
 pub(crate) struct Subject<'a> {
     pub(crate) case: &'a Case,
-    /// Its text, for the variants of a lateral analysis; without it there are none.
+    /// Its text, for the variants of a lateral analysis, of which there are none without it, and for periodic motions over a key.
     pub(crate) text: Option<&'a CaseText>,
     /// Its machine, for all that have no machine of their own.
     pub(crate) linear: Option<&'a LinearMachine>,
@@ -29,6 +29,11 @@ impl Subject<'_> {
     /// Whether an analysis builds a machine of its own, with what it looks at.
     pub(crate) fn is_alone(kind: AnalysisKind) -> bool {
         matches!(kind, AnalysisKind::Lateral | AnalysisKind::Forces | AnalysisKind::Periodic)
+    }
+
+    /// Whether an analysis reads the case again, with other values.
+    pub(crate) fn needs_text(analysis: &Analysis) -> bool {
+        analysis.kind == AnalysisKind::Lateral || analysis.periodic.vary.is_some()
     }
 
     /// What an analysis comes to; `warnings` are added to.
@@ -49,7 +54,7 @@ impl Subject<'_> {
                 lateral::found((case, text), analysis, (cache, warnings), interruption, figures)
             }
             AnalysisKind::Periodic => {
-                periodic::found(case, analysis, (cache, warnings), interruption, figures)
+                periodic::found((case, text), analysis, (cache, warnings), interruption, figures)
             }
             _ => self.of_machine(self.linear.expect("it was built"), analysis),
         }

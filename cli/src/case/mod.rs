@@ -69,7 +69,7 @@ pub(crate) use march::MarchSettings;
 pub(crate) use named_body::{Attached, Form, MeshedBody, NamedBody};
 pub(crate) use outputs::{Output, OutputPoint};
 pub(crate) use parameters::{BearingFacts, SetParameter, rounded};
-pub(crate) use periodic::{Beginning, PeriodicKeys};
+pub(crate) use periodic::{Beginning, PeriodicKeys, Varying};
 pub(crate) use read::read;
 pub(crate) use read::{Draft, Purpose, draft, draft_of, draft_with};
 pub(crate) use rotor::{

@@ -11,7 +11,7 @@ use super::analyses::{AnalysisKind, MatrixFormat};
 use super::joined::schema as joined;
 use super::lateral::STAGES;
 use super::march::{AUTOMATIC, ESTIMATE, GENERALIZED_ALPHA, MOST_STEPS, NEWMARK, ONE_CYCLE};
-use super::periodic::{BEGINNINGS, METHODS, MOST_MARCHED, MOST_PERIODS, STEPS};
+use super::periodic::{BEGINNINGS, METHODS, MOST_MARCHED, MOST_PERIODS, MOST_POINTS, STEPS};
 use super::shapes::{
     ANGLE, CLEARANCE, CROSS_STIFFNESS, DAMPING, DAMPING_TIME, DENSITY, DURATION, FORCE, FREQUENCY,
     GAS_DENSITY, GRAVITY, GROUND_SPRING, LENGTH, MASS, MERGE, MODULUS, MOST_CELLS, MOST_MODES,
@@ -443,6 +443,10 @@ const ANALYSIS: &[Key] = &[
     ),
     key("cycles", Count(1, MOST_MARCHED), "of a periodic motion at most; 400 if left out")
         .like("400"),
+    key("vary", Text, "a key of the case with a range, over which periodic motions are followed")
+        .like("\"body.rotor.speed = 3000 rpm .. 9000 rpm\""),
+    key("points", Count(2, MOST_POINTS), "of a branch of periodic motions at most; 200 if left out")
+        .like("200"),
 ];
 
 const APPLIED: &[Key] = &[

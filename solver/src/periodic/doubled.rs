@@ -10,7 +10,7 @@ use super::weighed::Weighed;
 use crate::error::Error;
 use crate::history::History;
 
-/// What steps half as long change of a motion, as a fraction of the largest range of its kind over the cycle: of the error of
+/// What steps half as long change of a motion, as a fraction of the largest value of its kind over the cycle: of the error of
 /// the motion itself it is three quarters where all is smooth.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct StepError {
@@ -54,17 +54,15 @@ pub(super) fn finer(
     Ok((values, error))
 }
 
-/// The largest change in columns, over the largest range of one.
+/// The largest change in columns, over the largest value of one.
 fn changed([own, finer]: [&History; 2], columns: std::ops::Range<usize>) -> f64 {
-    let (mut range, mut change) = (0.0_f64, 0.0_f64);
-    for column in columns {
-        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
-        for row in 0..own.rows() {
-            let (value, other) = (own.row(row)[column], finer.row(2 * row + 1)[column]);
-            (least, most) = (least.min(value), most.max(value));
-            change = change.max((value - other).abs());
+    let (mut largest, mut change) = (0.0_f64, 0.0_f64);
+    for row in 0..own.rows() {
+        let (own, finer) = (own.row(row), finer.row(2 * row + 1));
+        for column in columns.clone() {
+            largest = largest.max(own[column].abs());
+            change = change.max((own[column] - finer[column]).abs());
         }
-        range = range.max(most - least).max(1e-6 * most.abs());
     }
-    if change == 0.0 { 0.0 } else { change / range }
+    if change == 0.0 { 0.0 } else { change / largest }
 }

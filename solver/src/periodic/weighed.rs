@@ -1,5 +1,7 @@
 //! The cycle map in coordinates whose plain norm is that of energy: what all methods work in.
 
+use std::sync::Arc;
+
 use super::map::CycleMap;
 use super::metric::{Metric, norm};
 use crate::dynamics::{Changes, LinearStep};
@@ -9,7 +11,7 @@ use crate::linalg::Matrix;
 /// A cycle map in weighed coordinates.
 pub(super) struct Weighed<'a, 'm> {
     pub(super) map: &'a mut CycleMap<'m>,
-    metric: Metric,
+    metric: Arc<Metric>,
 }
 
 /// The derivative of the map about a cycle that was kept, step by step.
@@ -24,8 +26,13 @@ impl<'a, 'm> Weighed<'a, 'm> {
     /// # Errors
     /// As [`Metric::new`].
     pub(super) fn new(map: &'a mut CycleMap<'m>, x: &[f64]) -> Result<Self, Error> {
-        let metric = Metric::new(map, x)?;
+        let metric = Arc::new(Metric::new(map, x)?);
         Ok(Weighed { map, metric })
+    }
+
+    /// With a metric that others have, too.
+    pub(super) fn with(map: &'a mut CycleMap<'m>, metric: Arc<Metric>) -> Self {
+        Weighed { map, metric }
     }
 
     pub(super) fn weighed(&self, x: &[f64]) -> Vec<f64> {

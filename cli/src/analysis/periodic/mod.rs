@@ -3,6 +3,7 @@
 //! A case at a speed → its machine → what repeats in it, and the common period → a state that a cycle leaves as it is → the cycle as
 //! rows of a history, multipliers, what speaks against them.
 
+mod branch;
 mod figure;
 mod files;
 mod place;
@@ -22,7 +23,7 @@ use whirl_solver::periodic::{
 
 use super::facts::{Facts, truth};
 use super::found::{Found, nothing};
-use crate::case::{Analysis, Beginning, Case};
+use crate::case::{Analysis, Beginning, Case, CaseText};
 use crate::errors::Failure;
 use crate::machine::{self, Built};
 use crate::report::VerdictFacts;
@@ -62,13 +63,17 @@ struct Motions<'a> {
 /// # Errors
 /// What does not repeat; no motion at any of the speeds; an interruption before the first.
 pub(super) fn found(
-    case: &Case,
+    (case, text): (&Case, Option<&CaseText>),
     analysis: &Analysis,
     (cache, warnings): (Option<&Cache>, &mut Vec<String>),
     interruption: &Interruption,
     figures: bool,
 ) -> Result<Found, Failure> {
     place::without_jumps(case)?;
+    if let (Some(varying), Some(text)) = (&analysis.periodic.vary, text) {
+        let both = (cache, warnings);
+        return branch::found((case, text), (analysis, varying), both, interruption, figures);
+    }
     let of = turned::of(case, analysis)?;
     let speeds: Vec<Option<f64>> = match analysis.speeds.as_slice() {
         [] => vec![None],
@@ -129,6 +134,15 @@ fn unfound(reason: String) -> Failure {
     let help = "look for it from another `begin`, after more `marched` cycles, with more `steps` or the other `method`; if the motion \
                 repeats after several periods, say so by `periods = 2`";
     Failure::Unfinished { reason, kept: None, help: Some(help.to_owned()) }
+}
+
+/// Why there is nothing, where that is an error of the solver.
+fn failed(case: &Case, error: Error) -> Failure {
+    match error {
+        Error::Periodic(PeriodicError::Interrupted { .. }) => nothing(),
+        error if not_there(&error) => unfound(error.to_string()),
+        error => place::of(case, error),
+    }
 }
 
 /// What of the march of a case is not that of its periodic motions.
@@ -193,6 +207,21 @@ impl Sought<'_> {
         );
         let columns = periodic.history.names().to_vec();
         Ok(Motion { speed, repeating, periodic, verdict, columns })
+    }
+
+    /// What repeats, and the cycle, in so many steps if they are told.
+    fn cycle(&self, steps: Option<usize>) -> Result<(Vec<Repeating>, Cycle), Error> {
+        let machine = &self.built.machine;
+        let repeating = repeating(machine)?;
+        let period = self.analysis.periodic.periods as f64 * common_period(&repeating)?;
+        let steps = steps.unwrap_or_else(|| self.steps(period));
+        Ok((repeating, Cycle { start: start(machine, period), period, steps }))
+    }
+
+    fn options(&self, cycle: Cycle) -> PeriodicOptions {
+        let (keys, multipliers) = (&self.analysis.periodic, self.analysis.count);
+        let (method, marched, most_cycles) = (keys.method, keys.marched, keys.cycles);
+        PeriodicOptions { method, marched, most_cycles, multipliers, ..PeriodicOptions::of(cycle) }
     }
 
     /// Steps of a cycle: as they are told, or as near to the time step of the march as they can be.

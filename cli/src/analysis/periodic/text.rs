@@ -101,7 +101,7 @@ fn alone(motions: &Motions, motion: &Motion) -> String {
     if let Some(error) = periodic.step_error {
         let _ = writeln!(
             text,
-            "steps half as long change reactions by {}, displacements by {} of their range",
+            "steps half as long change reactions by {}, displacements by {} of the largest",
             percent(error.force),
             percent(error.displacement)
         );
