@@ -255,7 +255,11 @@ fn followed(case: &str, more: &[(&str, &str)]) -> (Workbench, Vec<(String, f64)>
 /// ends and the branch turns into the free motion, of N = 48 steps a turn, by the closed form with ω̃.
 #[test]
 fn a_rub_is_followed_through_its_fold_and_back_to_the_free_motion() {
-    let case = rub(80.0, 0.25e-3, "steps = 48\nvary = \"mass.unbalance.speed = 80 rad/s .. 320 rad/s\"\npoints = 400\n");
+    let case = rub(
+        80.0,
+        0.25e-3,
+        "steps = 48\nvary = \"mass.unbalance.speed = 80 rad/s .. 320 rad/s\"\npoints = 400\n",
+    );
     let (bench, events) = followed(&case, &[]);
     let folds: Vec<f64> = events.iter().filter(|own| own.0 == "fold").map(|own| own.1).collect();
     assert_eq!(folds.len(), 1, "{events:?}");
@@ -308,4 +312,44 @@ fn a_duffing_oscillator_folds_where_others_find_it() {
         let limit = (4.0 * fine - coarse) / 3.0;
         assert!((limit - exact).abs() < 2e-6, "{limit} for {exact}: {coarse}, {fine}");
     }
+}
+
+/// The reference machine at 4500 rpm with 360 steps a cycle of its loads, against shooting of an independent model; eight modes that
+/// steps do not resolve have the largest multipliers, 0.792 to 0.797, before the first pair of the motion, 0.39333.
+#[test]
+fn the_reference_machine_is_that_of_another_program() {
+    let case = "include = \"hu2003-5.toml\"\ntitle = \"at constant speed\"\n\
+                [analysis.cycle]\nkind = \"periodic\"\nspeeds = \"4500 rpm\"\nsteps = 360\ncount = 12\n";
+    let bench = Workbench::new().file("case.toml", case);
+    let outcome = bench.whirl(&["analyse", "case.toml", "cycle", "--out", "out", "--no-figures"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    let text = std::fs::read_to_string(bench.path("out/cycle.json")).expect("a summary");
+    let whole: Value = serde_json::from_str(&text).expect("JSON");
+    let motion = &whole["motions"][0];
+    assert_eq!(motion["stability"], "stable");
+    let peak = |quantity: &str, unit: &str| {
+        let all = (1..=4).flat_map(|support| {
+            column(&bench, "cycle.csv", &format!("{quantity}{support}_{unit}"))
+        });
+        all.fold(0.0, |most: f64, own| most.max(own.abs()))
+    };
+    for (found, exact, digits) in [
+        (peak("RX", "N"), 1119.7844806, 1e-9),
+        (peak("RY", "N"), 1.9467131549, 1e-7),
+        (peak("X", "um"), 24.1020825, 1e-7),
+        (peak("Y", "um"), 0.0723453, 1e-5),
+    ] {
+        assert!((found / exact - 1.0).abs() < digits, "{found} for {exact}");
+    }
+    let (text, size) = (
+        std::fs::read_to_string(bench.path("out/cycle.multipliers.csv")).expect("a table"),
+        column(&bench, "cycle.multipliers.csv", "modulus"),
+    );
+    let unresolved: Vec<bool> =
+        text.lines().skip(1).map(|line| line.ends_with("unresolved")).collect();
+    assert!((size[0] - 0.79732).abs() < 1e-4, "{size:?}");
+    let of_motion: Vec<f64> =
+        size.iter().zip(&unresolved).filter(|own| !own.1).map(|own| *own.0).collect();
+    assert!((of_motion[0] - 0.39333).abs() < 1e-4, "{size:?} {unresolved:?}");
+    assert!(unresolved[..8].iter().all(|own| *own), "{size:?} {unresolved:?}");
 }

@@ -66,14 +66,17 @@ impl Varying {
     /// It is something else.
     fn read(text: &Located) -> Result<Varying, Box<Diagnostic>> {
         let help = "write a key of the case with a range: `vary = \"body.rotor.speed = 3000 rpm .. 9000 rpm\"`";
-        let wrong = |message: String| Box::new(text.error_here(Code::BAD_VALUE, message).help(help));
+        let wrong =
+            |message: String| Box::new(text.error_here(Code::BAD_VALUE, message).help(help));
         let own = text.text();
-        let parts = own.split_once('=').and_then(|(key, range)| Some((key, range.split_once("..")?)));
+        let parts =
+            own.split_once('=').and_then(|(key, range)| Some((key, range.split_once("..")?)));
         let Some((key, (from, to))) = parts else {
             return Err(wrong(format!("`{own}` is no key with a range")));
         };
         let read = |end: &str| {
-            Quantity::parse(end.trim()).map_err(|error| wrong(format!("`{}`: {}", end.trim(), error.message)))
+            Quantity::parse(end.trim())
+                .map_err(|error| wrong(format!("`{}`: {}", end.trim(), error.message)))
         };
         let [from, to] = [read(from)?, read(to)?];
         if !to.dimension().fits(from.dimension()) {

@@ -136,10 +136,12 @@ pub fn branch(
                 None => break BranchEnd::Step,
             },
         };
-        let own = if corner { Vec::new() } else { between(&mut path, [last, &node], points.len() - 1)? };
+        let own =
+            if corner { Vec::new() } else { between(&mut path, [last, &node], points.len() - 1)? };
         events.extend(own);
         points.push(path.point(&node, corner)?);
-        let largest = points.last().and_then(|own| own.multipliers.first()).map_or(0.0, |own| own.norm());
+        let largest =
+            points.last().and_then(|own| own.multipliers.first()).map_or(0.0, |own| own.norm());
         let [_, last] = nodes;
         nodes = [last, node];
         let (least_value, most_value) = (from.min(to), from.max(to));

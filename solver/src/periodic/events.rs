@@ -60,7 +60,10 @@ fn measure(kind: EventKind, node: &Node) -> Result<f64, Error> {
         EventKind::Doubling => product(-1.0),
         EventKind::Torus => {
             let complex = all.iter().filter(|own| own.im.abs() > 1e-9 * own.norm());
-            complex.map(|own| own.norm() - 1.0).min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(1.0)
+            complex
+                .map(|own| own.norm() - 1.0)
+                .min_by(|a, b| a.abs().total_cmp(&b.abs()))
+                .unwrap_or(1.0)
         }
     })
 }
@@ -122,7 +125,8 @@ fn located(
         if value == 0.0 || high.0 - low.0 < LOCATED {
             break;
         }
-        let (kept, new) = if value * low.1 > 0.0 { (&mut high, &mut low) } else { (&mut low, &mut high) };
+        let (kept, new) =
+            if value * low.1 > 0.0 { (&mut high, &mut low) } else { (&mut low, &mut high) };
         let shrunk = 1.0 - value / new.1;
         let moved = (new.0 - share).abs();
         // The end that stays counts less each time, so that it moves, too.

@@ -178,4 +178,3 @@ pub(super) fn values(monodromy: &Matrix) -> Result<Vec<Complex64>, Error> {
     all.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im)));
     Ok(all)
 }
-

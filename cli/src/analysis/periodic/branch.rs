@@ -46,7 +46,8 @@ pub(super) fn found(
     figures: bool,
 ) -> Result<Found, Failure> {
     let mut read = |value: f64| -> Result<(Case, machine::Built), Failure> {
-        let own = text.with_more_values([(varying.key.as_str(), varying.literal(value))].into_iter());
+        let own =
+            text.with_more_values([(varying.key.as_str(), varying.literal(value))].into_iter());
         let mut own = machine::read_text_to_analyse(&own, &mut Vec::new())?;
         own.fields = None;
         let built = machine::build_planned(&own, cache, &mut Vec::new())?;
@@ -196,12 +197,13 @@ impl Followed<'_> {
 
     fn note(&self) -> Option<String> {
         match self.branch.end {
-            BranchEnd::Step | BranchEnd::Wild => {
-                Some(format!("the branch has ended before its range, at {}", ended(&self.branch.end)))
+            BranchEnd::Step | BranchEnd::Wild => Some(format!(
+                "the branch has ended before its range, at {}",
+                ended(&self.branch.end)
+            )),
+            BranchEnd::Points => {
+                Some("the branch goes on beyond the last point: ask for more `points`".to_owned())
             }
-            BranchEnd::Points => Some(
-                "the branch goes on beyond the last point: ask for more `points`".to_owned(),
-            ),
             _ => None,
         }
     }
@@ -264,7 +266,8 @@ impl Followed<'_> {
         put("cycles", json!(self.branch.cycles));
         put("end", json!(ended(&self.branch.end)));
         put("events", events.collect());
-        let mut text = serde_json::to_string_pretty(&Value::Object(whole)).expect("keys are strings");
+        let mut text =
+            serde_json::to_string_pretty(&Value::Object(whole)).expect("keys are strings");
         text.push('\n');
         text
     }
@@ -310,14 +313,19 @@ impl Followed<'_> {
                 };
                 match lines.last_mut() {
                     Some(last) if last.style == style => last.points.push((u, v)),
-                    _ => lines.push(Line { points: vec![(x, y), (u, v)], style, name: name.to_owned() }),
+                    _ => lines.push(Line {
+                        points: vec![(x, y), (u, v)],
+                        style,
+                        name: name.to_owned(),
+                    }),
                 }
             }
             let at = |event: &BranchEvent| {
                 let [a, b] = [0, 1].map(|next| &self.branch.points[event.after + next]);
                 (event.value, 0.5 * (height(a) + height(b)))
             };
-            let dots = self.branch.events.iter().map(|own| Dot { at: at(own), name: "events".to_owned() });
+            let dots =
+                self.branch.events.iter().map(|own| Dot { at: at(own), name: "events".to_owned() });
             let labels = self.branch.events.iter().map(|own| Label {
                 at: at(own),
                 text: format!("{} {}", called(own.kind), shown(own.value, 6, 1e-3..1e7)),
