@@ -264,6 +264,9 @@ fn a_rub_is_followed_through_its_fold_and_back_to_the_free_motion() {
     let folds: Vec<f64> = events.iter().filter(|own| own.0 == "fold").map(|own| own.1).collect();
     assert_eq!(folds.len(), 1, "{events:?}");
     assert!((folds[0] / 287.1673208443 - 1.0).abs() < 1e-8, "{folds:?}");
+    let corners: Vec<f64> =
+        events.iter().filter(|own| own.0 == "corner").map(|own| own.1).collect();
+    assert!(corners.len() == 1 && (corners[0] / 109.6170957619 - 1.0).abs() < 1e-7, "{corners:?}");
     let value = column(&bench, "cycle.csv", "value");
     let most = column(&bench, "cycle.csv", "X1_um.max");
     assert!(*value.last().expect("points") > 320.0, "{value:?}");

@@ -45,17 +45,47 @@ impl Changes {
 /// What a step, or an instant at which accelerations begin anew, makes of changes.
 pub(crate) enum LinearStep {
     /// A step.
-    Step { step: Coefficients, lu: Lu, damping: Arc<Matrix>, mass: Arc<Matrix> },
+    Step { step: Coefficients, lu: Lu, damping: Arc<Sparse>, mass: Arc<Sparse> },
     /// Accelerations from the forces: M δq̈ = −C δq̇ − K δq.
-    Forces { mass: Lu, damping: Arc<Matrix>, stiffness: Arc<Matrix> },
+    Forces { mass: Lu, damping: Matrix, stiffness: Matrix },
+}
+
+/// A matrix, and its entries that are not zero, column after column, by which few columns are multiplied.
+pub(crate) struct Sparse {
+    whole: Matrix,
+    entries: Vec<(usize, usize, f64)>,
+}
+
+/// Columns from which on the whole matrix is the faster one.
+const MANY: usize = 8;
+
+impl Sparse {
+    fn new(whole: Matrix) -> Self {
+        let columns = (0..whole.cols).flat_map(|j| {
+            let column = whole.col(j).iter().enumerate();
+            column.filter(|own| *own.1 != 0.0).map(move |(i, value)| (i, j, *value))
+        });
+        Sparse { entries: columns.collect(), whole }
+    }
+
+    /// Adds the product with columns.
+    fn add(&self, to: &mut [f64], columns: Columns) {
+        if columns.cols >= MANY {
+            return multiply_add(to, 1.0, self.whole.view(), columns);
+        }
+        let rows = columns.rows;
+        for (to, own) in to.chunks_exact_mut(rows).zip(columns.data.chunks_exact(rows)) {
+            self.entries.iter().for_each(|&(i, j, value)| to[i] += value * own[j]);
+        }
+    }
 }
 
 /// Steps about which a march is linearised: changes that go on with it, and the steps themselves, if they are kept.
 pub(crate) struct LinearSteps {
     pub(crate) changes: Changes,
     kept: Option<Vec<LinearStep>>,
-    /// Matrices of the step before, which are shared where they are the same.
-    last: [Arc<Matrix>; 3],
+    /// C and M of the step before, which are shared where they are the same.
+    last: [Arc<Sparse>; 2],
     memory: Vec<f64>,
 }
 
@@ -65,7 +95,7 @@ impl LinearSteps {
         LinearSteps {
             changes,
             kept: keep.then(Vec::new),
-            last: std::array::from_fn(|_| Arc::new(Matrix::zeros(0, 0))),
+            last: std::array::from_fn(|_| Arc::new(Sparse::new(Matrix::zeros(0, 0)))),
             memory: Vec::new(),
         }
     }
@@ -77,7 +107,7 @@ impl LinearSteps {
 
     /// Takes a state at which accelerations follow from the forces; the system was just evaluated there.
     pub(crate) fn begin(&mut self, equations: &mut Equations, state: &State) -> Result<(), Error> {
-        let [mass, damping, stiffness] = self.shared(equations.tangents(state));
+        let Tangents { mass, damping, stiffness, .. } = equations.tangents(state);
         let mut lu = Lu::new(mass.rows);
         lu.factor(&mass.data)?;
         self.take(LinearStep::Forces { mass: lu, damping, stiffness });
@@ -91,26 +121,17 @@ impl LinearSteps {
         step: Coefficients,
         state: &State,
     ) -> Result<(), Error> {
-        let Tangents { mass, damping, stiffness, planes } = equations.tangents(state);
-        let (a1, a2) = (step.a1, step.a2);
-        let all = stiffness.data.iter().zip(damping.data.iter().zip(&mass.data));
-        let data: Vec<f64> = all.map(|(k, (c, m))| k + (a1 * c + a2 * m)).collect();
+        let [whole, damping, mass] = equations.tangents_of_step(state, step.weights());
         let mut lu = Lu::new(mass.rows);
-        lu.factor(&data)?;
-        let empty = Matrix::zeros(0, 0);
-        let [mass, damping, _] = self.shared(Tangents { mass, damping, stiffness: empty, planes });
-        self.take(LinearStep::Step { step, lu, damping, mass });
-        Ok(())
-    }
-
-    fn shared(&mut self, tangents: Tangents) -> [Arc<Matrix>; 3] {
-        let Tangents { mass, damping, stiffness, .. } = tangents;
-        for (last, own) in self.last.iter_mut().zip([mass, damping, stiffness]) {
-            if **last != own {
-                *last = Arc::new(own);
+        lu.factor(&whole.data)?;
+        for (last, own) in self.last.iter_mut().zip([damping, mass]) {
+            if last.whole != own {
+                *last = Arc::new(Sparse::new(own));
             }
         }
-        self.last.clone()
+        let [damping, mass] = self.last.clone();
+        self.take(LinearStep::Step { step, lu, damping, mass });
+        Ok(())
     }
 
     fn take(&mut self, mut step: LinearStep) {
@@ -125,7 +146,7 @@ impl LinearStep {
     /// Takes changes from the start of the step to its end.
     pub(crate) fn apply(&mut self, changes: &mut Changes, memory: &mut Vec<f64>) {
         let Changes { q, v, a } = changes;
-        if q.cols == 0 {
+        if q.data.is_empty() {
             return;
         }
         memory.clear();
@@ -146,10 +167,10 @@ impl LinearStep {
                 }
                 let weighted: Vec<f64> =
                     q.data.iter().zip(&v.data).map(|(q, v)| a1 * q - v).collect();
-                multiply_add(memory, 1.0, damping.view(), columns(&weighted));
+                damping.add(memory, columns(&weighted));
                 let weighted: Vec<f64> =
                     q.data.iter().zip(&a.data).map(|(q, a)| a2 * q - a).collect();
-                multiply_add(memory, 1.0, mass.view(), columns(&weighted));
+                mass.add(memory, columns(&weighted));
                 solve(lu, memory);
                 let all = q.data.iter_mut().zip(&mut v.data).zip(&mut a.data);
                 for (((q, v), a), end) in all.zip(&*memory) {

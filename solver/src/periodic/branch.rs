@@ -23,7 +23,7 @@ const USUAL: f64 = 4.0;
 const TURN: f64 = 0.5;
 /// The least step, of the first one; the longest.
 const LEAST: f64 = 1e-3;
-const LONGEST: f64 = 2.0;
+const LONGEST: f64 = 20.0;
 /// Multipliers beyond this say that nothing is known any more.
 const WILD: f64 = 1e3;
 

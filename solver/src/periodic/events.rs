@@ -10,6 +10,8 @@ use crate::error::Error;
 /// Divisions of a step at most, and the part of it to which an event is located.
 const DIVISIONS: usize = 40;
 const LOCATED: f64 = 1e-10;
+/// How near to the unit circle a multiplier is where it passes; where none is, they have jumped.
+const PASSES: f64 = 0.01;
 
 /// A change between two points of a branch.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,6 +39,8 @@ pub enum EventKind {
     Doubling,
     /// A second frequency appears (Neimark and Sacker).
     Torus,
+    /// It turns at once, as contacts begin or end all around, and multipliers jump.
+    Corner,
 }
 
 /// How many multipliers are outside of the unit circle: real ones above 1, below −1, and others.
@@ -55,7 +59,7 @@ fn measure(kind: EventKind, node: &Node) -> Result<f64, Error> {
     let all = values(&node.monodromy)?;
     let product = |at: f64| all.iter().map(|own| own - at).product::<Complex64>().re;
     Ok(match kind {
-        EventKind::Fold => node.along,
+        EventKind::Fold | EventKind::Corner => node.along,
         EventKind::Crossing => product(1.0),
         EventKind::Doubling => product(-1.0),
         EventKind::Torus => {
@@ -139,7 +143,7 @@ fn located(
     let Some(node) = best else { return Ok(None) };
     let all = values(&node.monodromy)?;
     let off = |own: &&Complex64| match kind {
-        EventKind::Fold | EventKind::Crossing => (*own - 1.0).norm(),
+        EventKind::Fold | EventKind::Crossing | EventKind::Corner => (*own - 1.0).norm(),
         EventKind::Doubling => (*own + 1.0).norm(),
         EventKind::Torus => match own.im > 0.0 {
             true => (own.norm() - 1.0).abs(),
@@ -147,8 +151,9 @@ fn located(
         },
     };
     let multiplier = all.iter().min_by(|a, b| off(a).total_cmp(&off(b))).copied();
+    let passes = multiplier.is_some_and(|own| off(&&own) < PASSES);
     Ok(Some(BranchEvent {
-        kind,
+        kind: if passes { kind } else { EventKind::Corner },
         value: node.value,
         state: path.family.state(&node.y),
         multiplier: multiplier.unwrap_or_default(),

@@ -105,20 +105,12 @@ impl Path<'_> {
                 lu.solve_in_place(&mut tangent);
                 let along = tangent[n] / norm(&tangent);
                 let (y, value) = self.split(&u);
-                let Some(monodromy) = self.monodromy(value, &y)? else { return Ok(None) };
+                let monodromy = found.monodromy;
                 return Ok(Some(Node { y, value, monodromy, along, corrections }));
             }
             last = length;
         }
         Ok(None)
-    }
-
-    fn monodromy(&mut self, value: f64, y: &[f64]) -> Result<Option<Matrix>, Error> {
-        match self.family.with(value, |map| map.monodromy(y)) {
-            Ok((_, monodromy)) => Ok(Some(monodromy)),
-            Err(error) if is_of_motion(&error) => Ok(None),
-            Err(error) => Err(error),
-        }
     }
 
     /// The motion near y at a value, to which the parameter goes up or down.

@@ -117,6 +117,7 @@ fn called(kind: EventKind) -> &'static str {
         EventKind::Crossing => "branch point",
         EventKind::Doubling => "period doubling",
         EventKind::Torus => "second frequency",
+        EventKind::Corner => "corner",
     }
 }
 
