@@ -13,7 +13,8 @@ use whirl_solver::periodic::{
 };
 use whirl_text::shown;
 
-use super::{Sought, files, place, text};
+use super::sought::Sought;
+use super::{files, place, text};
 use crate::analysis::facts::Facts;
 use crate::analysis::found::{Found, drawn};
 use crate::case::{Analysis, Case, CaseText, Varying};
@@ -92,7 +93,7 @@ pub(super) fn found(
     let branch = match (made, failure) {
         (Ok(made), _) => made,
         (Err(_), Some(failure)) => return Err(failure),
-        (Err(error), None) => return Err(super::failed(case, error)),
+        (Err(error), None) => return Err(place::failed(case, error)),
     };
     let columns = branch.points[0].history.names().to_vec();
     let followed = Followed { case, varying, branch, columns };

@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use whirl_solver::periodic::MultiplierKind;
 
 use super::files::range;
+use super::motions::{Motion, Motions};
 use super::text::{is_stable, leading};
-use super::{Motion, Motions};
 use crate::analysis::found;
 use crate::analysis::words;
 use crate::figures::{Cloud, Dot, Figure, Line, Mark, Panel, Style};

@@ -6,8 +6,8 @@ use serde_json::{Map, Value, json};
 use whirl_solver::history::History;
 use whirl_solver::periodic::MultiplierKind;
 
+use super::motions::{Motion, Motions};
 use super::text::{leading, method, stability};
-use super::{Motion, Motions};
 use crate::analysis::words;
 
 /// All files.

@@ -6,57 +6,24 @@
 mod branch;
 mod figure;
 mod files;
+mod motions;
 mod place;
+mod sought;
 mod text;
 mod turned;
 
-use std::ops::ControlFlow;
-
 use whirl_solver::Error;
 use whirl_solver::cache::Cache;
-use whirl_solver::dynamics::{BodyStart, equilibrium};
 use whirl_solver::error::PeriodicError;
-use whirl_solver::periodic::{
-    Cycle, CycleMap, CycleProgress, Periodic, PeriodicOptions, Repeating, common_period,
-    periodic_from, repeating, start,
-};
 
+use self::motions::{Motion, Motions};
+use self::sought::{STEPS, Sought};
 use super::facts::{Facts, truth};
 use super::found::{Found, nothing};
-use crate::case::{Analysis, Beginning, Case, CaseText};
+use crate::case::{Analysis, Case, CaseText};
 use crate::errors::Failure;
-use crate::machine::{self, Built};
-use crate::report::VerdictFacts;
+use crate::machine;
 use crate::signals::Interruption;
-
-/// Steps of a cycle where neither the analysis nor the march says them.
-const STEPS: usize = 360;
-/// Steps at least, whatever the time step of the march.
-const LEAST: f64 = 8.0;
-
-/// A periodic motion at a speed.
-struct Motion {
-    /// Of the body whose speed it is (rad/s); none where the case has the speeds.
-    speed: Option<f64>,
-    /// What repeats in a cycle.
-    repeating: Vec<Repeating>,
-    periodic: Periodic,
-    verdict: VerdictFacts,
-    /// Names of the columns of its rows.
-    columns: Vec<String>,
-}
-
-/// The motions of a case, and those that were not found.
-struct Motions<'a> {
-    case: &'a Case,
-    analysis: &'a Analysis,
-    of: Option<usize>,
-    all: Vec<Motion>,
-    /// Speeds (rad/s) with why there is nothing.
-    lost: Vec<(Option<f64>, String)>,
-    /// What is to be known of all.
-    notes: Vec<String>,
-}
 
 /// The motion at each speed of an analysis, as a text, files and figures.
 ///
@@ -101,13 +68,13 @@ pub(super) fn found(
                 interrupted = true;
                 break;
             }
-            Err(error) if not_there(&error) => motions.lost.push((speed, error.to_string())),
+            Err(error) if place::not_there(&error) => motions.lost.push((speed, error.to_string())),
             Err(error) => return Err(place::of(case, error)),
         }
     }
     if motions.all.is_empty() {
         return Err(match motions.lost.pop() {
-            Some((_, reason)) => unfound(reason),
+            Some((_, reason)) => place::unfound(reason),
             None => nothing(),
         });
     }
@@ -118,31 +85,6 @@ pub(super) fn found(
     }
     let facts = facts(&motions);
     Ok(Found { text: text::of(&motions), files, interrupted, facts })
-}
-
-/// Whether it says that at this speed there is no motion, as there may be at others.
-fn not_there(error: &Error) -> bool {
-    matches!(
-        error,
-        Error::Periodic(PeriodicError::NotFound { .. })
-            | Error::NewtonDiverged { .. }
-            | Error::NoForce { .. }
-    )
-}
-
-fn unfound(reason: String) -> Failure {
-    let help = "look for it from another `begin`, after more `marched` cycles, with more `steps` or the other `method`; if the motion \
-                repeats after several periods, say so by `periods = 2`";
-    Failure::Unfinished { reason, kept: None, help: Some(help.to_owned()) }
-}
-
-/// Why there is nothing, where that is an error of the solver.
-fn failed(case: &Case, error: Error) -> Failure {
-    match error {
-        Error::Periodic(PeriodicError::Interrupted { .. }) => nothing(),
-        error if not_there(&error) => unfound(error.to_string()),
-        error => place::of(case, error),
-    }
 }
 
 /// What of the march of a case is not that of its periodic motions.
@@ -161,88 +103,6 @@ fn notes(case: &Case, analysis: &Analysis) -> Vec<String> {
         ));
     }
     notes
-}
-
-/// A motion that is looked for.
-struct Sought<'a> {
-    case: &'a Case,
-    analysis: &'a Analysis,
-    built: &'a Built,
-    speed: Option<f64>,
-}
-
-impl Sought<'_> {
-    /// The motion, from the state of another one or from the beginning.
-    fn found(&self, near: Option<&[f64]>, interruption: &Interruption) -> Result<Motion, Error> {
-        let Sought { case, analysis, built, speed } = *self;
-        let keys = &analysis.periodic;
-        let repeating = repeating(&built.machine)?;
-        let period = keys.periods as f64 * common_period(&repeating)?;
-        let cycle =
-            Cycle { start: start(&built.machine, period), period, steps: self.steps(period) };
-        let mut options = PeriodicOptions::of(cycle);
-        (options.method, options.marched) = (keys.method, keys.marched);
-        (options.most_cycles, options.multipliers) = (keys.cycles, analysis.count);
-        let mut map = CycleMap::new(&built.machine, cycle, options.newton)?;
-        let mut observe = |_: &CycleProgress| match interruption.asked() {
-            true => ControlFlow::Break(()),
-            false => ControlFlow::Continue(()),
-        };
-        let from_near = near.filter(|x| x.len() == 2 * map.unknowns());
-        let followed = from_near.map(|x| periodic_from(&mut map, &options, x, &mut observe));
-        let periodic = match followed {
-            Some(Ok(found)) => found,
-            Some(Err(error)) if !not_there(&error) => return Err(error),
-            _ => {
-                let x = map.beginning(&self.beginning(cycle)?);
-                periodic_from(&mut map, &options, &x, &mut observe)?
-            }
-        };
-        let length = (cycle.time_step(), None);
-        let verdict = VerdictFacts::new(
-            (&built.machine, &case.supports()),
-            &periodic.outcome,
-            length,
-            (None, None),
-        );
-        let columns = periodic.history.names().to_vec();
-        Ok(Motion { speed, repeating, periodic, verdict, columns })
-    }
-
-    /// What repeats, and the cycle, in so many steps if they are told.
-    fn cycle(&self, steps: Option<usize>) -> Result<(Vec<Repeating>, Cycle), Error> {
-        let machine = &self.built.machine;
-        let repeating = repeating(machine)?;
-        let period = self.analysis.periodic.periods as f64 * common_period(&repeating)?;
-        let steps = steps.unwrap_or_else(|| self.steps(period));
-        Ok((repeating, Cycle { start: start(machine, period), period, steps }))
-    }
-
-    fn options(&self, cycle: Cycle) -> PeriodicOptions {
-        let (keys, multipliers) = (&self.analysis.periodic, self.analysis.count);
-        let (method, marched, most_cycles) = (keys.method, keys.marched, keys.cycles);
-        PeriodicOptions { method, marched, most_cycles, multipliers, ..PeriodicOptions::of(cycle) }
-    }
-
-    /// Steps of a cycle: as they are told, or as near to the time step of the march as they can be.
-    fn steps(&self, period: f64) -> usize {
-        let march = self.case.march.as_ref().filter(|own| own.automatic.is_none());
-        let of_march = march.map(|own| (period / own.time_step).round().max(LEAST) as usize);
-        self.analysis.periodic.steps.or(of_march).unwrap_or(STEPS)
-    }
-
-    /// Where the search begins.
-    fn beginning(&self, cycle: Cycle) -> Result<Vec<BodyStart>, Error> {
-        let speeds: Vec<Option<f64>> =
-            self.case.machine.bodies.iter().map(|body| body.initial_speed).collect();
-        let balanced =
-            || Ok(equilibrium(&self.built.machine, &speeds, Some(cycle.time_step()))?.bodies);
-        match self.analysis.periodic.begin {
-            Some(Beginning::Rest) => Ok(self.built.initial.clone()),
-            Some(Beginning::Equilibrium) => balanced(),
-            None => balanced().or_else(|_: Error| Ok(self.built.initial.clone())),
-        }
-    }
 }
 
 /// Numbers of the last motion, and notes of all.

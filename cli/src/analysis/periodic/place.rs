@@ -4,6 +4,7 @@ use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::Error;
 use whirl_solver::error::PeriodicError;
 
+use crate::analysis::found::nothing;
 use crate::case::Case;
 use crate::errors::Failure;
 
@@ -84,4 +85,30 @@ fn load_called<'c>(case: &'c Case, name: &str) -> Option<&'c Located> {
         case.machine.drives.iter().map(|own| &own.name).find(|own| own.text() == name)
     };
     load.or_else(drive)
+}
+
+/// Whether it says that at this speed there is no motion, as there may be at others.
+pub(super) fn not_there(error: &Error) -> bool {
+    matches!(
+        error,
+        Error::Periodic(PeriodicError::NotFound { .. })
+            | Error::NewtonDiverged { .. }
+            | Error::NoForce { .. }
+    )
+}
+
+/// That there is no motion, and where else to look for it.
+pub(super) fn unfound(reason: String) -> Failure {
+    let help = "look for it from another `begin`, after more `marched` cycles, with more `steps` or the other `method`; if the motion \
+                repeats after several periods, say so by `periods = 2`";
+    Failure::Unfinished { reason, kept: None, help: Some(help.to_owned()) }
+}
+
+/// Why there is nothing, where that is an error of the solver.
+pub(super) fn failed(case: &Case, error: Error) -> Failure {
+    match error {
+        Error::Periodic(PeriodicError::Interrupted { .. }) => nothing(),
+        error if not_there(&error) => unfound(error.to_string()),
+        error => of(case, error),
+    }
 }

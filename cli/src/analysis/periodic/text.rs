@@ -7,7 +7,7 @@ use whirl_solver::periodic::{Method, Multiplier, MultiplierKind, Periodic, Stabi
 use whirl_text::shown;
 
 use super::files::range;
-use super::{Motion, Motions};
+use super::motions::{Motion, Motions};
 use crate::analysis::words;
 use crate::report::table;
 
