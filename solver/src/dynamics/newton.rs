@@ -220,6 +220,7 @@ impl Newton {
         self.residuals.push(norm);
         let mut last_length = f64::INFINITY;
         let mut force_change = f64::INFINITY;
+        let mut stalled = 0;
         for iteration in 1..=self.options.max_iterations {
             if !norm.is_finite() {
                 return self.failed(iteration, norm, force_change);
@@ -254,7 +255,8 @@ impl Newton {
             let most = f64::max(self.largest_force, largest);
             let force_tolerance = self.force_tolerance(most);
             let at_rest = change <= force_tolerance + FORCE_ROUNDING * largest;
-            let ends = !self.options.to_rounding || norm > STALLED * last_norm || norm == 0.0;
+            stalled = if norm > STALLED * last_norm { stalled + 1 } else { 0 };
+            let ends = !self.options.to_rounding || stalled > 1 || norm == 0.0;
             if length == 1.0 && at_rest && ends {
                 let options = NewtonOptions { force_tolerance, ..self.options };
                 let stalls = norm > STALLED * last_norm;

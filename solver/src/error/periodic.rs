@@ -67,6 +67,12 @@ pub enum PeriodicError {
         /// The same at best.
         least: f64,
     },
+    /// A value of a parameter with which there is no machine.
+    #[error("there is no machine with the value {value}")]
+    NoMachine {
+        /// The value.
+        value: f64,
+    },
     /// It was to end before.
     #[error("interrupted after {cycles} cycles")]
     Interrupted {

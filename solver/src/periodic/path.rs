@@ -154,7 +154,7 @@ pub(super) fn is_of_motion(error: &Error) -> bool {
         error,
         Error::NewtonDiverged { .. }
             | Error::NoForce { .. }
-            | Error::Periodic(PeriodicError::NotFound { .. })
+            | Error::Periodic(PeriodicError::NotFound { .. } | PeriodicError::NoMachine { .. })
     )
 }
 

@@ -6,6 +6,7 @@ use std::ops::ControlFlow;
 use serde_json::{Map, Value, json};
 use whirl_solver::Error;
 use whirl_solver::cache::Cache;
+use whirl_solver::error::PeriodicError;
 use whirl_solver::machine::Machine;
 use whirl_solver::periodic::{
     Branch, BranchEnd, BranchEvent, BranchOptions, BranchPoint, Cycle, CycleMap, CycleProgress,
@@ -46,7 +47,7 @@ pub(super) fn found(
     interruption: &Interruption,
     figures: bool,
 ) -> Result<Found, Failure> {
-    let mut read = |value: f64| -> Result<(Case, machine::Built), Failure> {
+    let read = |value: f64| -> Result<(Case, machine::Built), Failure> {
         let own =
             text.with_more_values([(varying.key.as_str(), varying.literal(value))].into_iter());
         let mut own = machine::read_text_to_analyse(&own, &mut Vec::new())?;
@@ -54,7 +55,7 @@ pub(super) fn found(
         let built = machine::build_planned(&own, cache, &mut Vec::new())?;
         Ok((own, built))
     };
-    let [from, _] = varying.ends;
+    let [from, to] = varying.ends;
     let (first, built) = read(from)?;
     let of = |case: &Case, error: Error| place::of(case, error);
     let sought = Sought { case: &first, analysis, built: &built, speed: None };
@@ -74,6 +75,10 @@ pub(super) fn found(
             Ok((built.machine, found))
         });
         made.map_err(|error| {
+            // Beyond its range a key may have no values.
+            if value < from.min(to) || value > from.max(to) {
+                return PeriodicError::NoMachine { value }.into();
+            }
             let words = error.to_string();
             failure.get_or_insert(error);
             Error::Machine(words)
@@ -191,7 +196,7 @@ impl Followed<'_> {
         }
         text.push_str(&table(&lines));
         text.push('\n');
-        for own in self.note() {
+        if let Some(own) = self.note() {
             let _ = writeln!(text, "note: {own}");
         }
         text

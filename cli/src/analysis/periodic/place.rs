@@ -48,7 +48,9 @@ pub(super) fn of(case: &Case, error: Error) -> Failure {
             at(place, help)
         }
         PeriodicError::NothingRepeats => at(None, "give a body a speed, or a load a frequency"),
-        PeriodicError::NotFound { .. } | PeriodicError::Interrupted { .. } => error.into(),
+        PeriodicError::NotFound { .. }
+        | PeriodicError::NoMachine { .. }
+        | PeriodicError::Interrupted { .. } => error.into(),
     }
 }
 
