@@ -231,7 +231,7 @@ fn run(
         words = said;
     }
     // Variants of a case are read anew.
-    let text = match analyses.iter().any(|own| own.kind == AnalysisKind::Lateral) {
+    let text = match analyses.iter().any(Subject::needs_text) {
         true => Some(CaseText::find(file, None)?),
         false => None,
     };
@@ -244,16 +244,22 @@ fn run(
         figures: !arguments.no_figures && output.is_some(),
     };
     let (mut done, mut interrupted) = (Vec::new(), false);
+    let mut unfinished: Option<Failure> = None;
     for analysis in analyses {
         let name = &analysis.name;
         let work = || streams::warned(|warnings| subject.found(analysis, warnings));
         let found = match progress::during(show, "analysing", work) {
             Ok(found) => found,
             // What the ones before came to is kept.
-            Err(Failure::Unfinished { .. }) if !done.is_empty() => {
+            Err(Failure::Unfinished { .. }) if !done.is_empty() && interruption.asked() => {
                 show.note(&format!("`{name}` was interrupted before anything was found"));
                 interrupted = true;
                 break;
+            }
+            // One that comes to nothing keeps no other from being done.
+            Err(error @ Failure::Unfinished { .. }) if !interruption.asked() => {
+                unfinished.get_or_insert(error);
+                continue;
             }
             Err(error) => return Err(error),
         };
@@ -281,7 +287,7 @@ fn run(
             break;
         }
     }
-    if let (Some(mut output), Some(folder)) = (output, folder) {
+    if let (Some(mut output), Some(folder), false) = (output, folder, done.is_empty()) {
         output.put(ANALYSES, Analyses::with(folder, case, words, done).json());
         output.commit()?;
         if !arguments.no_report {
@@ -301,5 +307,5 @@ fn run(
             help: None,
         });
     }
-    Ok(())
+    unfinished.map_or(Ok(()), Err)
 }

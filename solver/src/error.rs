@@ -1,9 +1,11 @@
 //! The error type of the solver, and what the readers of files say about their input.
 
+mod periodic;
 mod reduction;
 
 use std::fmt;
 
+pub use periodic::PeriodicError;
 pub use reduction::{FreeMotion, ReductionError};
 
 use crate::linalg::LinearAlgebraError;
@@ -338,6 +340,9 @@ pub enum Error {
     /// A body could not be reduced to modes and retained dofs.
     #[error(transparent)]
     Reduction(#[from] ReductionError),
+    /// There is no cycle, or no periodic motion was found.
+    #[error("{0}")]
+    Periodic(#[from] PeriodicError),
 }
 
 impl Error {

@@ -101,6 +101,11 @@ impl History {
         &self.values[place * self.names.len()..(place + 1) * self.names.len()]
     }
 
+    /// The values of a row, one a column.
+    pub fn values(&self, row: usize) -> &[f64] {
+        self.row(row)
+    }
+
     /// The values of a column, if there is one of that name.
     pub fn column(&self, name: &str) -> Option<Vec<f64>> {
         let place = self.names.iter().position(|column| column == name)?;

@@ -28,6 +28,7 @@ pub mod mesh;
 pub mod model;
 mod ordering;
 pub mod output;
+pub mod periodic;
 pub mod reduced;
 pub mod reduction;
 mod requested;

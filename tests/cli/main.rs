@@ -38,6 +38,7 @@ mod other_runs;
 mod outputs;
 mod own_mesh;
 mod parquet_file;
+mod periodic;
 mod pulses;
 mod read_meshes;
 mod readme;

@@ -74,8 +74,8 @@ impl Asked<'_> {
             Asked::Described(own) => described(case, own)?,
         };
         // What is built in has its text in the program.
-        let found = match (text, analysis.kind) {
-            (None, AnalysisKind::Lateral) => Some(CaseText::find(case.name(), None)?),
+        let found = match (text, Subject::needs_text(&analysis)) {
+            (None, true) => Some(CaseText::find(case.name(), None)?),
             _ => None,
         };
         let linear = if Subject::is_alone(analysis.kind) { None } else { Some(linear()?) };

@@ -71,7 +71,14 @@ fn without_numbers(own: &Analysis, name: &Located) -> Option<Diagnostic> {
             let message = format!("`{}` gives matrices, which no table has", name.text());
             wrong(message, "name an analysis with numbers, such as `modes` or `stability`")
         }
-        AnalysisKind::Modes | AnalysisKind::Coefficients | AnalysisKind::Forces
+        AnalysisKind::Periodic if own.periodic.vary.is_some() => {
+            let message = format!("`{}` follows motions over a key of its own", name.text());
+            wrong(message, "leave out its `vary`, and let the key vary in the sweep")
+        }
+        AnalysisKind::Modes
+        | AnalysisKind::Coefficients
+        | AnalysisKind::Forces
+        | AnalysisKind::Periodic
             if own.speeds.len() > 1 =>
         {
             let help = "give one of `speeds`: add a table of another name with `speeds = \"3000 rpm\"`, or let a speed vary";

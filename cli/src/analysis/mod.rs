@@ -1,4 +1,4 @@
-//! Linear analyses: small motions about the state in which a machine stands at constant speeds.
+//! Analyses: small motions about the state in which a machine stands at constant speeds, and motions that repeat themselves.
 //!
 //! A case → its machine → bodies made round ([`whirl_solver::linear::LinearMachine`]) → each analysis over its speeds → a text, tables and figures.
 
@@ -13,6 +13,7 @@ mod lateral;
 mod map;
 mod matrices;
 mod modes;
+mod periodic;
 mod response;
 mod roots;
 mod shapes;

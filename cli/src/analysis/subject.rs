@@ -5,8 +5,8 @@ use whirl_solver::linear::LinearMachine;
 
 use super::found::Found;
 use super::{
-    campbell, coefficients, forces, lateral, map, matrices, modes, response, speeds, stability,
-    torsion,
+    campbell, coefficients, forces, lateral, map, matrices, modes, periodic, response, speeds,
+    stability, torsion,
 };
 use crate::case::{Analysis, AnalysisKind, Case, CaseText};
 use crate::errors::Failure;
@@ -15,7 +15,7 @@ use crate::signals::Interruption;
 /// A case with all that its analyses take.
 pub(crate) struct Subject<'a> {
     pub(crate) case: &'a Case,
-    /// Its text, for the variants of a lateral analysis; without it there are none.
+    /// Its text, for the variants of a lateral analysis, of which there are none without it, and for periodic motions over a key.
     pub(crate) text: Option<&'a CaseText>,
     /// Its machine, for all that have no machine of their own.
     pub(crate) linear: Option<&'a LinearMachine>,
@@ -28,7 +28,12 @@ pub(crate) struct Subject<'a> {
 impl Subject<'_> {
     /// Whether an analysis builds a machine of its own, with what it looks at.
     pub(crate) fn is_alone(kind: AnalysisKind) -> bool {
-        matches!(kind, AnalysisKind::Lateral | AnalysisKind::Forces)
+        matches!(kind, AnalysisKind::Lateral | AnalysisKind::Forces | AnalysisKind::Periodic)
+    }
+
+    /// Whether an analysis reads the case again, with other values.
+    pub(crate) fn needs_text(analysis: &Analysis) -> bool {
+        analysis.kind == AnalysisKind::Lateral || analysis.periodic.vary.is_some()
     }
 
     /// What an analysis comes to; `warnings` are added to.
@@ -47,6 +52,9 @@ impl Subject<'_> {
             }
             AnalysisKind::Lateral => {
                 lateral::found((case, text), analysis, (cache, warnings), interruption, figures)
+            }
+            AnalysisKind::Periodic => {
+                periodic::found((case, text), analysis, (cache, warnings), interruption, figures)
             }
             _ => self.of_machine(self.linear.expect("it was built"), analysis),
         }
@@ -75,7 +83,7 @@ impl Subject<'_> {
                 let (train, released) = torsion::released((case, linear), wanted.1.of, cache)?;
                 torsion::found((case, linear), &train, wanted, &released, interruption, figures)
             }
-            AnalysisKind::Forces | AnalysisKind::Lateral => {
+            AnalysisKind::Forces | AnalysisKind::Lateral | AnalysisKind::Periodic => {
                 unreachable!("they have machines of their own")
             }
         }

@@ -1,4 +1,5 @@
-//! The tables `[analysis.NAME]`: small motions about the state in which the machine stands at constant speeds.
+//! The tables `[analysis.NAME]`: small motions about the state in which the machine stands at constant speeds, and motions that
+//! repeat themselves.
 
 use clap::ValueEnum;
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, suggest};
@@ -7,7 +8,7 @@ use whirl_codegen::document::tree::Place;
 use whirl_codegen::units::{Dimension, Quantity};
 
 use super::machine::MOST_SPEED;
-use super::{JoinedMachine, Lateral, lateral, names};
+use super::{JoinedMachine, Lateral, PeriodicKeys, lateral, names, periodic};
 use crate::values::range::{Range, is_range};
 
 /// Values of an analysis at most: more would fill the memory.
@@ -58,6 +59,8 @@ pub(crate) struct Analysis {
     pub(crate) format: MatrixFormat,
     /// What standards ask for, of a lateral analysis.
     pub(crate) lateral: Option<Box<Lateral>>,
+    /// Of a periodic motion.
+    pub(crate) periodic: PeriodicKeys,
 }
 
 /// What an analysis finds.
@@ -83,6 +86,8 @@ pub(crate) enum AnalysisKind {
     Forces,
     /// What standards ask of response and stability.
     Lateral,
+    /// A motion that repeats itself, with its multipliers.
+    Periodic,
 }
 
 impl Analysis {
@@ -104,6 +109,7 @@ impl Analysis {
             probe_angle: None,
             format: MatrixFormat::default(),
             lateral: None,
+            periodic: PeriodicKeys::default(),
         }
     }
 }
@@ -143,8 +149,9 @@ impl AnalysisKind {
         "torsion",
         "forces",
         "lateral",
+        "periodic",
     ];
-    const ALL: [AnalysisKind; 10] = [
+    const ALL: [AnalysisKind; 11] = [
         AnalysisKind::Modes,
         AnalysisKind::Campbell,
         AnalysisKind::Response,
@@ -155,6 +162,7 @@ impl AnalysisKind {
         AnalysisKind::Torsion,
         AnalysisKind::Forces,
         AnalysisKind::Lateral,
+        AnalysisKind::Periodic,
     ];
 
     /// The kind that a case names so.
@@ -214,6 +222,13 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
             None
         }
     };
+    let periodic = match kind {
+        Some(AnalysisKind::Periodic) => periodic::read(table),
+        _ => {
+            periodic::refuse(table);
+            PeriodicKeys::default()
+        }
+    };
     let kind = kind?;
     let mut analysis = Analysis {
         name: name.to_owned(),
@@ -229,6 +244,7 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
         probe_angle,
         format: format.unwrap_or_default(),
         lateral,
+        periodic,
         ..Analysis::of_kind(kind)
     };
     let mut errors = Diagnostics::new();

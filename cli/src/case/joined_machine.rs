@@ -127,7 +127,7 @@ impl JoinedMachine {
 
     /// The speed that a body has in the end, where the case gives one (rad/s): that at which its drive aims, which is prescribed
     /// and constant or with which a table ends, or with which a body starts that no couple acts on.
-    pub(super) fn constant_speed(&self, body: usize, run: Run) -> Option<f64> {
+    pub(crate) fn constant_speed(&self, body: usize, run: Run) -> Option<f64> {
         let aims = || {
             let own = self.drives.iter().find(|drive| drive.body == body && drive.couple.acts)?;
             own.couple.table.is_none().then_some(own.couple.target_speed)

@@ -109,6 +109,17 @@ impl LawSource {
         self.names().iter().any(|name| name == "M_z" || name == "T" || name == "F_n")
     }
 
+    /// An output whose file accepts that it jumps, if there is one.
+    pub(crate) fn accepts_jump(&self) -> Option<&str> {
+        let spec = match self {
+            // None of those has one.
+            LawSource::BuiltIn(_) => return None,
+            LawSource::File(spec) => spec,
+            LawSource::Given(law) => &law.spec,
+        };
+        spec.outputs.iter().find(|own| own.accepts_jumps).map(|own| own.name.as_str())
+    }
+
     /// Whether the law gives a force on a motion beside those in the plane.
     pub(crate) fn acts_on(&self, motion: MotionKind) -> bool {
         let forces: &[&str] = match motion {

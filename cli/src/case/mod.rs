@@ -24,6 +24,7 @@ mod named_body;
 mod names;
 mod outputs;
 mod parameters;
+mod periodic;
 mod read;
 mod reduction;
 mod rotor;
@@ -69,6 +70,7 @@ pub(crate) use march::MarchSettings;
 pub(crate) use named_body::{Attached, Form, MeshedBody, NamedBody};
 pub(crate) use outputs::{Output, OutputPoint};
 pub(crate) use parameters::{BearingFacts, SetParameter, rounded};
+pub(crate) use periodic::{Beginning, PeriodicKeys, Varying};
 pub(crate) use read::read;
 pub(crate) use read::{Draft, Purpose, draft, draft_of, draft_with};
 pub(crate) use rotor::{

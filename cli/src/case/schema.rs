@@ -11,6 +11,7 @@ use super::analyses::{AnalysisKind, MatrixFormat};
 use super::joined::schema as joined;
 use super::lateral::STAGES;
 use super::march::{AUTOMATIC, ESTIMATE, GENERALIZED_ALPHA, MOST_STEPS, NEWMARK, ONE_CYCLE};
+use super::periodic::{BEGINNINGS, METHODS, MOST_MARCHED, MOST_PERIODS, MOST_POINTS, STEPS};
 use super::shapes::{
     ANGLE, CLEARANCE, CROSS_STIFFNESS, DAMPING, DAMPING_TIME, DENSITY, DURATION, FORCE, FREQUENCY,
     GAS_DENSITY, GRAVITY, GROUND_SPRING, LENGTH, MASS, MERGE, MODULUS, MOST_CELLS, MOST_MODES,
@@ -344,7 +345,7 @@ const ANALYSIS: &[Key] = &[
     merged(
         "kind",
         Words(AnalysisKind::WORDS),
-        "modes at a speed or followed over speeds, response, coefficients of joints, stability, undamped critical speeds, matrices for other programs, torsion of a train, forces along bodies, what standards ask for",
+        "modes at a speed or followed over speeds, response, coefficients of joints, stability, undamped critical speeds, matrices for other programs, torsion of a train, forces along bodies, what standards ask for, a motion that repeats itself",
     ),
     key("of", Text, "the body whose speed it is; the fastest if left out").like("\"rotor\""),
     key(
@@ -420,6 +421,32 @@ const ANALYSIS: &[Key] = &[
         Named(&Table(&[VARIANT])),
         "other values of keys, such as clearances or viscosity",
     ),
+    key(
+        "steps",
+        Count(STEPS[0], STEPS[1]),
+        "of a cycle of a periodic motion; as near to the time step of the march as they can be if left out",
+    )
+    .like("360"),
+    key("method", Words(METHODS), "of a periodic motion; the one that takes less time if left out"),
+    key("marched", Count(0, MOST_MARCHED), "cycles of a periodic motion marched before the method")
+        .like("8"),
+    key(
+        "periods",
+        Count(1, MOST_PERIODS),
+        "common periods of loads and speeds in a cycle of a periodic motion; 1 if left out",
+    )
+    .like("2"),
+    key(
+        "begin",
+        Words(BEGINNINGS),
+        "where the search for a periodic motion begins; in equilibrium if there is one",
+    ),
+    key("cycles", Count(1, MOST_MARCHED), "of a periodic motion at most; 400 if left out")
+        .like("400"),
+    key("vary", Text, "a key of the case with a range, over which periodic motions are followed")
+        .like("\"body.rotor.speed = 3000 rpm .. 9000 rpm\""),
+    key("points", Count(2, MOST_POINTS), "of a branch of periodic motions at most; 200 if left out")
+        .like("200"),
 ];
 
 const APPLIED: &[Key] = &[

@@ -58,7 +58,7 @@ impl Springs {
     }
 
     /// Whether any law depends on how fast a bore moves.
-    pub(super) fn needs_rates(&self) -> bool {
+    pub(crate) fn needs_rates(&self) -> bool {
         self.laws.iter().any(|law| law.bound.needs_rates())
     }
 

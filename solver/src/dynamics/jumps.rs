@@ -59,6 +59,9 @@ impl March<'_> {
         self.set_given(t, false);
         accelerate(&mut self.equations, t, &mut self.state)?;
         self.meters.jump(&self.equations);
-        Ok(())
+        match &mut self.linear {
+            Some(linear) => linear.begin(&mut self.equations, &self.state),
+            None => Ok(()),
+        }
     }
 }

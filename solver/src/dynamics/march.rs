@@ -8,6 +8,7 @@ use super::cuts::{Watched, watched};
 use super::energy::EnergyBalance;
 use super::halvings::Halvings;
 use super::jumps::jumps;
+use super::linear_steps::LinearSteps;
 use super::meters::Meters;
 use super::newmark::Integrator;
 use super::newton::{Newton, NewtonOptions, NewtonState, StepReport};
@@ -72,7 +73,8 @@ pub struct BodyStart {
 }
 
 impl BodyStart {
-    fn write(&self, place: &BodyPlace, state: &mut State) {
+    /// Writes it into a state of the machine, where the coordinates of the body stand.
+    pub(crate) fn write(&self, place: &BodyPlace, state: &mut State) {
         let first = place.flexible.start;
         state.q[first..first + self.position.len()].copy_from_slice(&self.position);
         state.v[first..first + self.velocity.len()].copy_from_slice(&self.velocity);
@@ -183,6 +185,8 @@ pub struct March<'m> {
     pub(super) watched: Vec<Watched>,
     /// By which the part at work is integrated.
     pub(super) integrator: Integrator,
+    /// What becomes of small changes, where that is wanted.
+    pub(super) linear: Option<Box<LinearSteps>>,
 }
 
 impl<'m> March<'m> {
@@ -268,6 +272,7 @@ impl<'m> March<'m> {
             jumps: jumps(machine),
             watched,
             integrator: options.integrator,
+            linear: None,
             options: options.clone(),
         })
     }

@@ -41,6 +41,8 @@ pub struct NewtonOptions {
     pub line_search: bool,
     /// How often a failing step may be halved, where the march does not choose its steps.
     pub max_halvings: usize,
+    /// Whether iterations go on beyond that until another one does not help: what is left of a step is rounding.
+    pub to_rounding: bool,
 }
 
 impl Default for NewtonOptions {
@@ -53,6 +55,7 @@ impl Default for NewtonOptions {
             keep_factors: true,
             line_search: true,
             max_halvings: 10,
+            to_rounding: false,
         }
     }
 }
@@ -217,6 +220,7 @@ impl Newton {
         self.residuals.push(norm);
         let mut last_length = f64::INFINITY;
         let mut force_change = f64::INFINITY;
+        let mut stalled = 0;
         for iteration in 1..=self.options.max_iterations {
             if !norm.is_finite() {
                 return self.failed(iteration, norm, force_change);
@@ -251,7 +255,9 @@ impl Newton {
             let most = f64::max(self.largest_force, largest);
             let force_tolerance = self.force_tolerance(most);
             let at_rest = change <= force_tolerance + FORCE_ROUNDING * largest;
-            if length == 1.0 && at_rest {
+            stalled = if norm > STALLED * last_norm { stalled + 1 } else { 0 };
+            let ends = !self.options.to_rounding || stalled > 1 || norm == 0.0;
+            if length == 1.0 && at_rest && ends {
                 let options = NewtonOptions { force_tolerance, ..self.options };
                 let stalls = norm > STALLED * last_norm;
                 let row_error = equations.row_error([end, &self.predicted], &options, stalls);

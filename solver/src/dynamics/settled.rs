@@ -5,7 +5,7 @@ use crate::machine::{Body, Machine, Rotation};
 
 /// The last time (s) at which a load begins, a ramp ends, or a table over time or a told rotation has its last row; infinite
 /// where a prescribed speed never stops to change.
-pub(super) fn settled_from(machine: &Machine) -> f64 {
+pub(crate) fn settled_from(machine: &Machine) -> f64 {
     let loads = machine.loads.iter().map(of_load);
     let rotations = machine.bodies.iter().filter_map(Body::rotation).map(of_rotation);
     loads.chain(rotations).fold(0.0, f64::max)

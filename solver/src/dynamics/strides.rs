@@ -3,6 +3,7 @@
 
 use super::control::{FORESEEN, MOST_HALVINGS};
 use super::march::{March, MarchOptions};
+use super::newmark::Coefficients;
 use super::newton::Ending;
 use crate::equations::State;
 use crate::error::Error;
@@ -90,16 +91,21 @@ impl March<'_> {
         let solved = match ending {
             Some(judged) => {
                 let row_error = report.row_error;
+                let step = Coefficients::new(self.integrator, taken);
+                let linearised = match &mut self.linear {
+                    Some(linear) => linear.add(&mut self.equations, step, &self.state),
+                    None => Ok(()),
+                };
                 self.meters.add(&mut self.equations, (t, taken), &start, &self.state, row_error);
                 self.meters.accept(judged, halvings);
                 self.equations.springs.observe(&self.machine.springs, t + taken);
-                match self.overshoots() {
+                linearised.and_then(|()| match self.overshoots() {
                     true => self.release(t + taken).and_then(|()| match taken < dt {
                         true => self.part((t + taken, dt - taken), depth + 1, halvings),
                         false => Ok(()),
                     }),
                     false => Ok(()),
-                }
+                })
             }
             None if may_halve => {
                 let failed = report.ending == Ending::Failed;

@@ -253,6 +253,30 @@ impl<'m> Equations<'m> {
         Tangents { mass, damping, stiffness, planes: planes.collect() }
     }
 
+    /// What −∂r/∂q, −∂r/∂q̇ and −∂r/∂q̈ come to with these weights, −∂r/∂q̇, and −∂r/∂q̈, at the state that was last evaluated, over the
+    /// unknown coordinates. Derivatives by q̇ and q̈ of bodies are the same to the bit where nothing of them changes.
+    pub(crate) fn tangents_of_step(&mut self, state: &State, weights: Weights) -> [Matrix; 3] {
+        let (size, first, t) = (self.machine.size(), self.machine.first_unknown(), self.time);
+        let unknowns: Vec<usize> = (first..size).collect();
+        let with_springs = self.machine.springs.needs_rates();
+        let rates = Weights { rate: RATE, acceleration: 0.0 };
+        let [mut damping, stiffness, whole] =
+            [(rates, with_springs), (Weights::POSITION, with_springs), (weights, true)].map(
+                |(weights, springs)| {
+                    let mut data = vec![0.0; size * size];
+                    match springs {
+                        true => self.tangent(t, state, weights, &mut data),
+                        false => self.tangent_of_bodies(t, state, weights, &mut data),
+                    }
+                    Matrix { rows: size, cols: size, data }.select(&unknowns, &unknowns)
+                },
+            );
+        for (both, position) in damping.data.iter_mut().zip(&stiffness.data) {
+            *both = (*both - position) / RATE;
+        }
+        [whole, damping, self.mass(state).select(&unknowns, &unknowns)]
+    }
+
     /// As [`Equations::tangent`], without springs.
     pub(crate) fn tangent_of_bodies(
         &mut self,

@@ -100,6 +100,28 @@ pub(crate) fn eigenvalues(a: &Matrix) -> Result<Vec<[f64; 2]>, LinearAlgebraErro
     Ok(values.into_iter().map(|value| [value.re, value.im]).collect())
 }
 
+/// All eigenvalues of a square matrix, each with the modulus of the last entry of its vector of unit length: of the matrix of
+/// Arnoldi's process that tells what is left of a Ritz pair.
+///
+/// # Errors
+/// As [`eigenvalues`].
+pub(crate) fn ritz_pairs(a: &Matrix) -> Result<Vec<(Complex64, f64)>, LinearAlgebraError> {
+    let failure = LinearAlgebraError::NoConvergence { size: a.rows };
+    if a.data.iter().any(|value| !value.is_finite()) {
+        return Err(failure);
+    }
+    super::on_one_thread();
+    let whole = faer::MatRef::from_column_major_slice(&a.data, a.rows, a.cols);
+    let found = whole.eigen().map_err(|_| failure)?;
+    let (values, vectors) = (found.S().column_vector(), found.U());
+    let pairs = (0..a.rows).map(|k| {
+        let size = (0..a.rows).map(|i| vectors[(i, k)].norm_sqr()).sum::<f64>().sqrt();
+        let last = a.rows.checked_sub(1).map_or(0.0, |row| vectors[(row, k)].norm());
+        (Complex64::new(values[k].re, values[k].im), last / size)
+    });
+    Ok(pairs.collect())
+}
+
 /// Eigenvalues, ascending, and orthonormal vectors of a Hermitian matrix, both column after column; its lower triangle is read.
 ///
 /// # Errors

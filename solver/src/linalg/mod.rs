@@ -24,7 +24,7 @@ pub use cholesky::Cholesky;
 pub(crate) use combination::{add_columns, add_product, add_transposed, widely};
 pub(crate) use complex::solve_complex;
 pub use eigen::{GeneralisedEigen, SymmetricEigen, generalised_symmetric_eigen, symmetric_eigen};
-pub(crate) use eigen::{eigenvalues, hermitian_eigen};
+pub(crate) use eigen::{eigenvalues, hermitian_eigen, ritz_pairs};
 pub use lower::LowerTriangle;
 pub use lu::Lu;
 pub use matrix::{Columns, Matrix};

@@ -121,7 +121,7 @@ pub struct LawOutput {
     /// Unit in which the file's formulas give it.
     pub unit: Unit,
     /// Whether the file accepts jumps of the value.
-    pub(crate) accepts_jumps: bool,
+    pub accepts_jumps: bool,
     /// The pieces; the first whose condition holds applies, the last has none.
     pub(crate) pieces: Vec<Piece>,
     /// The value in the graph, SI.

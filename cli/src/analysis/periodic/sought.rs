@@ -1,0 +1,103 @@
+//! A periodic motion that is looked for: its cycle, its beginning, what is found.
+
+use std::ops::ControlFlow;
+
+use whirl_solver::Error;
+use whirl_solver::dynamics::{BodyStart, equilibrium};
+use whirl_solver::periodic::{
+    Cycle, CycleMap, CycleProgress, PeriodicOptions, Repeating, common_period, periodic_from,
+    repeating, start,
+};
+
+use super::motions::Motion;
+use super::place::not_there;
+use crate::case::{Analysis, Beginning, Case};
+use crate::machine::Built;
+use crate::report::VerdictFacts;
+use crate::signals::Interruption;
+
+/// Steps of a cycle where neither the analysis nor the march says them.
+pub(super) const STEPS: usize = 360;
+/// Steps at least, whatever the time step of the march.
+const LEAST: f64 = 8.0;
+
+/// A motion that is looked for.
+pub(super) struct Sought<'a> {
+    pub(super) case: &'a Case,
+    pub(super) analysis: &'a Analysis,
+    pub(super) built: &'a Built,
+    pub(super) speed: Option<f64>,
+}
+
+impl Sought<'_> {
+    /// The motion, from the state of another one or from the beginning.
+    pub(super) fn found(
+        &self,
+        near: Option<&[f64]>,
+        interruption: &Interruption,
+    ) -> Result<Motion, Error> {
+        let Sought { case, built, speed, .. } = *self;
+        let (repeating, cycle) = self.cycle(None)?;
+        let options = self.options(cycle);
+        let mut map = CycleMap::new(&built.machine, cycle, options.newton)?;
+        let mut observe = |_: &CycleProgress| match interruption.asked() {
+            true => ControlFlow::Break(()),
+            false => ControlFlow::Continue(()),
+        };
+        let from_near = near.filter(|x| x.len() == 2 * map.unknowns());
+        let followed = from_near.map(|x| periodic_from(&mut map, &options, x, &mut observe));
+        let periodic = match followed {
+            Some(Ok(found)) => found,
+            Some(Err(error)) if !not_there(&error) => return Err(error),
+            _ => {
+                let x = map.beginning(&self.beginning(cycle)?);
+                periodic_from(&mut map, &options, &x, &mut observe)?
+            }
+        };
+        let length = (cycle.time_step(), None);
+        let verdict = VerdictFacts::new(
+            (&built.machine, &case.supports()),
+            &periodic.outcome,
+            length,
+            (None, None),
+        );
+        let columns = periodic.history.names().to_vec();
+        Ok(Motion { speed, repeating, periodic, verdict, columns })
+    }
+
+    /// What repeats, and the cycle, in so many steps if they are told.
+    pub(super) fn cycle(&self, steps: Option<usize>) -> Result<(Vec<Repeating>, Cycle), Error> {
+        let machine = &self.built.machine;
+        let repeating = repeating(machine)?;
+        let period = self.analysis.periodic.periods as f64 * common_period(&repeating)?;
+        let steps = steps.unwrap_or_else(|| self.steps(period));
+        Ok((repeating, Cycle { start: start(machine, period), period, steps }))
+    }
+
+    /// How it is looked for.
+    pub(super) fn options(&self, cycle: Cycle) -> PeriodicOptions {
+        let (keys, multipliers) = (&self.analysis.periodic, self.analysis.count);
+        let (method, marched, most_cycles) = (keys.method, keys.marched, keys.cycles);
+        PeriodicOptions { method, marched, most_cycles, multipliers, ..PeriodicOptions::of(cycle) }
+    }
+
+    /// Steps of a cycle: as they are told, or as near to the time step of the march as they can be.
+    fn steps(&self, period: f64) -> usize {
+        let march = self.case.march.as_ref().filter(|own| own.automatic.is_none());
+        let of_march = march.map(|own| (period / own.time_step).round().max(LEAST) as usize);
+        self.analysis.periodic.steps.or(of_march).unwrap_or(STEPS)
+    }
+
+    /// Where the search begins.
+    pub(super) fn beginning(&self, cycle: Cycle) -> Result<Vec<BodyStart>, Error> {
+        let speeds: Vec<Option<f64>> =
+            self.case.machine.bodies.iter().map(|body| body.initial_speed).collect();
+        let balanced =
+            || Ok(equilibrium(&self.built.machine, &speeds, Some(cycle.time_step()))?.bodies);
+        match self.analysis.periodic.begin {
+            Some(Beginning::Rest) => Ok(self.built.initial.clone()),
+            Some(Beginning::Equilibrium) => balanced(),
+            None => balanced().or_else(|_: Error| Ok(self.built.initial.clone())),
+        }
+    }
+}

@@ -1,0 +1,169 @@
+//! Where the stability of a branch changes between two of its points: folds, doublings of the period, second frequencies.
+
+use std::f64::consts::TAU;
+
+use num_complex::Complex64;
+
+use super::path::{Node, Path, values};
+use crate::error::Error;
+
+/// Divisions of a step at most, and the part of it to which an event is located.
+const DIVISIONS: usize = 40;
+const LOCATED: f64 = 1e-10;
+/// How near to the unit circle a multiplier is where it passes; where none is, they have jumped.
+const PASSES: f64 = 0.01;
+
+/// A change between two points of a branch.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BranchEvent {
+    /// What it is.
+    pub kind: EventKind,
+    /// The parameter there.
+    pub value: f64,
+    /// x at the start of the cycle there.
+    pub state: Vec<f64>,
+    /// The multiplier that is on the unit circle there.
+    pub multiplier: Complex64,
+    /// The place of the point before it.
+    pub after: usize,
+}
+
+/// What happens to a branch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EventKind {
+    /// It turns back: two motions meet, and there is none beyond.
+    Fold,
+    /// A real multiplier passes 1 and the branch goes on: another one crosses it.
+    Crossing,
+    /// Motions of twice the period begin or end there.
+    Doubling,
+    /// A second frequency appears (Neimark and Sacker).
+    Torus,
+    /// It turns at once, as contacts begin or end all around, and multipliers jump.
+    Corner,
+}
+
+/// How many multipliers are outside of the unit circle: real ones above 1, below −1, and others.
+fn outside(all: &[Complex64]) -> [usize; 3] {
+    let mut counts = [0; 3];
+    for own in all.iter().filter(|own| own.norm() > 1.0) {
+        let real = own.im.abs() < 1e-12 * own.norm();
+        let place = if !real { 2 } else { usize::from(own.re < 0.0) };
+        counts[place] += 1;
+    }
+    counts
+}
+
+/// What is zero where an event of a kind is.
+fn measure(kind: EventKind, node: &Node) -> Result<f64, Error> {
+    let all = values(&node.monodromy)?;
+    let product = |at: f64| all.iter().map(|own| own - at).product::<Complex64>().re;
+    Ok(match kind {
+        EventKind::Fold | EventKind::Corner => node.along,
+        EventKind::Crossing => product(1.0),
+        EventKind::Doubling => product(-1.0),
+        EventKind::Torus => {
+            let complex = all.iter().filter(|own| own.im.abs() > 1e-9 * own.norm());
+            complex
+                .map(|own| own.norm() - 1.0)
+                .min_by(|a, b| a.abs().total_cmp(&b.abs()))
+                .unwrap_or(1.0)
+        }
+    })
+}
+
+/// The events between two points, of which the first is the `after`-th of the branch.
+///
+/// # Errors
+/// Eigenvalues that are not found; a machine that cannot be made.
+pub(super) fn between(
+    path: &mut Path,
+    [a, b]: [&Node; 2],
+    after: usize,
+) -> Result<Vec<BranchEvent>, Error> {
+    let [before, behind] = [values(&a.monodromy)?, values(&b.monodromy)?].map(|own| outside(&own));
+    let mut kinds = Vec::new();
+    if a.along * b.along < 0.0 {
+        kinds.push(EventKind::Fold);
+    } else if before[0].abs_diff(behind[0]) % 2 == 1 {
+        kinds.push(EventKind::Crossing);
+    }
+    if before[1].abs_diff(behind[1]) % 2 == 1 {
+        kinds.push(EventKind::Doubling);
+    }
+    // Two real ones that become a pair outside of the circle cross nothing.
+    let whole: [usize; 2] = [before, behind].map(|own| own.iter().sum());
+    if before[2] != behind[2] && whole[0].abs_diff(whole[1]) >= 2 {
+        kinds.push(EventKind::Torus);
+    }
+    let mut events = Vec::new();
+    for kind in kinds {
+        events.extend(located(path, kind, [a, b], after)?);
+    }
+    Ok(events)
+}
+
+/// An event by regula falsi on the straight way between two points (Dowell and Jarratt, BIT 11, 1971, 168-174).
+fn located(
+    path: &mut Path,
+    kind: EventKind,
+    [a, b]: [&Node; 2],
+    after: usize,
+) -> Result<Option<BranchEvent>, Error> {
+    let (from, to) = (path.u(&a.y, a.value), path.u(&b.y, b.value));
+    let way: Vec<f64> = to.iter().zip(&from).map(|(to, from)| to - from).collect();
+    let length = way.iter().map(|own| own * own).sum::<f64>().sqrt();
+    let normal: Vec<f64> = way.iter().map(|own| own / length).collect();
+    let (mut low, mut high) = ((0.0, measure(kind, a)?), (1.0, measure(kind, b)?));
+    let mut best: Option<Node> = None;
+    if low.1 * high.1 > 0.0 {
+        return Ok(None);
+    }
+    for _ in 0..DIVISIONS {
+        let share: f64 = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
+        let share = if share > low.0 && share < high.0 { share } else { 0.5 * (low.0 + high.0) };
+        let at: Vec<f64> = from.iter().zip(&way).map(|(from, way)| from + share * way).collect();
+        let Some(node) = path.correct(&at, &normal)? else { break };
+        let value = measure(kind, &node)?;
+        best = Some(node);
+        if value == 0.0 || high.0 - low.0 < LOCATED {
+            break;
+        }
+        let (kept, new) =
+            if value * low.1 > 0.0 { (&mut high, &mut low) } else { (&mut low, &mut high) };
+        let shrunk = 1.0 - value / new.1;
+        let moved = (new.0 - share).abs();
+        // The end that stays counts less each time, so that it moves, too.
+        kept.1 *= if shrunk > 0.0 { shrunk } else { 0.5 };
+        *new = (share, value);
+        if moved < LOCATED {
+            break;
+        }
+    }
+    let Some(node) = best else { return Ok(None) };
+    let all = values(&node.monodromy)?;
+    let off = |own: &&Complex64| match kind {
+        EventKind::Fold | EventKind::Crossing | EventKind::Corner => (*own - 1.0).norm(),
+        EventKind::Doubling => (*own + 1.0).norm(),
+        EventKind::Torus => match own.im > 0.0 {
+            true => (own.norm() - 1.0).abs(),
+            false => f64::INFINITY,
+        },
+    };
+    let multiplier = all.iter().min_by(|a, b| off(a).total_cmp(&off(b))).copied();
+    let passes = multiplier.is_some_and(|own| off(&&own) < PASSES);
+    Ok(Some(BranchEvent {
+        kind: if passes { kind } else { EventKind::Corner },
+        value: node.value,
+        state: path.family.state(&node.y),
+        multiplier: multiplier.unwrap_or_default(),
+        after,
+    }))
+}
+
+impl BranchEvent {
+    /// Frequency (Hz) of what appears beside whole multiples of that of a cycle of `period` s.
+    pub fn beside(&self, period: f64) -> f64 {
+        self.multiplier.arg().abs() / (TAU * period)
+    }
+}

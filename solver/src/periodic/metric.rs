@@ -1,0 +1,80 @@
+//! The energy norm, in which positions and rates of all bodies are of one kind: ½ q̇ᵀM q̇ + ½ qᵀ(K + ω²M) q without joints, with
+//! ω of the cycle, so that a body that nothing elastic holds counts as well.
+
+use std::f64::consts::TAU;
+
+use super::map::CycleMap;
+use crate::equations::Equations;
+use crate::error::Error;
+use crate::linalg::{Cholesky, Matrix};
+use crate::machine::Body;
+
+/// Changes states into others whose plain norm is that of energy, and back.
+pub(super) struct Metric {
+    position: Cholesky,
+    rate: Cholesky,
+    unknowns: usize,
+}
+
+impl Metric {
+    /// Of a machine at a state.
+    ///
+    /// # Errors
+    /// A mass matrix that is not positive definite.
+    pub(super) fn new(map: &CycleMap, x: &[f64]) -> Result<Self, Error> {
+        let (machine, state) = (map.machine(), map.state(x));
+        let (first, n) = (machine.first_unknown(), map.unknowns());
+        let unknown: Vec<usize> = (first..machine.size()).collect();
+        let mass = Equations::new(machine).mass(&state).select(&unknown, &unknown);
+        let square = (TAU / map.cycle().period).powi(2);
+        let mut stiffness =
+            Matrix { data: mass.data.iter().map(|m| square * m).collect(), ..mass.clone() };
+        for (body, place) in machine.bodies.iter().zip(machine.places()) {
+            let own = place.flexible.start - first;
+            match body {
+                Body::Turning { shaft, .. } => {
+                    for j in 0..shaft.size() {
+                        for i in 0..shaft.size() {
+                            stiffness[(own + i, own + j)] += shaft.stiffness[(i, j)];
+                        }
+                    }
+                }
+                Body::Standing { support, .. } => {
+                    let stiff = support.stiffness.iter().enumerate();
+                    stiff.for_each(|(i, k)| stiffness[(own + i, own + i)] += k);
+                }
+            }
+        }
+        let (mut position, mut rate) = (Cholesky::new(n), Cholesky::new(n));
+        position.factor(&stiffness.data)?;
+        rate.factor(&mass.data)?;
+        Ok(Metric { position, rate, unknowns: n })
+    }
+
+    /// (Lᵀq, Lᵀq̇) of a state.
+    pub(super) fn weighed(&self, x: &[f64]) -> Vec<f64> {
+        let n = self.unknowns;
+        let (q, v) = x.split_at(n);
+        let of = |factor: &Cholesky, x: &[f64], j: usize| -> f64 {
+            (j..n).map(|i| factor.lower(i, j) * x[i]).sum()
+        };
+        let rates = (0..n).map(|j| of(&self.rate, v, j));
+        (0..n).map(|j| of(&self.position, q, j)).chain(rates).collect()
+    }
+
+    /// The state of which it was made.
+    pub(super) fn state(&self, weighed: &[f64]) -> Vec<f64> {
+        let mut x = weighed.to_vec();
+        let (q, v) = x.split_at_mut(self.unknowns);
+        if self.unknowns > 0 {
+            self.position.solve_upper_in_place(q);
+            self.rate.solve_upper_in_place(v);
+        }
+        x
+    }
+}
+
+/// The plain norm.
+pub(super) fn norm(x: &[f64]) -> f64 {
+    x.iter().map(|own| own * own).sum::<f64>().sqrt()
+}

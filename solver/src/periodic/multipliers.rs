@@ -1,0 +1,204 @@
+//! Multipliers of a periodic motion: eigenvalues of the derivative of its cycle map, and what they say.
+//!
+//! Modes that steps do not resolve have multipliers of their own: by the average acceleration the modulus of one that is damped is
+//! 1 − 4ζT/(ωΔt²) or so, nearer to 1 the longer steps are, where those of the motion are right to O(Δt²). With steps half as
+//! long the logarithm of the modulus is four times as large: so they are told.
+
+use num_complex::Complex64;
+
+use super::krylov::Krylov;
+use super::shooting::WHOLE;
+use super::weighed::Weighed;
+use crate::error::Error;
+use crate::linalg::{eigenvalues, ritz_pairs};
+
+/// Products with the derivative at most, where states are many, and how often Ritz values are looked at.
+const PRODUCTS: usize = 160;
+const LOOKED_AT: usize = 8;
+/// What may be left of a Ritz pair.
+const LEFT: f64 = 1e-7;
+/// Moduli below which a multiplier is rounding.
+const NOTHING: f64 = 1e-12;
+
+/// A multiplier of a periodic motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Multiplier {
+    /// μ.
+    pub value: Complex64,
+    /// The same with steps half as long, where that was found.
+    pub finer: Option<Complex64>,
+    /// Of what it is.
+    pub kind: MultiplierKind,
+}
+
+/// Of what a multiplier is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MultiplierKind {
+    /// Of the motion.
+    Motion,
+    /// Of motion that the steps do not resolve: it says how fast that dies in the march, not in the machine.
+    Unresolved,
+}
+
+/// What multipliers say of a motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stability {
+    /// Changes die.
+    Stable,
+    /// A change grows to one side: near a fold, another branch of motions begins or ends.
+    Diverges,
+    /// A change grows and takes the other sign in every cycle: near there the period doubles.
+    Doubles,
+    /// A change grows and has another frequency: near there a second frequency appears (Neimark and Sacker).
+    Wanders,
+    /// The largest multiplier is nearer to the unit circle than steps tell.
+    Undecided,
+}
+
+/// The largest multipliers of a motion, ascending in what they have lost: all of them where states are few.
+///
+/// # Errors
+/// A step that does not converge; eigenvalues that are not found.
+pub(super) fn largest(
+    map: &mut Weighed,
+    y: &[f64],
+    wanted: usize,
+) -> Result<Vec<Complex64>, Error> {
+    let mut values: Vec<Complex64> = if y.len() <= WHOLE {
+        let (_, monodromy) = map.monodromy(y)?;
+        eigenvalues(&monodromy)?.into_iter().map(|[re, im]| Complex64::new(re, im)).collect()
+    } else {
+        of_many(map, y, wanted)?
+    };
+    values.retain(|own| own.norm() > NOTHING);
+    values.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im)));
+    Ok(values)
+}
+
+/// Those that Arnoldi's process finds first: the largest.
+fn of_many(map: &mut Weighed, y: &[f64], wanted: usize) -> Result<Vec<Complex64>, Error> {
+    let (_, mut cycle) = map.linearised(y)?;
+    let mut krylov = Krylov::new(&first(y.len()));
+    loop {
+        if let Some(next) = krylov.next() {
+            let image = map.change(&mut cycle, next);
+            krylov.take(image);
+        }
+        let complete = krylov.next().is_none() || krylov.size() >= PRODUCTS;
+        if !complete && !krylov.size().is_multiple_of(LOOKED_AT) {
+            continue;
+        }
+        let mut pairs = ritz_pairs(&krylov.matrix())?;
+        pairs.sort_by(|a, b| b.0.norm().total_cmp(&a.0.norm()));
+        let beyond = krylov.beyond();
+        let exact = |own: &&(Complex64, f64)| beyond * own.1 <= LEFT;
+        let leading = pairs.iter().take_while(exact).count();
+        if complete || leading >= wanted {
+            // Those behind one that is not known may have others before them.
+            let known = if leading == 0 { pairs.len().min(1) } else { leading };
+            return Ok(pairs[..known].iter().map(|own| own.0).collect());
+        }
+    }
+}
+
+/// A vector with something of everything, the same every time.
+fn first(size: usize) -> Vec<f64> {
+    let mut state = 1_u64;
+    let next = |_| {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+    };
+    (0..size).map(next).collect()
+}
+
+/// Multipliers with those of steps half as long, each of which is taken once, the nearest pairs first: near by themselves, or by
+/// the law of what is not resolved.
+pub(super) fn paired(own: &[Complex64], finer: &[Complex64]) -> Vec<Multiplier> {
+    let mut pairs: Vec<(f64, usize, usize, MultiplierKind)> = Vec::new();
+    for (i, value) in own.iter().enumerate() {
+        for (j, other) in finer.iter().enumerate() {
+            let size = value.norm().max(NOTHING);
+            let motion = (other - value).norm() / size;
+            let faded = value.norm().powi(4);
+            let unresolved = (other.norm() - faded).abs() / faded.max(NOTHING);
+            // What stands at 1 obeys both.
+            let (cost, kind) = match unresolved < motion && value.norm() < 0.999 {
+                true => (unresolved, MultiplierKind::Unresolved),
+                false => (motion, MultiplierKind::Motion),
+            };
+            pairs.push((cost, i, j, kind));
+        }
+    }
+    pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
+    let mut all: Vec<Multiplier> = own
+        .iter()
+        .map(|value| Multiplier { value: *value, finer: None, kind: MultiplierKind::Motion })
+        .collect();
+    let mut taken = vec![false; finer.len()];
+    for (_, i, j, kind) in pairs {
+        if all[i].finer.is_none() && !taken[j] {
+            taken[j] = true;
+            all[i] = Multiplier { finer: Some(finer[j]), kind, ..all[i] };
+        }
+    }
+    all
+}
+
+/// How far from the unit circle it must be for a verdict: twice what steps half as long change, and rounding.
+pub(super) fn margin(own: &Multiplier) -> f64 {
+    const ROUNDING: f64 = 1e-7;
+    let apart = own.finer.map_or(0.0, |finer| (own.value.norm() - finer.norm()).abs());
+    2.0 * apart + ROUNDING
+}
+
+/// What multipliers say: by the largest of the motion.
+pub(super) fn stability(all: &[Multiplier]) -> Stability {
+    let of_motion = || all.iter().filter(|own| own.kind == MultiplierKind::Motion);
+    let beyond = |own: &&Multiplier| own.value.norm() > 1.0 + margin(own);
+    if let Some(own) = of_motion().find(beyond) {
+        let real = own.value.im.abs() <= 1e-9 * own.value.norm();
+        return match (real, own.value.re > 0.0) {
+            (true, true) => Stability::Diverges,
+            (true, false) => Stability::Doubles,
+            (false, _) => Stability::Wanders,
+        };
+    }
+    match of_motion().all(|own| own.value.norm() < 1.0 - margin(own)) {
+        true => Stability::Stable,
+        false => Stability::Undecided,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers of the reference machine at 4500 rpm with 360 and 720 steps.
+    #[test]
+    fn what_steps_do_not_resolve_is_told_by_steps_half_as_long() {
+        let real = |value: f64| Complex64::new(value, 0.0);
+        let pair = |modulus: f64, angle: f64| Complex64::from_polar(modulus, angle);
+        let own = [real(0.797), real(0.795), real(0.453), pair(0.39333, 2.0), pair(0.39333, -2.0)];
+        let finer =
+            [real(0.404), real(0.399), pair(0.39295, 2.001), pair(0.39295, -2.001), real(0.042)];
+        let all = paired(&own, &finer);
+        use MultiplierKind::{Motion, Unresolved};
+        let kinds: Vec<MultiplierKind> = all.iter().map(|own| own.kind).collect();
+        assert_eq!(kinds, [Unresolved, Unresolved, Unresolved, Motion, Motion]);
+        assert_eq!(all[2].finer, Some(real(0.042)));
+        assert_eq!(stability(&all), Stability::Stable);
+    }
+
+    #[test]
+    fn a_multiplier_near_the_circle_is_no_verdict() {
+        let one = |value: f64, finer: f64| {
+            stability(&paired(&[Complex64::new(value, 0.0)], &[Complex64::new(finer, 0.0)]))
+        };
+        assert_eq!(one(0.98, 0.985), Stability::Stable);
+        assert_eq!(one(0.98, 0.9901), Stability::Undecided);
+        assert_eq!(one(1.01, 1.0049), Stability::Undecided);
+        assert_eq!(one(1.02, 1.015), Stability::Diverges);
+        assert_eq!(one(-1.02, -1.015), Stability::Doubles);
+    }
+}

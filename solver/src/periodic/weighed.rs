@@ -1,0 +1,99 @@
+//! The cycle map in coordinates whose plain norm is that of energy: what all methods work in.
+
+use std::sync::Arc;
+
+use super::map::CycleMap;
+use super::metric::{Metric, norm};
+use crate::dynamics::{Changes, LinearStep};
+use crate::error::Error;
+use crate::linalg::Matrix;
+
+/// A cycle map in weighed coordinates.
+pub(super) struct Weighed<'a, 'm> {
+    pub(super) map: &'a mut CycleMap<'m>,
+    metric: Arc<Metric>,
+}
+
+/// The derivative of the map about a cycle that was kept, step by step.
+pub(super) struct LinearCycle {
+    steps: Vec<LinearStep>,
+    memory: Vec<f64>,
+}
+
+impl<'a, 'm> Weighed<'a, 'm> {
+    /// With the metric at a state.
+    ///
+    /// # Errors
+    /// As [`Metric::new`].
+    pub(super) fn new(map: &'a mut CycleMap<'m>, x: &[f64]) -> Result<Self, Error> {
+        let metric = Arc::new(Metric::new(map, x)?);
+        Ok(Weighed { map, metric })
+    }
+
+    /// With a metric that others have, too.
+    pub(super) fn with(map: &'a mut CycleMap<'m>, metric: Arc<Metric>) -> Self {
+        Weighed { map, metric }
+    }
+
+    pub(super) fn weighed(&self, x: &[f64]) -> Vec<f64> {
+        self.metric.weighed(x)
+    }
+
+    pub(super) fn state(&self, y: &[f64]) -> Vec<f64> {
+        self.metric.state(y)
+    }
+
+    /// What the map makes of y.
+    ///
+    /// # Errors
+    /// A step that does not converge.
+    pub(super) fn apply(&mut self, y: &[f64]) -> Result<Vec<f64>, Error> {
+        let mut x = self.state(y);
+        self.map.apply(&mut x)?;
+        Ok(self.weighed(&x))
+    }
+
+    /// The same with its derivative.
+    ///
+    /// # Errors
+    /// A step that does not converge.
+    pub(super) fn monodromy(&mut self, y: &[f64]) -> Result<(Vec<f64>, Matrix), Error> {
+        let mut x = self.state(y);
+        let of_states = self.map.monodromy(&mut x)?;
+        let size = y.len();
+        let mut columns = Vec::with_capacity(size * size);
+        let mut unit = vec![0.0; size];
+        for j in 0..size {
+            unit[j] = 1.0;
+            let change = of_states.apply(&self.state(&unit));
+            unit[j] = 0.0;
+            columns.extend(self.weighed(&change));
+        }
+        Ok((self.weighed(&x), Matrix { rows: size, cols: size, data: columns }))
+    }
+
+    /// The same with its derivative as steps.
+    ///
+    /// # Errors
+    /// A step that does not converge.
+    pub(super) fn linearised(&mut self, y: &[f64]) -> Result<(Vec<f64>, LinearCycle), Error> {
+        let mut x = self.state(y);
+        let steps = self.map.steps(&mut x)?;
+        Ok((self.weighed(&x), LinearCycle { steps, memory: Vec::new() }))
+    }
+
+    /// What the derivative makes of a change.
+    pub(super) fn change(&self, cycle: &mut LinearCycle, y: &[f64]) -> Vec<f64> {
+        let x = self.state(y);
+        let mut changes = Changes::new(x.len() / 2, 1, |i, _| x[i]);
+        cycle.steps.iter_mut().for_each(|own| own.apply(&mut changes, &mut cycle.memory));
+        let changed: Vec<f64> = (0..x.len()).map(|i| changes.value(i, 0)).collect();
+        self.weighed(&changed)
+    }
+}
+
+/// ‖image − y‖/‖image‖; 0 where nothing moves.
+pub(super) fn miss(y: &[f64], image: &[f64]) -> f64 {
+    let apart = norm(&image.iter().zip(y).map(|(a, b)| a - b).collect::<Vec<f64>>());
+    if apart == 0.0 { 0.0 } else { apart / norm(image) }
+}
