@@ -21,8 +21,20 @@ pub static CLEARANCE: Clearance = Clearance {
     },
     axial,
     apart,
+    measures: &["h"],
+    coordinates: 7,
+    measure,
     contacts: &[NORMAL],
 };
+
+/// h at ψ, θ, ε_x, ε_y, δ, c and R.
+fn measure(at: &[f64], out: &mut [f64]) {
+    let &[psi, theta, x, y, delta, c, _] = at else {
+        unreachable!("as many as are said, not {}", at.len())
+    };
+    let ((sin, cos), (sin_psi, cos_psi)) = (theta.sin_cos(), psi.sin_cos());
+    out[0] = c - cos_psi * (cos * x - sin * y) - sin_psi * (sin * x + cos * y) + delta;
+}
 
 /// Laws Q(h, ḣ).
 const NORMAL: Contact = Contact {
