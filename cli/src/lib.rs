@@ -24,6 +24,7 @@ mod mesh_file;
 mod new;
 mod other_files;
 mod output;
+mod outside;
 mod page;
 mod parquet;
 mod picture_file;

@@ -146,6 +146,8 @@ fn orbits(bench: &Workbench, data: &Value) {
         |all: &[f64]| -> Vec<f64> { all.iter().map(|own| f64::from(*own as f32)).collect() };
     assert_eq!(numbers(&own["x_um"]), single(&x[from..]));
     assert_eq!(numbers(&own["y_um"]), single(&y[from..]));
+    let forces = ["RX_left_N", "RY_left_N"].map(|name| single(&history.column(name)[from..]));
+    assert_eq!(["fx_n", "fy_n"].map(|name| numbers(&own[name])), forces);
     let seen = own["keyphasors"].as_array().expect("points");
     assert_eq!(seen.len(), 8);
     for point in seen {

@@ -11,7 +11,6 @@ use whirl_solver::mesh::Mesh;
 use whirl_solver::mesh::format::Format;
 
 pub(crate) use self::open::{Opened, body_name, bounds, mm, named, open};
-pub(crate) use self::picture::outer_corners;
 use crate::arguments::MeshArguments;
 use crate::errors::Failure;
 use crate::picture_file;

@@ -41,12 +41,14 @@ pub(super) struct Signal {
     pub(super) angle: Option<String>,
 }
 
-/// The way of a journal in its bore.
+/// The way of a journal in its bore, and the force on it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Journal {
     pub(super) title: String,
     /// Columns of the eccentricity along x and y (µm).
     pub(super) columns: [String; 2],
+    /// Columns of the force on it along x and y (N).
+    pub(super) forces: [String; 2],
     /// Radial; 0 where there is none.
     pub(super) clearance_um: f64,
     /// The column of the angle at which its keyphasor is seen.
@@ -112,6 +114,7 @@ impl About {
         let journals = moving.map(|((_, own), clearance)| Journal {
             title: own.title.clone(),
             columns: ["EX", "EY"].map(|quantity| own.column(quantity, "um")),
+            forces: ["RX", "RY"].map(|quantity| own.column(quantity, "N")),
             clearance_um: whirl_text::rounded(1e6 * clearance, 10),
             angle: angle_of(&own.column("X", "um")),
         });

@@ -42,7 +42,7 @@ const MARGIN = { left: 64, right: 14, top: 8, bottom: 44 };
 
 class Chart {
   // `spec`: id, title, x: {label, unit}, y: {label, unit, amplitude}, series: [{name, x, y | least and most, style, path}],
-  // marks, levels, dots, circles, arrows, equal, height, sync, map, zero, note.
+  // marks, levels, dots, circles, arrows, equal, height, sync, map, zero, origin, note.
   constructor(host, spec) {
     Object.assign(this, { spec, view: null, cursor: null, hidden: new Set() });
     this.figure = document.createElement('figure');
@@ -119,6 +119,7 @@ class Chart {
       if (circle.r > 0 && spec.framed) { x0 = Math.min(x0, -circle.r); x1 = Math.max(x1, circle.r); y0 = Math.min(y0, -circle.r); y1 = Math.max(y1, circle.r); }
     }
     for (const level of spec.levels || []) if (level.framed) { y0 = Math.min(y0, level.y); y1 = Math.max(y1, level.y); }
+    if (spec.origin) { x0 = Math.min(x0, 0); x1 = Math.max(x1, 0); y0 = Math.min(y0, 0); y1 = Math.max(y1, 0); }
     if (spec.zero) y0 = Math.min(y0, 0);
     if (!(x1 > x0)) { const d = Math.abs(x0) || 1; x0 -= 0.05 * d; x1 += 0.05 * d; }
     if (!Number.isFinite(y0)) [y0, y1] = [0, 1];

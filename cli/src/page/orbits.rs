@@ -26,6 +26,9 @@ pub(super) struct Orbit {
     /// µm in space, in the order of time.
     x_um: Packed,
     y_um: Packed,
+    /// Force on the journal (N), likewise.
+    fx_n: Packed,
+    fy_n: Packed,
     /// Revolutions before the end.
     before: Packed,
     /// Points at which the keyphasor is seen, θ a multiple of 360°: x, y, and revolutions before the end.
@@ -33,10 +36,11 @@ pub(super) struct Orbit {
 }
 
 impl Orbit {
-    /// Of x, y and, if something turns, the angle of rows up to the end; of what does not turn the last `rows`.
+    /// Of x, y, the force along both and, if something turns, the angle of rows up to the end; of what does not turn the
+    /// last `rows`.
     pub(super) fn of(
         journal: &Journal,
-        [x, y]: [&[f64]; 2],
+        [x, y, fx, fy]: [&[f64]; 4],
         angle: Option<&[f64]>,
         rows: usize,
     ) -> Self {
@@ -78,6 +82,8 @@ impl Orbit {
             sense,
             x_um: pick(x),
             y_um: pick(y),
+            fx_n: pick(fx),
+            fy_n: pick(fy),
             before: Packed::single(places.iter().map(|k| if turns { before(*k) } else { 0.0 })),
             keyphasors,
         }
@@ -99,6 +105,7 @@ mod tests {
         Journal {
             title: "left".into(),
             columns: ["EX_left_um".into(), "EY_left_um".into()],
+            forces: ["RX_left_N".into(), "RY_left_N".into()],
             clearance_um: 50.0,
             angle: Some("theta_rad".into()),
         }
@@ -111,15 +118,16 @@ mod tests {
             let angle: Vec<f64> = (0..=2003).map(|k| sense * TAU * f64::from(k) / 100.0).collect();
             let x: Vec<f64> = angle.iter().map(|own| 20.0 * own.cos()).collect();
             let y: Vec<f64> = angle.iter().map(|own| 20.0 * own.sin()).collect();
-            let own = Orbit::of(&journal(), [&x, &y], Some(&angle), 100);
+            let own = Orbit::of(&journal(), [&x, &y, &y, &x], Some(&angle), 100);
             assert!((own.revolutions - 8.0).abs() < 1e-9 && own.sense == sense);
             assert_eq!((own.every, own.keyphasors.len()), (1, 8));
             for (k, [x, y, before]) in own.keyphasors.iter().enumerate() {
                 assert!((x - 20.0).abs() < 1e-5 && y.abs() < 1e-5, "{x} {y}");
                 assert!((before - (7.03 - k as f64)).abs() < 1e-6, "{before}");
             }
-            let still = Orbit::of(&journal(), [&x, &y], None, 100);
+            let still = Orbit::of(&journal(), [&x, &y, &y, &x], None, 100);
             assert_eq!((still.revolutions, still.keyphasors.len()), (0.0, 0));
+            assert_eq!((&still.fx_n, &still.fy_n), (&still.y_um, &still.x_um));
             assert_eq!(still.x_um, Packed::single(x[1904..].iter().copied()));
         }
     }

@@ -51,6 +51,8 @@ function table(parent, heads, rows, words = []) {
   return own;
 }
 
+// What an axis is called: the title says of what.
+const short = (quantity) => quantity.replace(/ of the (journal|mass)$/, '');
 const kindOf = (unit) => (unit === '1' ? '' : unit);
 const slug = (text) => text.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '');
 const size = (bytes) => (bytes < 1e3 ? `${bytes} B` : bytes < 1e6 ? `${shown(bytes / 1e3, 3)} kB` : `${shown(bytes / 1e6, 3)} MB`);
@@ -301,7 +303,7 @@ function histories() {
 
 function orbits() {
   if (!run || !run.orbits.length) return;
-  const own = part('orbits', 'Orbits');
+  const own = part('orbits', 'Orbits and forces');
   const turns = run.orbits.some((orbit) => orbit.revolutions > 0);
   add(own, 'p', turns
     ? 'Centre of each journal in its bore, seen along +z: x up, y to the right, so that positive rotation is clockwise. Heads point the way of time, dots are where the keyphasor is seen (θ a multiple of 360°).'
@@ -311,7 +313,7 @@ function orbits() {
   const most = Math.max(...run.orbits.map((orbit) => orbit.revolutions));
   let shownRevolutions = turns ? Math.min(2, most) : 0;
   let framed = true;
-  const charts = run.orbits.map((orbit, k) => {
+  const charts = run.orbits.map((orbit) => {
     const [x, y, before] = [numbers(orbit.x_um), numbers(orbit.y_um), numbers(orbit.before)];
     const spec = { id: `orbit-${slug(orbit.title)}`, equal: true, x: { label: 'y, lateral', unit: 'µm' }, y: { label: 'x, vertical', unit: 'µm' }, circles: [{ r: orbit.clearance_um, name: 'clearance' }], series: [], dots: [] };
     spec.update = () => {
@@ -328,6 +330,20 @@ function orbits() {
     spec.title = orbit.title;
     return new Chart(grid, spec);
   });
+  add(own, 'h3', 'Forces on the journals, polar');
+  const polar = add(own, 'div', undefined, { class: 'grid squares' });
+  for (const orbit of run.orbits) {
+    const [fx, fy, before] = [numbers(orbit.fx_n), numbers(orbit.fy_n), numbers(orbit.before)];
+    const spec = { id: `polar-${slug(orbit.title)}`, title: `${orbit.title}: force`, equal: true, origin: true, x: { label: 'force along y', unit: 'N' }, y: { label: 'force along x', unit: 'N' }, series: [], dots: [{ x: 0, y: 0, style: 6, name: 'no force' }] };
+    spec.update = () => {
+      let from = 0;
+      if (orbit.revolutions > 0) while (from < before.length - 2 && before[from] > shownRevolutions * (1 + 1e-6)) from++;
+      const count = fx.length - from;
+      spec.series = [{ name: 'force on the journal', path: true, x: fy.subarray(from), y: fx.subarray(from), style: 2, arrows: [Math.floor(0.35 * count), Math.floor(0.8 * count)].filter((at) => at > 0) }];
+    };
+    spec.update();
+    charts.push(new Chart(polar, spec));
+  }
   const update = () => { for (const chart of charts) { chart.spec.update(); if (chart.over) chart.render(); } };
   if (turns && most > 1) {
     const label = add(choose, 'label', 'revolutions ');
@@ -354,7 +370,7 @@ function spectra() {
     marks.sort((a, b) => a.x - b.x);
     new Chart(grid, {
       id: `spectrum-${slug(signal.title)}-${slug(signal.quantity)}`, title: `${signal.title}: ${signal.quantity}`, zero: true, sync: `frequency ${spectrum.two_sided}`,
-      x: { label: spectrum.two_sided ? 'frequency, backward < 0 < forward' : 'frequency', unit: 'Hz', short: 'frequency' }, y: { label: signal.quantity, unit: signal.unit, amplitude: true },
+      x: { label: spectrum.two_sided ? 'frequency, backward < 0 < forward' : 'frequency', unit: 'Hz', short: 'frequency' }, y: { label: short(signal.quantity), unit: signal.unit, amplitude: true },
       marks, series: spectrum.lines.map((line, place) => ({ name: line.name, x: numbers(line.frequency_hz), y: numbers(line.amplitude), style: place })),
     });
   });
@@ -381,7 +397,7 @@ function tracked() {
       const one = (which, name, style, more) => own.map(([axis, signal], k) => draw(turn(numbers(signal[which])), `${name} ${axis}`, style + k, more));
       const axis = { label: x.label, unit: x.unit };
       new Chart(grid, {
-        id: `order-${id}`, title, zero: true, sync: 'orders', x: axis, y: { label: whole.quantity, unit: whole.unit, amplitude: true },
+        id: `order-${id}`, title, zero: true, sync: 'orders', x: axis, y: { label: short(whole.quantity), unit: whole.unit, amplitude: true },
         series: [...one('first', '1X', 0), ...one('second', '2X', 2), draw(own.map(([, signal]) => turn(numbers(signal.overall))).reduce((most, values) => most.map((value, k) => Math.max(value, values[k]))), 'overall', 6, { dash: '2 3' })],
       });
       new Chart(grid, {
@@ -415,7 +431,7 @@ function waterfalls() {
     const orders = (fall.two_sided ? [-2, -1, -0.5, 0.5, 1, 2] : [0.5, 1, 2]).map((order) => ({ name: `${order}X`, path: true, silent: true, className: 'order', dash: '5 4', x: rpm.map((own) => (order * own) / 60), y: heights }));
     new Chart(grid, {
       id: `waterfall-${slug(signal.title)}-${slug(signal.quantity)}`, title: `${signal.title}: ${signal.quantity}${fall.two_sided ? '' : ` ${signal.columns[0][1]}`}`, height: 260, map, series: orders,
-      x: { label: fall.two_sided ? 'frequency, backward < 0 < forward' : 'frequency', unit: 'Hz' }, y: rises ? { label: 'speed', unit: 'rpm' } : { label: 'time', unit: 's' }, z: { label: signal.quantity, unit: signal.unit, amplitude: true },
+      x: { label: fall.two_sided ? 'frequency, backward < 0 < forward' : 'frequency', unit: 'Hz' }, y: rises ? { label: 'speed', unit: 'rpm' } : { label: 'time', unit: 's' }, z: { label: short(signal.quantity), unit: signal.unit, amplitude: true },
     });
   }
 }

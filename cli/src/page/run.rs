@@ -72,7 +72,8 @@ impl RunData {
             placed(&mut own.columns.iter().map(|own| own.0.as_str()), own.angle.as_deref())
         };
         let of_journal = |own: &Journal| {
-            placed(&mut own.columns.iter().map(String::as_str), own.angle.as_deref())
+            let columns = own.columns.iter().chain(&own.forces);
+            placed(&mut columns.map(String::as_str), own.angle.as_deref())
         };
         let signals = about.signals.iter().map(of_signal).collect::<io::Result<Vec<Placed>>>()?;
         let journals =
@@ -119,10 +120,11 @@ impl RunData {
         })?;
         let (span, spectra) = spectra_of(about, &signals, &end, [begins, ends]);
         let orbits = journals.iter().zip(&about.journals).filter_map(|((both, angle), own)| {
-            let [x, y] = [both[0], both[1]].map(|place| end[place].as_slice());
+            let [x, y, fx, fy] = [0, 1, 2, 3].map(|k| end[both[k]].as_slice());
             let cycle = (about.cycle_s / dt).round() as usize + 1;
-            (!x.is_empty())
-                .then(|| Orbit::of(own, [x, y], angle.map(|own| end[own].as_slice()), cycle))
+            (!x.is_empty()).then(|| {
+                Orbit::of(own, [x, y, fx, fy], angle.map(|own| end[own].as_slice()), cycle)
+            })
         });
         let owned = history.names();
         let title = |(k, _): &(usize, f64)| about.journals[*k].title.clone();

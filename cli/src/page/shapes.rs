@@ -5,7 +5,7 @@ use whirl_solver::mesh::Mesh;
 
 use super::encode::Packed;
 use crate::fields::Motions;
-use crate::mesh_file::outer_corners;
+use crate::outside::outer_corners;
 
 /// Nodes of all surfaces, and numbers of all frames, at most: a page is to open.
 const MOST_NODES: usize = 60_000;

@@ -12,7 +12,6 @@ use whirl_solver::mesh::Mesh;
 use whirl_text::rounded;
 
 use self::depth::Depth;
-pub(crate) use self::surface::outer_corners;
 use self::surface::{OuterFace, ShownSet};
 use self::view::View;
 use super::open::bounds;
