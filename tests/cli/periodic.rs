@@ -84,7 +84,8 @@ fn a_full_rub_of_n_steps_is_that_of_the_speed_that_steps_have() {
     let exact = (-10.0 * TAU / 110.0_f64).exp();
     assert!((exact - 0.5648479697).abs() < 1e-10);
     let mut apart = Vec::new();
-    for method in ["accelerated", "shooting"] {
+    // The accelerated search ends at 1e-10 of the motion, which multipliers amplify.
+    for (method, bound) in [("accelerated", 1e-10 / (1.0 - exact)), ("shooting", 1e-12)] {
         for (steps, radius) in known {
             let keys = format!("steps = {steps}\nmethod = \"{method}\"\n");
             let (bench, motions) = motions(&rub(110.0, 0.5e-3, &keys));
@@ -94,7 +95,7 @@ fn a_full_rub_of_n_steps_is_that_of_the_speed_that_steps_have() {
             assert_eq!(x.len(), steps);
             for (x, y) in x.iter().zip(&y) {
                 let found = x.hypot(*y) / 1e3;
-                assert!((found / radius - 1.0).abs() < 1e-12, "{method} {steps}: {found}");
+                assert!((found / radius - 1.0).abs() < bound, "{method} {steps}: {found}");
             }
             let [own, finer] = ["modulus", "modulus_of_half_steps"]
                 .map(|own| column(&bench, "cycle.multipliers.csv", own));
@@ -297,7 +298,7 @@ fn a_duffing_oscillator_folds_where_others_find_it() {
     let folds = |steps: usize| {
         let case = format!(
             "title = \"a Duffing oscillator\"\n[body.block]\nturns = \"no\"\nmass = \"1 kg\"\n\
-             stiffness = [\"1 N/m\", \"1 N/m\"]\ndamping = [\"0.05 N*s/m\", \"0.05 N*s/m\"]\n\
+             stiffness = {{ x = \"1 N/m\", y = \"1 N/m\" }}\ndamping = {{ x = \"0.05 N*s/m\", y = \"0.05 N*s/m\" }}\n\
              [joint.spring]\nkind = \"stop\"\nfirst = {{ body = \"block\" }}\nside = \"around\"\ngap = \"1 um\"\n\
              law = \"cubic.law.toml\"\n\
              [loads.push]\nbody = \"block\"\nforce = \"0.18 N\"\nfrequency = \"0.11 Hz\"\n\

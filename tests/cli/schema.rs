@@ -313,6 +313,10 @@ const FOR_LATERAL: [&str; 7] = [
     "/support/sets",
 ];
 
+/// Keys of periodic analyses, which others refuse.
+const PERIODIC: &str = "/analysis/chosen/steps /analysis/chosen/method /analysis/chosen/marched /analysis/chosen/periods \
+    /analysis/chosen/begin /analysis/chosen/cycles /analysis/chosen/vary /analysis/chosen/points";
+
 /// Of files of named bodies: each of the ways in which one turns, with each kind of joint.
 const NAMED: [&str; 8] = [
     "/body/chosen/turns=free /output/chosen/joint /fields/bodies matrices rigid moves_along_z static_correction dimensions /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z \
@@ -428,7 +432,12 @@ fn variants(kind: &str) -> Vec<Vec<&'static str>> {
         all.push(words(SECTIONS).collect());
         let lateral = all.first().map(|keys| [&keys[..], &FOR_LATERAL].concat());
         all.iter_mut().for_each(|keys| keys.extend(LATERAL.split_whitespace()));
+        let periodic = all.first().map(|keys| {
+            [&keys[..], &["/analysis/chosen/kind=periodic"], &FOR_LATERAL[1..]].concat()
+        });
         all.extend(lateral);
+        all.iter_mut().for_each(|keys| keys.extend(PERIODIC.split_whitespace()));
+        all.extend(periodic);
     }
     all
 }

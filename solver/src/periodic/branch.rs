@@ -21,6 +21,8 @@ use crate::linalg::dot;
 const USUAL: f64 = 4.0;
 /// How far a branch may turn in a step (rad).
 const TURN: f64 = 0.5;
+/// How far the next point may be after the least step, over that.
+const FAR: f64 = 10.0;
 /// The least step, of the first one; the longest.
 const LEAST: f64 = 1e-3;
 const LONGEST: f64 = 20.0;
@@ -115,7 +117,7 @@ pub fn branch(
                 let moved: Vec<f64> =
                     path.u(&node.y, node.value).iter().zip(&b).map(|(a, b)| a - b).collect();
                 let turn = (dot(&moved, &secant) / norm(&moved)).clamp(-1.0, 1.0).acos();
-                if turn <= TURN || step <= least {
+                if turn <= TURN || step <= least && norm(&moved) <= FAR * step {
                     let grown = step * (USUAL / node.corrections as f64).clamp(0.5, 2.0);
                     step = grown.clamp(least, longest);
                     break Some((node, turn > TURN));
