@@ -14,8 +14,8 @@ use crate::{case, text_file};
 
 /// All kinds, in the order in which people are told of them.
 pub(crate) fn kinds() -> impl Iterator<Item = Kind> {
-    let ByKind { laws, elements, forms, motions, clearances } = KINDS;
-    [laws, elements, forms, motions, clearances].into_iter()
+    let ByKind { laws, elements, forms, motions, clearances, films } = KINDS;
+    [laws, elements, forms, motions, clearances, films].into_iter()
 }
 
 /// Reads a spec file of the kind that it says.

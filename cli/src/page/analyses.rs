@@ -63,6 +63,7 @@ fn heading(kind: AnalysisKind) -> &'static str {
         AnalysisKind::Torsion => "Torsion",
         AnalysisKind::Forces => "Forces along the bodies",
         AnalysisKind::Lateral => "Lateral analysis after API 617",
+        AnalysisKind::Periodic => "Motions that repeat themselves",
     }
 }
 
