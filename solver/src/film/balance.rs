@@ -203,9 +203,9 @@ impl Balance {
             }
         }
         let slope = &self.stored[3 * nodes..];
-        for a in 0..nodes {
+        for (a, slope) in slope.iter().enumerate().take(nodes) {
             let held = (self.stored[a] - self.before[a]) * self.motion.per_step;
-            let term = film.areas[a] * (held + slope[a] * self.motion.squeeze[a]);
+            let term = film.areas[a] * (held + slope * self.motion.squeeze[a]);
             self.residual[a] += term;
             self.change[a] += term.abs();
         }

@@ -163,7 +163,7 @@ fn meeting(a: &Point, b: &Point, to: &[Option<usize>]) -> Option<f64> {
         hertz(b, swapped[0].1) - hertz(b, swapped[1].1),
     ];
     let share = before / (before + after);
-    share.is_finite().then(|| a.speed + share * (b.speed - a.speed))
+    share.is_finite().then_some(a.speed + share * (b.speed - a.speed))
 }
 
 struct Followed<'a> {

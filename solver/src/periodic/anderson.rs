@@ -75,7 +75,9 @@ impl Anderson {
             }
             own.iter_mut().for_each(|own| *own /= left);
             column.push(left);
-            (basis.push(own), upper.push(column), kept.push(place));
+            basis.push(own);
+            upper.push(column);
+            kept.push(place);
         }
         let mut solved: Vec<f64> = basis.iter().map(|unit| dot(unit, residual)).collect();
         for j in (0..basis.len()).rev() {

@@ -46,14 +46,14 @@ impl Cycle {
         });
         let name = |place: usize| machine.bodies[machine.owner(place).body].name().to_owned();
         let mut turns = vec![0.0; machine.rotations()];
-        for place in 0..machine.first_unknown() {
+        for (place, turn) in turns.iter_mut().enumerate().take(machine.first_unknown()) {
             let speed = start.v[place];
             let changes = (end.v[place] - speed).abs() > MISSED * speed.abs()
                 || self.changes_between(machine, place);
             if changes {
                 return Err(PeriodicError::SpeedChanges { body: name(place) }.into());
             }
-            turns[place] = self.whole(name(place), end.q[place] - start.q[place])?;
+            *turn = self.whole(name(place), end.q[place] - start.q[place])?;
         }
         let trains = machine.trains();
         for place in machine.first_unknown()..machine.rotations() {
@@ -100,8 +100,9 @@ impl Cycle {
         let all = 0..machine.loads.len();
         let mut factors = |t: f64| -> Vec<f64> {
             machine.set_given(t, false, [&mut state.q, &mut state.v, &mut state.a]);
-            for place in machine.first_unknown()..machine.rotations() {
-                state.v[place] = turns[place] / self.period;
+            let unknown = machine.first_unknown()..machine.rotations();
+            for (place, turn) in unknown.clone().zip(&turns[unknown]) {
+                state.v[place] = turn / self.period;
                 state.q[place] = state.v[place] * t;
             }
             let now = instant(machine, t, &state);

@@ -67,8 +67,7 @@ impl Shot {
                     return f.to_vec();
                 }
                 let mut krylov = Krylov::new(f);
-                loop {
-                    let Some(next) = krylov.next() else { break };
+                while let Some(next) = krylov.next() {
                     let image = map.change(steps, next);
                     krylov.take(image);
                     if krylov.size() == PRODUCTS || krylov.least(size).1 <= LEFT * size {
