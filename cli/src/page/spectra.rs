@@ -189,7 +189,7 @@ impl Slices {
         let reach = (total / REACH).min(ROWS[1]);
         let room = reach >= ROWS[0] && !places.is_empty();
         let (rows, found) = (VecDeque::new(), Vec::new());
-        room.then(|| Slices { places, total, reach, count: 0, rows, dt, found })
+        room.then_some(Slices { places, total, reach, count: 0, rows, dt, found })
     }
 
     /// Takes a row.
