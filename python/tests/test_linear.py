@@ -132,7 +132,9 @@ def test_speeds_are_texts_or_numbers_in_rpm():
     assert texts._files == numbers._files
     one = case.modes(np.float64(3000.0), count=2)
     assert len(one.frequency_hz) == 2
-    assert case.modes("314.1592653589793 rad/s", count=2).frequency_hz == pytest.approx(one.frequency_hz)
+    assert case.modes("314.1592653589793 rad/s", count=2).frequency_hz == pytest.approx(
+        one.frequency_hz
+    )
     with pytest.raises(whirl.CaseError, match="speed"):
         case.modes("3 m")
     with pytest.raises(whirl.CaseError, match="there is no body `roto`"):

@@ -44,13 +44,17 @@ class Plots:
         names = [columns] if isinstance(columns, str) else list(columns)
         units = {self.history.unit(name) for name in names}
         if len(units) != 1:
-            raise ValueError(f"columns of one axis have one unit, not {', '.join(sorted(units)) or 'none'}")
+            raise ValueError(
+                f"columns of one axis have one unit, not {', '.join(sorted(units)) or 'none'}"
+            )
         axes = _axes(axes, "Results.plot_history()")
         for name in names:
             axes.plot(self.history.time, self.history[name], label=name, linewidth=1.0)
         return _labelled(axes, "time (s)", f"({_shown(units.pop())})", self.name)
 
-    def plot_orbit(self, joint: str | int | None = None, revolutions: float = 2.0, axes: Any = None) -> Any:
+    def plot_orbit(
+        self, joint: str | int | None = None, revolutions: float = 2.0, axes: Any = None
+    ) -> Any:
         """The way of a journal in its bore over the last revolutions, with the clearance circle.
 
         Parameters
@@ -85,7 +89,9 @@ class Plots:
         title = f"{self.name}: {label.lstrip('_')}"
         return _labelled(axes, "y, lateral (µm)", "x, vertical (µm)", title)
 
-    def plot_spectrum(self, joint: str | int | None = None, cycles: int = 16, axes: Any = None) -> Any:
+    def plot_spectrum(
+        self, joint: str | int | None = None, cycles: int = 16, axes: Any = None
+    ) -> Any:
         """The two-sided spectrum of the displacement of a journal over the last cycles, Hann window.
 
         The motion is taken as circles, x + iy: one that runs from x to y has its radius at its frequency, and one against it
@@ -114,7 +120,9 @@ class Plots:
             axes.set_xlim(-end, end)
         axes.set_ylim(bottom=0.0)
         title = f"{self.name}: {label.lstrip('_')}"
-        return _labelled(axes, "frequency (Hz), backward < 0 < forward", "displacement, 0-pk (µm)", title)
+        return _labelled(
+            axes, "frequency (Hz), backward < 0 < forward", "displacement, 0-pk (µm)", title
+        )
 
     def _spectrum(self, label: str, cycles: int) -> tuple[np.ndarray, np.ndarray]:
         """Frequencies (Hz), rising, and amplitudes (µm)."""
@@ -186,12 +194,15 @@ class Plots:
         pictures = []
         for label, clearance in list(zip(labels, clearances))[:4]:
             x, y = (self.history[f"E{axis}{label}_um"][rows] for axis in "XY")
-            size = max(clearance, float(np.abs(x).max(initial=0.0)), float(np.abs(y).max(initial=0.0)))
+            size = max(
+                clearance, float(np.abs(x).max(initial=0.0)), float(np.abs(y).max(initial=0.0))
+            )
             if not size > 0.0:
                 continue
             every = max(len(x) // 400, 1)
             points = " ".join(
-                f"{60 + 52 * b / size:.1f},{60 - 52 * a / size:.1f}" for a, b in zip(x[::every], y[::every])
+                f"{60 + 52 * b / size:.1f},{60 - 52 * a / size:.1f}"
+                for a, b in zip(x[::every], y[::every])
             )
             circle = (
                 f'<circle cx="60" cy="60" r="{52 * clearance / size:.1f}" fill="none" stroke="#888" stroke-dasharray="2 3"/>'
@@ -269,7 +280,9 @@ def _labelled(axes: Any, x: str, y: str, title: str) -> Any:
     return axes
 
 
-def _passages(angle: np.ndarray, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
+def _passages(
+    angle: np.ndarray, x: np.ndarray, y: np.ndarray
+) -> tuple[np.ndarray, np.ndarray] | None:
     """x and y where the angle passes whole revolutions."""
     turn = angle * np.sign(angle[-1] - angle[0]) / (2.0 * np.pi)
     whole = np.arange(np.ceil(turn[0]), np.floor(turn[-1]) + 1.0)
