@@ -16,6 +16,7 @@ import numpy as np
 from .bodies import Bodies, shared_bodies
 from .errors import WhirlError, WhirlWarning
 from .history import _absent
+from .plots import plot_campbell, plot_response
 
 __all__ = [
     "Analyses",
@@ -299,6 +300,20 @@ class Campbell(Analysis):
         )
         self.thresholds = Thresholds._of(marked.where(~is_critical))
 
+    def plot(self, axes: Any = None) -> Any:
+        """Natural frequencies over speed, with orders, critical speeds and, dashed, where stability ends or begins.
+
+        Parameters
+        ----------
+        axes : matplotlib.axes.Axes, optional
+            New ones are made if none are given.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+        """
+        return plot_campbell(self, axes)
+
 
 class Stability(Analysis):
     """The least stable mode over the speed.
@@ -359,6 +374,22 @@ class Excited:
     y_um: np.ndarray
     y_phase_deg: np.ndarray
     peaks: Table
+
+    def plot(self, point: str | None = None, axes: Any = None) -> Any:
+        """Amplitude and phase over speed.
+
+        Parameters
+        ----------
+        point : str, optional
+            One of ``points``; all of them, if left out.
+        axes : two of matplotlib.axes.Axes, optional
+            New ones are made if none are given.
+
+        Returns
+        -------
+        numpy.ndarray of matplotlib.axes.Axes
+        """
+        return plot_response(self, point, axes)
 
     def orbit(self, point: str, speed: int, angles: int = 181) -> np.ndarray:
         """The orbit of a point at the speed with this place: x and y in µm over a turn, shape ``(2, angles)``."""

@@ -13,6 +13,7 @@ import numpy as np
 
 from .errors import WhirlError
 from .history import Column, History, _absent
+from .plots import Plots
 
 __all__ = ["Finding", "Results", "Summary", "Verdict"]
 
@@ -127,7 +128,7 @@ class Verdict:
         )
 
 
-class Results:
+class Results(Plots):
     """The results of a run.
 
     Attributes

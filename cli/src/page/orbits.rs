@@ -65,10 +65,9 @@ impl Orbit {
         let keyphasors = angle.filter(|_| turns).map_or_else(Vec::new, |angle| {
             let seen = (from + 1..count).filter_map(|k| {
                 let part = passage(sense * angle[k - 1], sense * angle[k])?;
-                let mix =
-                    |all: &[f64]| whirl_text::rounded(all[k - 1] + part * (all[k] - all[k - 1]), 7);
-                let turned = whirl_text::rounded((last - mix(angle)).abs() / TAU, 7);
-                Some([mix(x), mix(y), turned])
+                let mix = |all: &[f64]| all[k - 1] + part * (all[k] - all[k - 1]);
+                let turned = (last - mix(angle)).abs() / TAU;
+                Some([mix(x), mix(y), turned].map(|own| whirl_text::rounded(own, 9)))
             });
             seen.collect()
         });

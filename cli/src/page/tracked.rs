@@ -258,10 +258,18 @@ mod tests {
     #[test]
     fn orders_are_found_beside_a_whirl_at_half_the_speed() {
         for sense in [1.0, -1.0] {
-            let own = tracked([sense * 300.0, sense * 200.0], 2.0, |angle| {
+            let x = |angle: f64| {
                 let wave = |order: f64, size: f64, phase: f64| size * (order * angle + phase).cos();
                 7.0 + wave(1.0, 20.0, 0.5) + wave(2.0, 3.0, -2.5) + wave(0.48, 20.0, 1.0)
-            });
+            };
+            // Half of largest less least value between two angles.
+            let half = |[from, to]: [f64; 2]| {
+                let all = (0..=20_000).map(|k| x(from + (to - from) * f64::from(k) / 20_000.0));
+                let ends = |(a, b): (f64, f64), own: f64| (f64::min(a, own), f64::max(b, own));
+                let (least, most) = all.fold((f64::INFINITY, f64::NEG_INFINITY), ends);
+                0.5 * (most - least)
+            };
+            let own = tracked([sense * 300.0, sense * 200.0], 2.0, x);
             assert_eq!(own.half, 4.0 * TAU);
             assert!(own.found.len() > 50, "{}", own.found.len());
             for place in &own.found {
@@ -273,7 +281,16 @@ mod tests {
                 assert!((first[0] / 20.0 - 1.0).abs() < 0.027, "{first:?}");
                 assert!((first[1] - 0.5_f64.to_degrees()).abs() < 1.6, "{first:?}");
                 assert!((second[0] - 3.0).abs() < 0.027 * 20.0, "{second:?}");
-                assert!((43.0 - place.columns[0].0).abs() < 6.0);
+                // The rows of a window miss its ends by a row each, 0.11 rad at most, and peaks by half of that, where
+                // |x″| is 37 at most.
+                let (at, row) = (sense * (300.0 + 200.0 * place.time) * place.time, 0.11);
+                let (overall, reach) = (place.columns[0].0, 8.0 * 0.5 * TAU);
+                assert!(
+                    overall <= half([at - reach - 1e-3, at + reach + 1e-3]) + 1e-3,
+                    "{overall}"
+                );
+                let inner = half([at - reach + row, at + reach - row]);
+                assert!(overall >= inner - 0.5 * 37.0 * (0.5 * row).powi(2), "{overall} {inner}");
             }
         }
     }
@@ -281,7 +298,7 @@ mod tests {
     #[test]
     fn a_few_revolutions_are_not_tracked() {
         assert!(Tracker::new((0, vec![1]), [0.0, 20.0 * TAU]).is_none());
-        let few = Tracker::new((0, vec![1]), [0.0, 30.0 * TAU]).expect("enough");
+        let few = Tracker::new((0, vec![1]), [0.0, 31.0 * TAU]).expect("enough");
         assert_eq!(few.half, 2.5 * TAU);
         assert!(tracked([300.0, 0.0], 1.0, f64::cos).finish(&["a".into(), "x".into()]).is_some());
     }
