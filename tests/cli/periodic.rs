@@ -299,7 +299,7 @@ fn a_duffing_oscillator_folds_where_others_find_it() {
         let case = format!(
             "title = \"a Duffing oscillator\"\n[body.block]\nturns = \"no\"\nmass = \"1 kg\"\n\
              stiffness = {{ x = \"1 N/m\", y = \"1 N/m\" }}\ndamping = {{ x = \"0.05 N*s/m\", y = \"0.05 N*s/m\" }}\n\
-             [joint.spring]\nkind = \"stop\"\nfirst = {{ body = \"block\" }}\nside = \"around\"\ngap = \"1 um\"\n\
+             [joint.spring]\nkind = \"stop\"\njournal = {{ body = \"block\" }}\nside = \"around\"\ngap = \"1 um\"\n\
              law = \"cubic.law.toml\"\n\
              [loads.push]\nbody = \"block\"\nforce = \"0.18 N\"\nfrequency = \"0.11 Hz\"\n\
              [analysis.cycle]\nkind = \"periodic\"\nsteps = {steps}\npoints = 400\n\

@@ -220,7 +220,6 @@ impl Newton {
         self.residuals.push(norm);
         let mut last_length = f64::INFINITY;
         let mut force_change = f64::INFINITY;
-        let mut stalled = 0;
         for iteration in 1..=self.options.max_iterations {
             if !norm.is_finite() {
                 return self.failed(iteration, norm, force_change);
@@ -255,11 +254,13 @@ impl Newton {
             let most = f64::max(self.largest_force, largest);
             let force_tolerance = self.force_tolerance(most);
             let at_rest = change <= force_tolerance + FORCE_ROUNDING * largest;
-            stalled = if norm > STALLED * last_norm { stalled + 1 } else { 0 };
-            let ends = !self.options.to_rounding || stalled > 1 || norm == 0.0;
+            let stalls = norm > STALLED * last_norm;
+            let ends = !self.options.to_rounding
+                || norm == 0.0
+                || fresh && stalls
+                || at_rest && self.is_exact(equations, end);
             if length == 1.0 && at_rest && ends {
                 let options = NewtonOptions { force_tolerance, ..self.options };
-                let stalls = norm > STALLED * last_norm;
                 let row_error = equations.row_error([end, &self.predicted], &options, stalls);
                 if row_error <= 1.0 {
                     self.largest_force = most;
@@ -278,7 +279,9 @@ impl Newton {
                 }
             }
             let size = self.merit.length(&self.direction);
-            if length < 1.0 || size > CONTRACTION * last_length || !self.factors.contract() {
+            let lags = self.options.to_rounding && stalls;
+            if length < 1.0 || lags || size > CONTRACTION * last_length || !self.factors.contract()
+            {
                 self.factors.drop();
             }
             last_length = size;
@@ -320,6 +323,12 @@ impl Newton {
         let residual_tolerance = self.options.residual_tolerance.min(SOLVED);
         let narrow = NewtonOptions { force_tolerance: 0.0, residual_tolerance, ..self.options };
         equations.row_error([&self.trial, &self.predicted], &narrow, true) <= 1.0
+    }
+
+    /// Whether nothing but rounding is left in the rows of a state that was just evaluated.
+    fn is_exact(&self, equations: &mut Equations, end: &State) -> bool {
+        let exact = NewtonOptions { force_tolerance: 0.0, residual_tolerance: 0.0, ..self.options };
+        equations.row_error([end, &self.predicted], &exact, false) <= 1.0
     }
 
     /// Largest change of a spring force since the start of the iteration, and the largest force (N).
