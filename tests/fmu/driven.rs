@@ -47,7 +47,7 @@ fn a_told_load_is_one_that_begins_there() {
     let unit = Instance::new(&folder).unwrap().started();
     let names = history.names();
     let place = |name: &str| names.iter().position(|own| own == name).unwrap();
-    let [acceleration, couple] = ["ax_a_m_s2", "M_r_Nm"].map(place);
+    let [acceleration, across, couple] = ["ax_a_m_s2", "ay_a_m_s2", "M_r_Nm"].map(place);
     for step in 0..history.rows() {
         if step == 100 {
             unit.set("load.port.fx", 300.0);
@@ -57,7 +57,7 @@ fn a_told_load_is_one_that_begins_there() {
         if step == 99 {
             // The row at the jump has what is behind it, which nobody had told the unit of.
             assert!((run[acceleration] - own[acceleration] - 300.0 / 4.0).abs() < 1e-6);
-            for place in [acceleration, couple] {
+            for place in [acceleration, across, couple] {
                 (own[place], run[place]) = (0.0, 0.0);
             }
         }
