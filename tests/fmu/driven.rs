@@ -40,14 +40,14 @@ fn the_numbers_are_those_of_a_run_to_the_bit() {
 /// A force that is told at a communication point acts from there on as one of the case that begins at that time.
 #[test]
 fn a_told_load_is_one_that_begins_there() {
-    let step = "[loads.port]\nbody = \"r\"\nforce = \"300 N\"\nfrom = \"0.01 s\"\n";
+    let step = "[loads.port]\nbody = \"r\"\nforce = \"300 N\"\nstart = \"0.01 s\"\n";
     let bench = Bench::new(&rotor(PORT));
     bench.file("step.toml", &rotor(step));
     let (folder, history) = (bench.unit(&[]), bench.history("step.toml"));
     let unit = Instance::new(&folder).unwrap().started();
     let names = history.names();
     let place = |name: &str| names.iter().position(|own| own == name).unwrap();
-    let [acceleration, couple] = ["ax_a_m_s2", "M_r_Nm"].map(place);
+    let [acceleration, across, couple] = ["ax_a_m_s2", "ay_a_m_s2", "M_r_Nm"].map(place);
     for step in 0..history.rows() {
         if step == 100 {
             unit.set("load.port.fx", 300.0);
@@ -57,7 +57,7 @@ fn a_told_load_is_one_that_begins_there() {
         if step == 99 {
             // The row at the jump has what is behind it, which nobody had told the unit of.
             assert!((run[acceleration] - own[acceleration] - 300.0 / 4.0).abs() < 1e-6);
-            for place in [acceleration, couple] {
+            for place in [acceleration, across, couple] {
                 (own[place], run[place]) = (0.0, 0.0);
             }
         }
@@ -142,4 +142,17 @@ fn parameters_are_keys_of_the_case() {
     unit.expect(|own| unsafe { whirl_fmu::fmi2Reset(own) });
     let unit = unit.started();
     same(&unit, &own, 4);
+}
+
+/// Joints, and with them columns and value references, keep their order whichever of them has a parameter.
+#[test]
+fn parameters_leave_joints_in_their_order() {
+    let other = "[joint.a]\nkind = \"bushing\"\nfirst = { body = \"r\" }\n\
+                 stiffness = { xx = \"3e5 N/m\", yy = \"4e5 N/m\" }\n";
+    let bench = Bench::new(&rotor(other));
+    let folder = bench.unit(&["--parameter", "joint.b.stiffness.xx"]);
+    bench.file("other.toml", &rotor(other).replace("\"1e6 N/m\"", "\"1.3e6 N/m\""));
+    let unit = Instance::new(&folder).unwrap();
+    unit.set("joint.b.stiffness.xx", 1.3e6);
+    same(&unit.started(), &bench.history("other.toml"), 4);
 }

@@ -221,8 +221,20 @@ pub(crate) fn load(
 /// A tree with `values` in place of its own.
 fn replaced(tree: Tree, mut values: Tree, errors: &mut Diagnostics) -> Tree {
     in_lists(&mut values, &tree, errors);
+    in_order(&mut values, &tree);
     values.merge(tree, INSTEAD);
     values
+}
+
+/// Lets tables stand where the case has them: by their places bodies, joints and outputs have their order.
+fn in_order(values: &mut Tree, tree: &Tree) {
+    for (key, (place, node)) in &mut values.entries {
+        let Some((heading, own)) = tree.entries.get(key) else { continue };
+        if let (Content::Table(values), Content::Table(inner)) = (&mut node.content, &own.content) {
+            (*place, node.place) = (heading.clone(), own.place.clone());
+            in_order(values, inner);
+        }
+    }
 }
 
 /// Makes lists of those tables of `varied` that count the tables of a list: with `load.2.force`, all loads as `tree` has them, the

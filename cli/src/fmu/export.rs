@@ -152,8 +152,7 @@ fn prove(files: &Files, variables: &[Variable]) -> Result<(), Failure> {
     }
     let unit = Unit::open(&folder.path().join(RESOURCES))?;
     let made = unit.make(&unit.parameter_values(), &mut Vec::new())?;
-    let beyond = unit.read_from(&made.case);
-    if let Some(path) = beyond.iter().find(|own| !own.starts_with(folder.path())) {
+    if let Some(path) = made.files.iter().find(|own| !own.starts_with(folder.path())) {
         return Err(Failure::Argument {
             message: format!(
                 "`{}` is named by its whole path, which is another one where the unit is used",

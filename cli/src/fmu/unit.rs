@@ -1,7 +1,7 @@
 //! A unit as its importer unpacks it: the case with all that it names, and its reduced bodies, in a folder.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 use whirl_codegen::diagnostic::{Code, Diagnostic, Source};
@@ -52,6 +52,8 @@ pub struct Made {
     pub(crate) built: Built,
     /// Its variables.
     pub(crate) variables: Variables,
+    /// The texts and other files that it was read from.
+    pub(super) files: Vec<PathBuf>,
 }
 
 impl Unit {
@@ -111,13 +113,9 @@ impl Unit {
         }
         let built = machine::build_planned(&case, Some(&self.cache), warnings)?;
         let variables = Variables::of(&case, &built, &self.parameters);
-        Ok(Made { case, built, variables })
-    }
-
-    /// The texts and files that reading the case has named so far.
-    pub(super) fn read_from(&self, case: &Case) -> Vec<std::path::PathBuf> {
-        let texts = self.text.noted().into_iter().map(|own| own.path.clone());
-        texts.chain(case.other_files()).collect()
+        let texts = text.noted().into_iter().map(|own| own.path.clone());
+        let files = texts.chain(case.other_files()).collect();
+        Ok(Made { case, built, variables, files })
     }
 }
 
