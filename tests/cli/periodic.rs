@@ -253,9 +253,9 @@ fn followed(case: &str, more: &[(&str, &str)]) -> (Workbench, Vec<(String, f64)>
 }
 
 /// Rub A: contact all around begins at 93.93 rad/s, the motion in contact folds at 287.17 and is unstable back to 109.62, where contact
-/// ends and the branch turns into the free motion, of N = 48 steps a turn, by the closed form with ω̃.
+/// ends all around and the branch with it, of N = 48 steps a turn, by the closed form with ω̃.
 #[test]
-fn a_rub_is_followed_through_its_fold_and_back_to_the_free_motion() {
+fn a_rub_is_followed_through_its_fold_to_where_contact_ends() {
     let case = rub(
         80.0,
         0.25e-3,
@@ -265,12 +265,10 @@ fn a_rub_is_followed_through_its_fold_and_back_to_the_free_motion() {
     let folds: Vec<f64> = events.iter().filter(|own| own.0 == "fold").map(|own| own.1).collect();
     assert_eq!(folds.len(), 1, "{events:?}");
     assert!((folds[0] / 287.1673208443 - 1.0).abs() < 1e-8, "{folds:?}");
-    let corners: Vec<f64> =
-        events.iter().filter(|own| own.0 == "corner").map(|own| own.1).collect();
-    assert!(corners.len() == 1 && (corners[0] / 109.6170957619 - 1.0).abs() < 1e-7, "{corners:?}");
     let value = column(&bench, "cycle.csv", "value");
     let most = column(&bench, "cycle.csv", "X1_um.max");
-    assert!(*value.last().expect("points") > 320.0, "{value:?}");
+    let last = value.last().expect("points");
+    assert!((last / 109.6170957619 - 1.0).abs() < 1e-5, "{last}");
     let text = std::fs::read_to_string(bench.path("out/cycle.csv")).expect("a table");
     let unstable: Vec<bool> = text.lines().skip(1).map(|line| line.contains("unstable")).collect();
     // What is unstable is in contact, between the corner and the fold.
@@ -299,7 +297,7 @@ fn a_duffing_oscillator_folds_where_others_find_it() {
         let case = format!(
             "title = \"a Duffing oscillator\"\n[body.block]\nturns = \"no\"\nmass = \"1 kg\"\n\
              stiffness = {{ x = \"1 N/m\", y = \"1 N/m\" }}\ndamping = {{ x = \"0.05 N*s/m\", y = \"0.05 N*s/m\" }}\n\
-             [joint.spring]\nkind = \"stop\"\njournal = {{ body = \"block\" }}\nside = \"around\"\ngap = \"1 um\"\n\
+             [joint.spring]\nkind = \"stop\"\njournal = {{ body = \"block\" }}\nside = \"around\"\n\
              law = \"cubic.law.toml\"\n\
              [loads.push]\nbody = \"block\"\nforce = \"0.18 N\"\nfrequency = \"0.11 Hz\"\n\
              [analysis.cycle]\nkind = \"periodic\"\nsteps = {steps}\npoints = 400\n\

@@ -14,8 +14,9 @@ use whirl_solver::periodic::{
 };
 use whirl_text::shown;
 
+use super::motions::{is_summed_up, range};
 use super::sought::Sought;
-use super::{files, place, text};
+use super::{place, text};
 use crate::analysis::facts::Facts;
 use crate::analysis::found::{Found, drawn};
 use crate::case::{Analysis, Case, CaseText, Varying};
@@ -216,7 +217,7 @@ impl Followed<'_> {
     }
 
     fn summed_up(&self) -> impl Iterator<Item = (usize, &String)> {
-        self.columns.iter().enumerate().filter(|own| files::is_summed_up(own.1))
+        self.columns.iter().enumerate().filter(|own| is_summed_up(own.1))
     }
 
     fn files(&self, name: &str) -> Vec<(String, Vec<u8>)> {
@@ -232,7 +233,7 @@ impl Followed<'_> {
             let said = text::stability(*stability);
             let _ = write!(rows, "{},{value},{period},{said},{size},{corner}", place + 1);
             for (column, _) in self.summed_up() {
-                let [least, most] = files::range(&point.history, column);
+                let [least, most] = range(&point.history, column);
                 let _ = write!(rows, ",{least},{most}");
             }
             rows.push('\n');
@@ -304,7 +305,7 @@ impl Followed<'_> {
         let panels = supports.iter().filter_map(|own| {
             let column = self.columns.iter().position(|name| *name == own.column("X", "um"))?;
             let height = |point: &BranchPoint| {
-                let [least, most] = files::range(&point.history, column);
+                let [least, most] = range(&point.history, column);
                 0.5 * (most - least)
             };
             let points: Vec<(f64, f64, bool)> = (self.branch.points.iter())

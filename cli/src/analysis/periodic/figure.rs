@@ -4,8 +4,7 @@ use std::f64::consts::TAU;
 
 use whirl_solver::periodic::MultiplierKind;
 
-use super::files::range;
-use super::motions::{Motion, Motions};
+use super::motions::{Motion, Motions, range};
 use super::text::{is_stable, leading};
 use crate::analysis::found;
 use crate::analysis::words;

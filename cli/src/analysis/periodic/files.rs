@@ -3,10 +3,9 @@
 use std::fmt::Write;
 
 use serde_json::{Map, Value, json};
-use whirl_solver::history::History;
 use whirl_solver::periodic::MultiplierKind;
 
-use super::motions::{Motion, Motions};
+use super::motions::{Motion, Motions, is_summed_up, range};
 use super::text::{leading, method, stability};
 use crate::analysis::words;
 
@@ -57,19 +56,6 @@ fn multipliers(all: &[Motion]) -> String {
         }
     }
     text
-}
-
-/// Whether the range of a column says something: not that of angles, which go on, and of iterations.
-pub(super) fn is_summed_up(column: &str) -> bool {
-    column != "t_s" && column != "iterations" && !column.starts_with("theta_")
-}
-
-/// Least and largest value of a column.
-pub(super) fn range(history: &History, column: usize) -> [f64; 2] {
-    let values = (0..history.rows()).map(|row| history.values(row)[column]);
-    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], own| {
-        [least.min(own), most.max(own)]
-    })
 }
 
 fn summary(motions: &Motions) -> String {

@@ -116,8 +116,9 @@ fn facts(motions: &Motions) -> Facts {
         facts.put("largest_multiplier", text::leading(periodic).map(|own| own.value.norm()));
         facts.put("miss", periodic.miss);
         facts.put("cycles", periodic.cycles as f64);
-        for (place, column) in columns.iter().enumerate().filter(|own| files::is_summed_up(own.1)) {
-            let [least, most] = files::range(&periodic.history, place);
+        for (place, column) in columns.iter().enumerate().filter(|own| motions::is_summed_up(own.1))
+        {
+            let [least, most] = motions::range(&periodic.history, place);
             facts.put(format!("{column}.min"), least);
             facts.put(format!("{column}.max"), most);
         }

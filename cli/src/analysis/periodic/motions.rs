@@ -1,5 +1,6 @@
 //! What is found of periodic motions.
 
+use whirl_solver::history::History;
 use whirl_solver::periodic::{Periodic, Repeating};
 
 use crate::case::{Analysis, Case};
@@ -27,4 +28,17 @@ pub(super) struct Motions<'a> {
     pub(super) lost: Vec<(Option<f64>, String)>,
     /// What is to be known of all.
     pub(super) notes: Vec<String>,
+}
+
+/// Whether the range of a column says something: not that of angles, which go on, and of iterations.
+pub(super) fn is_summed_up(column: &str) -> bool {
+    column != "t_s" && column != "iterations" && !column.starts_with("theta_")
+}
+
+/// Least and largest value of a column.
+pub(super) fn range(history: &History, column: usize) -> [f64; 2] {
+    let values = (0..history.rows()).map(|row| history.values(row)[column]);
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], own| {
+        [least.min(own), most.max(own)]
+    })
 }

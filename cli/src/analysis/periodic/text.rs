@@ -6,8 +6,7 @@ use std::fmt::Write;
 use whirl_solver::periodic::{Method, Multiplier, MultiplierKind, Periodic, Stability};
 use whirl_text::shown;
 
-use super::files::range;
-use super::motions::{Motion, Motions};
+use super::motions::{Motion, Motions, range};
 use crate::analysis::words;
 use crate::report::table;
 
