@@ -223,7 +223,9 @@ impl Followed<'_> {
         }
         let Roots { machine, range, slow, .. } = self.roots;
         let least = (b.speed - a.speed) / f64::from(1_u32 << halvings);
-        let cuts = match meeting(a, b, &to) {
+        // Whirls that lock to the rotation meet over whole intervals.
+        let meeting = if a.is_uneven { None } else { meeting(a, b, &to) };
+        let cuts = match meeting {
             // The smallest part, in the middle of which they meet.
             Some(speed) if speed - least > a.speed && speed + least < b.speed => {
                 vec![speed - 0.5 * least, speed + 0.5 * least]
