@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use crate::bench::{Bench, PORT, rotor};
+use crate::bench::{Bench, PORT, library, rotor};
 
 /// Validates the unit, runs it with two communication steps, and prints a line of the bits of all outputs for every point.
 const SCRIPT: &str = r#"
@@ -31,7 +31,8 @@ fn fmpy_validates_and_runs_a_unit_with_the_bits_of_a_run() {
     }
     let load = "[loads.beat]\nbody = \"r\"\nforce = \"40 N\"\nfrequency = \"30 Hz\"\n";
     let bench = Bench::new(&rotor(&format!("{PORT}{load}")));
-    bench.unit(&["--parameter", "joint.b.stiffness.xx"]);
+    let library = library();
+    bench.unit(&["--parameter", "joint.b.stiffness.xx", "--library", library.to_str().unwrap()]);
     bench.file("run.py", SCRIPT);
     let history = bench.history("case.toml");
     for every in [1, 10] {

@@ -113,3 +113,15 @@ fn exports_that_cannot_be_write_nothing() {
     }
     assert!(!bench.exports("no-such-case", &[]));
 }
+
+#[test]
+fn libraries_of_other_versions_are_refused() {
+    let bench = Bench::new(&rotor(PORT));
+    let case = bench.path("case.toml");
+    bench.file("other", "another library");
+    let other = bench.path("other");
+    for library in [other.to_str().unwrap(), "/no/such/library"] {
+        assert!(!bench.exports(case.to_str().unwrap(), &["--library", library]), "{library}");
+    }
+    assert!(!bench.path("unit.fmu").exists());
+}
