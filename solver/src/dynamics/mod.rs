@@ -38,6 +38,7 @@ mod secants;
 mod settled;
 #[cfg(test)]
 mod small;
+mod state_errors;
 mod steady;
 mod stiffest;
 mod strides;
@@ -58,5 +59,6 @@ pub use periods::{FewestSteps, LEAST_STEPS};
 pub use quality::{MovingPart, Quality};
 pub use restart::LastState;
 pub use ringing::{Ringing, RingingPart};
+pub use state_errors::StateError;
 pub use steady::{SteadyRule, SteadyState};
 pub use verdict::{Finding, findings};

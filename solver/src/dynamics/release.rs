@@ -36,6 +36,7 @@ impl March<'_> {
         let State { q, v, a, .. } = &mut self.state;
         self.machine.set_given(t + dt, self.equations.before, [q, v, a]);
         let report = self.newton.solve(&mut self.equations, t + dt, &step, &mut self.state);
+        self.equations.springs.keep_states(&mut self.state.laws);
         step.end(start, self.machine.first_unknown(), &mut self.state);
         self.last_iterations += report.iterations;
         report
