@@ -13,12 +13,19 @@ use crate::sweep::Order;
 
 /// Dynamics of rotating flexible shafts in flexible supports, with bearing clearances and oil films.
 #[derive(Debug, Parser)]
-#[command(name = "whirl", version = crate::version::LONG, propagate_version = true)]
+#[command(name = "whirl", version = crate::version::LONG, propagate_version = true, after_help = FIRST)]
 pub struct Arguments {
     /// What to do.
     #[command(subcommand)]
     pub(crate) command: Command,
 }
+
+/// What to type first.
+const FIRST: &str = "\
+First steps:
+  whirl run hu2003-5                          run a built-in case; `whirl list` names the others
+  whirl campbell overhung-disc                its Campbell diagram, critical speeds and stability
+  whirl new case mine --like turbocharger     write a case of your own, then: whirl check mine.toml";
 
 /// What to do.
 #[derive(Debug, Subcommand)]
@@ -55,12 +62,31 @@ pub(crate) enum Command {
     Explain(ExplainArguments),
     /// Write a commented file to start from: a law, an element or a case
     New(NewArguments),
-    /// Print the JSON schema of a kind of file, for editors
+    /// Print what a kind of file may say: as JSON schema for editors, or as a page
     Schema(SchemaArguments),
     /// Show what is in a mesh file, and the lines that use it in a case
     Mesh(MeshArguments),
     /// List the built-in cases, laws, elements, forms, motions and clearances
     List,
+    /// Print what completes commands and options in a shell
+    Completions(CompletionsArguments),
+    /// Write the manual pages: whirl.1, and one for each command
+    Man(ManArguments),
+}
+
+/// Arguments of `whirl completions`.
+#[derive(Debug, Args)]
+pub(crate) struct CompletionsArguments {
+    /// The shell
+    pub(crate) shell: clap_complete::Shell,
+}
+
+/// Arguments of `whirl man`.
+#[derive(Debug, Args)]
+pub(crate) struct ManArguments {
+    /// Folder for the pages, such as ~/.local/share/man/man1; it is made if it is not there
+    #[arg(long, value_name = "DIR", default_value = "man")]
+    pub(crate) out: PathBuf,
 }
 
 /// Arguments of `whirl mesh`.
@@ -311,8 +337,11 @@ pub(crate) struct NewArguments {
     /// What to create
     pub(crate) kind: NewKind,
     /// Name of the file, without .toml [default for a case from other files: case]
-    #[arg(value_name = "NAME", required_unless_present_any = ["shaft", "from"])]
+    #[arg(value_name = "NAME", required_unless_present_any = ["shaft", "from", "like"])]
     pub(crate) name: Option<String>,
+    /// A built-in case to begin with, such as `turbocharger`: `whirl list` names them
+    #[arg(long, value_name = "CASE", conflicts_with_all = ["from", "shaft", "support", "units"])]
+    pub(crate) like: Option<String>,
     /// A rotor that ROSS saved (.toml or .json): write a case with it, solid, on its bearings and supports
     #[arg(long, value_name = "FILE", conflicts_with_all = ["shaft", "support", "units"])]
     pub(crate) from: Option<PathBuf>,
@@ -347,6 +376,9 @@ pub(crate) struct SchemaArguments {
     /// Kind of file; without it, the kinds are listed
     #[arg(value_parser = schema_kinds())]
     pub(crate) kind: Option<String>,
+    /// Print the keys as a page in Markdown
+    #[arg(long, requires = "kind")]
+    pub(crate) page: bool,
 }
 
 fn schema_kinds() -> PossibleValuesParser {

@@ -30,6 +30,7 @@ mod report;
 mod results;
 mod run;
 mod schema;
+mod shell;
 mod signals;
 pub mod simulate;
 mod spec_file;
@@ -84,9 +85,13 @@ pub fn execute(arguments: &Arguments) -> ExitCode {
         Command::Check(arguments) => check::check(arguments).and_then(|text| say(&text)),
         Command::Explain(arguments) => explain::explain(arguments).and_then(|text| say(&text)),
         Command::New(arguments) => new::new(arguments).and_then(|text| say(&text)),
-        Command::Schema(arguments) => say(&schema::schema(arguments.kind.as_deref())),
+        Command::Schema(arguments) => {
+            say(&schema::schema(arguments.kind.as_deref(), arguments.page))
+        }
         Command::Mesh(arguments) => mesh_file::mesh(arguments).and_then(|text| say(&text)),
         Command::List => say(&list::list()),
+        Command::Completions(arguments) => say(&shell::completions(arguments)),
+        Command::Man(arguments) => shell::man(arguments).and_then(|text| say(&text)),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,4 +1,4 @@
-//! `whirl list`: what is built in.
+//! `whirl list`: what is built in, and what can be done with it.
 
 use std::fmt::Write;
 
@@ -17,8 +17,14 @@ pub(crate) fn list() -> String {
         let facts = origins.into_iter().map(|origin| (origin.name, origin.title.to_string()));
         section(&mut text, &heading, facts);
     }
+    text.push_str(NEXT);
     text
 }
+
+const NEXT: &str = "
+Run a case: whirl run NAME. See its machine: whirl check NAME. See a law or an element: whirl explain NAME.
+Begin a case of your own with one of these: whirl new case FILE --like NAME.
+";
 
 fn section<'a>(text: &mut String, heading: &str, entries: impl Iterator<Item = (&'a str, String)>) {
     let entries: Vec<_> = entries.collect();

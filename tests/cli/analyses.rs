@@ -21,6 +21,7 @@ use std::io::Read;
 use std::path::Path;
 
 use flate2::read::GzDecoder;
+use whirl_tests::validation::Section;
 
 use crate::workbench::{Outcome, Workbench};
 
@@ -38,7 +39,28 @@ pub(super) struct Known {
     pub(super) case: String,
     pub(super) quantity: String,
     pub(super) value: f64,
+    pub(super) unit: String,
     pub(super) tolerance: f64,
+    pub(super) source: String,
+}
+
+impl Known {
+    /// Holds a number against it, as a line of a page.
+    pub(super) fn holds(&self, section: &mut Section, found: f64) {
+        let unit = if self.unit == "1" { String::new() } else { format!(" ({})", self.unit) };
+        section.compare(&format!("{}{unit}", self.quantity), self.value, found, self.tolerance);
+    }
+}
+
+/// A section of the page of validations that a test of this program makes.
+pub(super) fn section(title: &str, source: &str, test: &str) -> Section {
+    Section::new(title, source, &format!("cargo test -p whirl-cli --test cli -- {test}"))
+}
+
+/// The source of all rows of a machine.
+pub(super) fn source_of(case: &str) -> String {
+    let own = reference().into_iter().find(|known| known.case == case);
+    own.expect("a row of the reference").source
 }
 
 /// ROSS 2.3.0, own beams and closed forms; see the column `source` of the file.
@@ -60,12 +82,16 @@ fn known(line: &str) -> Option<Known> {
             c => cells.last_mut()?.push(c),
         }
     }
-    let [case, quantity, value, _, tolerance, ..] = cells.as_slice() else { return None };
+    let [case, quantity, value, unit, tolerance, source, ..] = cells.as_slice() else {
+        return None;
+    };
     Some(Known {
         case: case.clone(),
         quantity: quantity.clone(),
         value: value.parse().ok()?,
+        unit: unit.clone(),
         tolerance: tolerance.parse().ok()?,
+        source: source.clone(),
     })
 }
 
@@ -101,14 +127,17 @@ fn modes(case: &str, speed: &str) -> Vec<[f64; 2]> {
 
 #[test]
 fn modes_are_those_of_other_programs() {
-    assert_eq!(compare(&CASES), 24 + 35 + 20 + 20 + 16 + 24);
+    let compared = compare(&CASES, "solid", "modes_are_those_of_other_programs");
+    assert_eq!(compared, 24 + 35 + 20 + 20 + 16 + 24);
 }
 
-/// Compares the modes of cases with those of the reference; how many numbers were.
-pub(super) fn compare(cases: &[(&str, &str)]) -> usize {
+/// Compares the modes of cases with those of the reference; how many numbers were. `how` the bodies are given, in the test
+/// called so.
+pub(super) fn compare(cases: &[(&str, &str)], how: &str, test: &str) -> usize {
     let all = reference();
     let mut compared = 0;
     for &(name, case) in cases {
+        let mut section = section(&format!("Modes: {name}, {how}"), &source_of(name), test);
         let own = all.iter().filter(|known| known.case == name);
         let at: Vec<(&Known, &str, &str)> = own
             .filter_map(|known| {
@@ -122,28 +151,28 @@ pub(super) fn compare(cases: &[(&str, &str)]) -> usize {
             let found = modes(case, speed);
             let of = |what: &str| {
                 let own = at.iter().find(|own| own.1 == what && own.2 == speed);
-                own.map(|own| (own.0.value, own.0.tolerance))
+                own.map(|own| own.0)
             };
             let mut next = 0;
             for number in 1.. {
-                let Some((hertz, tolerance)) = of(&format!("mode {number}")) else { break };
+                let Some(known) = of(&format!("mode {number}")) else { break };
+                let hertz = known.value;
                 // Beams have neither axial nor torsional modes: each is the next one that fits.
-                let fits = |mode: &[f64; 2]| (mode[0] / hertz - 1.0).abs() <= tolerance;
+                let fits = |mode: &[f64; 2]| (mode[0] / hertz - 1.0).abs() <= known.tolerance;
                 let place = found[next..].iter().position(fits);
                 let place = next
                     + place.unwrap_or_else(|| {
                         panic!("{name} at {speed}: no mode at {hertz} Hz: {found:?}")
                     });
                 next = place + 1;
-                compared += 1;
-                let ratio = of(&format!("damping ratio of mode {number}"));
-                if let Some((ratio, tolerance)) = ratio {
-                    let apart = (found[place][1] / ratio - 1.0).abs();
-                    assert!(apart <= tolerance, "{name} at {speed}, mode {number}: {apart:e}");
-                    compared += 1;
+                known.holds(&mut section, found[place][0]);
+                if let Some(ratio) = of(&format!("damping ratio of mode {number}")) {
+                    ratio.holds(&mut section, found[place][1]);
                 }
             }
         }
+        compared += section.count();
+        section.finish();
     }
     compared
 }
@@ -163,14 +192,18 @@ fn critical_speeds_are_those_of_other_programs() {
         );
         let found = numbers(&workbench, "out/campbell.critical.csv", "speed_rpm");
         let known = |own: &&Known| own.case == name && own.quantity.starts_with("critical speed");
+        let test = "critical_speeds_are_those_of_other_programs";
+        let mut section = section(&format!("Critical speeds: {name}"), &source_of(name), test);
         let mut next = 0;
         for known in all.iter().filter(known) {
             let fits = |own: &f64| (own / (known.value * rpm) - 1.0).abs() <= known.tolerance;
             let place = found[next..].iter().position(fits);
             assert!(place.is_some(), "{name}, {}: {found:?}", known.quantity);
             next += place.unwrap_or(0) + 1;
+            known.holds(&mut section, found[next - 1] / rpm);
         }
         assert!(next >= 6, "{name}");
+        section.finish();
     }
 }
 
@@ -201,6 +234,11 @@ fn a_critical_speed_is_where_a_mode_has_the_frequency_of_its_order() {
 fn thresholds_are_those_of_closed_forms() {
     let workbench =
         Workbench::new().file("jeffcott.toml", CASES[3].1).file("ross.toml", CASES[0].1);
+    let mut section = section(
+        "Thresholds of stability in oil films",
+        "Closed form of the short film; of `jeffcott`, own beams in films",
+        "thresholds_are_those_of_closed_forms",
+    );
     for (case, speeds, threshold, hertz, tolerance) in [
         ("weight", "3000 rpm .. 9000 rpm, 5", 6183.27537, 0.520275575 * 6183.27537 / 60.0, 1e-5),
         ("jeffcott.toml", "1500 rpm .. 6000 rpm, 4", 4036.93044, 34.0630547, 1e-2),
@@ -209,9 +247,11 @@ fn thresholds_are_those_of_closed_forms() {
         let what = column(&workbench, "out/campbell.critical.csv", "what");
         let place = what.iter().position(|own| own == "unstable above").expect("a threshold");
         let of = |name: &str| numbers(&workbench, "out/campbell.critical.csv", name)[place];
-        assert!((of("speed_rpm") / threshold - 1.0).abs() < tolerance, "{}", of("speed_rpm"));
-        assert!((of("frequency_hz") / hertz - 1.0).abs() < tolerance, "{}", of("frequency_hz"));
+        let name = case.trim_end_matches(".toml");
+        section.compare(&format!("{name}: speed (rpm)"), threshold, of("speed_rpm"), tolerance);
+        section.compare(&format!("{name}: whirl (Hz)"), hertz, of("frequency_hz"), tolerance);
     }
+    section.finish();
     let all = ["campbell", "ross.toml", "--speeds", "0 rad/s .. 500 rad/s, 5", "--no-figures"];
     let said = ran(&workbench, &all).stdout;
     assert!(said.contains("stable at all speeds of the range"), "{said}");
@@ -240,6 +280,9 @@ fn a_floating_ring_has_the_speed_and_the_whirl_of_its_own_equations() {
         let real = numbers(&workbench, "out/modes.csv", "real_1_s");
         let imaginary = numbers(&workbench, "out/modes.csv", "imaginary_1_s");
         let case = format!("floating ring {speed}, 20 N");
+        let test = "a_floating_ring_has_the_speed_and_the_whirl_of_its_own_equations";
+        let title = format!("A floating ring at {speed} under 20 N");
+        let mut section = section(&title, "Equations of its own, solved by hand", test);
         let (mut re, mut im) = (real.iter(), imaginary.iter());
         for known in reference().iter().filter(|own| own.case == case) {
             let found = match known.quantity.as_str() {
@@ -251,13 +294,13 @@ fn a_floating_ring_has_the_speed_and_the_whirl_of_its_own_equations() {
                     let speed: f64 = speed.split(' ').next().unwrap_or("").parse().unwrap();
                     // It is shown with six digits.
                     let ratio = rpm.parse::<f64>().expect("a number") * TAU / 60.0 / speed;
-                    assert!((ratio / known.value - 1.0).abs() < 1e-5, "{ratio}");
+                    section.compare(&known.quantity, known.value, ratio, 1e-5);
                     continue;
                 }
             };
-            let apart = (found / known.value - 1.0).abs();
-            assert!(apart <= known.tolerance, "{case}, {}: {found}", known.quantity);
+            known.holds(&mut section, found);
         }
+        section.finish();
     }
 }
 
@@ -291,16 +334,20 @@ fn peaks_of_unbalance_are_those_of_other_programs() {
         let (speeds, heights) = (of_disc("speed_rpm"), of_disc("major_um"));
         let known: Vec<&Known> = all.iter().filter(|own| own.case == name).collect();
         assert!(known.len() >= 6, "{name}");
+        let test = "peaks_of_unbalance_are_those_of_other_programs";
+        let mut section = section(&format!("Peaks of unbalance: {name}"), &source_of(name), test);
         for pair in known.chunks(2) {
             let [speed, height] = pair else { panic!("{name}: a speed and a height") };
             let nearest = |own: &f64| (own / (speed.value * rpm) - 1.0).abs();
             let place = (0..speeds.len())
                 .min_by(|a, b| nearest(&speeds[*a]).total_cmp(&nearest(&speeds[*b])))
                 .expect("a peak");
-            assert!(nearest(&speeds[place]) <= speed.tolerance, "{name}: {speeds:?}");
-            let apart = (heights[place] / height.value - 1.0).abs();
-            assert!(apart <= height.tolerance, "{name}, {}: {apart:e}", height.quantity);
+            speed.holds(&mut section, speeds[place] / rpm);
+            // Heights of the reference are in m or µm; those of the file are in µm.
+            let per_um = if height.unit == "m" { 1e-6 } else { 1.0 };
+            height.holds(&mut section, heights[place] * per_um);
         }
+        section.finish();
     }
 }
 
@@ -340,6 +387,9 @@ fn coefficients_are_those_of_the_closed_form() {
         let attitude = (std::f64::consts::PI * rest.sqrt()).atan2(4.0 * epsilon).to_degrees();
         assert!((last("attitude_deg") / attitude - 1.0).abs() < 1e-5, "{}", last("attitude_deg"));
         let case = format!("ocvirk eps {epsilon}");
+        let test = "coefficients_are_those_of_the_closed_form";
+        let title = format!("Coefficients of a short film at eccentricity {epsilon}");
+        let mut section = section(&title, &source_of(&case), test);
         for known in all.iter().filter(|own| own.case == case) {
             let Some((what, axes)) = known.quantity.rsplit_once(' ') else { continue };
             let (found, scale) = match what {
@@ -347,10 +397,10 @@ fn coefficients_are_those_of_the_closed_form() {
                 "C c omega/W" => (last(&format!("c_{axes}_Ns_m")), gap * omega / load),
                 _ => continue,
             };
-            let apart = (found * scale / known.value - 1.0).abs();
-            assert!(apart <= known.tolerance, "{case}, {}: {apart:e}", known.quantity);
-            compared += 1;
+            known.holds(&mut section, found * scale);
         }
+        compared += section.count();
+        section.finish();
         let of = |case: &str| {
             let arguments = ["modes", case, "--speeds", "6000 rad/s", "--out", "modes"];
             ran(&workbench, &arguments);

@@ -45,6 +45,7 @@ mod rotors_page;
 mod rubs;
 mod schema;
 mod set_places;
+mod shell;
 mod stability_map;
 mod standing;
 mod starts;

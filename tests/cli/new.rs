@@ -83,3 +83,33 @@ fn nothing_is_written_over_and_bad_names_are_refused() {
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
     assert!(bench.path("a/b/mine.toml").is_file());
 }
+
+/// Each built-in case can be begun with, is checked where it lies, and is what it was.
+#[test]
+fn a_case_like_a_built_in_one_is_it() {
+    let bench = Workbench::new();
+    for (like, file) in [("crank", "mine.toml"), ("annular-rub", "annular-rub.toml")] {
+        let name = file.trim_end_matches(".toml");
+        let named = ["new", "case", name, "--like", like];
+        let arguments =
+            if name == like { vec!["new", "case", "--like", like] } else { named.to_vec() };
+        let made = bench.whirl(&arguments);
+        assert_eq!((made.status, made.stderr.as_str()), (0, ""), "{like}");
+        assert!(made.stdout.starts_with(&format!("{file}\n")), "{}", made.stdout);
+        let [own, built_in] = [file, like].map(|case| bench.whirl(&["check", case]));
+        assert_eq!(own.status, 0, "{}", own.stderr);
+        let without_name = |text: &str, name: &str| text.replacen(name, "", 1);
+        assert_eq!(without_name(&own.stdout, name), without_name(&built_in.stdout, like));
+    }
+    let refused = bench.whirl(&["new", "case", "other", "--like", "turbocharge"]);
+    assert_eq!(refused.status, 2);
+    assert!(
+        refused.stderr.contains("there is no built-in case `turbocharge`"),
+        "{}",
+        refused.stderr
+    );
+    assert!(refused.stderr.contains("`turbocharger`"), "{}", refused.stderr);
+    let law = bench.whirl(&["new", "law", "other", "--like", "crank"]);
+    assert_eq!(law.status, 2);
+    assert_eq!(bench.listing(), ["annular-rub.toml", "mine.toml"]);
+}

@@ -39,6 +39,45 @@ fn the_committed_schemas_are_those_of_the_program() {
     assert!(KINDS.iter().all(|kind| kinds.contains(kind)), "{kinds}");
 }
 
+/// docs/keys.md and docs/sweep-keys.md are printed, too.
+#[test]
+fn the_pages_of_keys_are_those_of_the_program() {
+    let bench = Workbench::new();
+    for (kind, page) in [("case", "keys"), ("sweep", "sweep-keys")] {
+        let found = bench.whirl(&["schema", kind, "--page"]);
+        assert_eq!((found.status, found.stderr.as_str()), (0, ""), "{kind}");
+        let path = root().join(format!("docs/{page}.md"));
+        if std::env::var_os("WHIRL_RENEW_GOLDEN").is_some() {
+            fs::write(&path, &found.stdout).expect("the page can be written");
+        }
+        let committed = fs::read_to_string(&path).expect("the page is there");
+        assert!(committed == found.stdout, "WHIRL_RENEW_GOLDEN=1 renews {}", path.display());
+        // Every key of the schema has a line.
+        let mut keys = BTreeSet::new();
+        names(&schema(kind), &mut keys);
+        assert!(keys.len() > 5, "{keys:?}");
+        for key in keys {
+            assert!(committed.contains(&format!("| `{key}`")), "{kind}: `{key}`");
+        }
+    }
+}
+
+/// Names of keys with their own description, at any depth.
+fn names(schema: &Value, all: &mut BTreeSet<String>) {
+    match schema {
+        Value::Object(entries) => {
+            let fixed = entries.get("additionalProperties") == Some(&json!(false))
+                && !entries.contains_key("patternProperties");
+            if let (Some(Value::Object(keys)), true) = (entries.get("properties"), fixed) {
+                all.extend(keys.keys().cloned());
+            }
+            entries.values().for_each(|own| names(own, all));
+        }
+        Value::Array(items) => items.iter().for_each(|own| names(own, all)),
+        _ => {}
+    }
+}
+
 /// What is wrong with a value; the part of JSON schema that the schemas use.
 fn wrong(schema: &Value, value: &Value, place: &str) -> Vec<String> {
     let known = [

@@ -2,6 +2,7 @@
 
 mod history;
 pub mod matrices;
+pub mod validation;
 
 use std::env;
 use std::fs;

@@ -112,7 +112,8 @@ pub(super) fn lines(source: &Arc<Source>) -> Result<Vec<Vec<Located>>, Box<Diagn
     let mut lines = Vec::new();
     let mut start = 0;
     for line in source.text.split_inclusive('\n') {
-        let text = line.split('#').next().unwrap_or("").trim_end();
+        let comment = outside_quotes(line).into_iter().find(|own| own.1 == '#');
+        let text = line[..comment.map_or(line.len(), |own| own.0)].trim_end();
         if !text.trim_matches(['\u{feff}', ' ', '\t']).is_empty() {
             lines.push(cells(source, text, start));
         }
@@ -138,20 +139,48 @@ fn example(allowed: [&[Dimension]; 2]) -> String {
     format!("its first line names two columns with their units: `{first}`, and `{second}`")
 }
 
-/// The cells of a line that starts at a byte of the file.
+/// The cells of a line that starts at a byte of the file. A cell in double quotes is one, whatever stands in it; a quote in it
+/// is written twice.
 fn cells(source: &Arc<Source>, line: &str, start: usize) -> Vec<Located> {
-    let separator = [';', '\t', ','].into_iter().find(|c| line.contains(*c)).unwrap_or(',');
-    let mut pieces: Vec<&str> = line.split(separator).collect();
+    let places = outside_quotes(line);
+    let separator = [';', '\t', ','];
+    let separator = separator.into_iter().find(|c| places.iter().any(|own| own.1 == *c));
+    let mut ends: Vec<usize> =
+        places.iter().filter(|own| Some(own.1) == separator).map(|own| own.0).collect();
     // A separator at the end of a line begins no column.
-    if pieces.len() > 2 && pieces.last().is_some_and(|last| last.trim().is_empty()) {
-        pieces.pop();
+    if ends.len() < 2 || ends.last().is_none_or(|last| !line[last + 1..].trim().is_empty()) {
+        ends.push(line.len());
     }
+    let mut first = 0;
+    let pieces = ends.into_iter().map(|end| {
+        let piece = &line[first..end];
+        first = end + 1;
+        piece
+    });
     let located = |piece: &str| {
         let text = piece.trim_matches(|c: char| c.is_whitespace() || c == '"' || c == '\u{feff}');
         let at = start + (text.as_ptr() as usize - line.as_ptr() as usize);
-        Located::new(source, at..at + text.len(), text)
+        Located::new(source, at..at + text.len(), text.replace("\"\"", "\""))
     };
-    pieces.into_iter().map(located).collect()
+    pieces.map(located).collect()
+}
+
+/// The characters of a line that stand in no quotes, with their places; quotes begin where a cell does.
+fn outside_quotes(line: &str) -> Vec<(usize, char)> {
+    let (mut is_quoted, mut begins) = (false, true);
+    let mut places = Vec::new();
+    for (at, own) in line.char_indices() {
+        match own {
+            '"' if is_quoted => is_quoted = false,
+            // The second of two quotes within a cell goes on with it.
+            '"' if begins || line[..at].ends_with('"') => is_quoted = true,
+            _ if !is_quoted => places.push((at, own)),
+            _ => {}
+        }
+        let is_blank = own == ' ' || own == '\u{feff}';
+        begins = if is_blank { begins } else { [';', '\t', ','].contains(&own) && !is_quoted };
+    }
+    places
 }
 
 /// The units of both columns, and what they measure.
@@ -280,5 +309,34 @@ impl Columns {
             return false;
         }
         true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use whirl_codegen::diagnostic::Source;
+
+    use super::lines;
+
+    #[test]
+    fn a_cell_in_quotes_is_one_cell() {
+        let text = "\u{feff}\"length [mm]\", outer [mm],name # of the drawing\n\
+                    100, 50,\"a, b # 1; c\"\n400,60, \"3\"\" pipe\"\n5, 6, 3\" pipe\n7,8,\n\"\",1,2\n";
+        let source = Source::new("rotor.csv", text);
+        let found = lines(&source).expect("a table");
+        let texts: Vec<Vec<&str>> =
+            found.iter().map(|line| line.iter().map(|cell| cell.text()).collect()).collect();
+        let expected: [&[&str]; 6] = [
+            &["length [mm]", "outer [mm]", "name"],
+            &["100", "50", "a, b # 1; c"],
+            &["400", "60", "3\" pipe"],
+            &["5", "6", "3\" pipe"],
+            &["7", "8"],
+            &["", "1", "2"],
+        ];
+        assert_eq!(texts, expected);
+        // Places are those in the file.
+        let cell = &found[2][1];
+        assert_eq!(&text[cell.span()], "60");
     }
 }

@@ -48,6 +48,13 @@ pub(crate) fn embedded_cases() -> impl Iterator<Item = &'static str> {
         .filter(|name| !name.contains('.'))
 }
 
+/// The text of a built-in case.
+pub(crate) fn embedded_case(name: &str) -> Option<&'static str> {
+    embedded_cases().find(|own| *own == name)?;
+    let (_, text) = EMBEDDED.iter().find(|(file, _)| file.strip_suffix(".toml") == Some(name))?;
+    Some(text)
+}
+
 /// The paths and texts of all files that are built in.
 pub(super) fn embedded_files() -> impl Iterator<Item = (PathBuf, &'static str)> {
     EMBEDDED.iter().map(|(file, text)| (Path::new(EMBEDDED_FOLDER).join(file), *text))

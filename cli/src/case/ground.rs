@@ -94,7 +94,7 @@ pub(super) fn read(store: FileStore, file: &Table) -> Option<GroundMotion> {
 
 fn read_one(store: FileStore, table: &Table) -> Option<GroundMotion> {
     let name = table.optional_string("table");
-    let factor = match table.gives("factor") {
+    let factor = match table.has("factor") {
         true => table.number_or_middle("factor"),
         false => 1.0,
     };

@@ -51,7 +51,7 @@ pub(crate) use analyses::{
 pub(crate) use columns::Columns;
 pub(crate) use cycle::TWO_REVOLUTIONS;
 pub(crate) use dimensions::Dimensions;
-pub(crate) use embedded::embedded_cases;
+pub(crate) use embedded::{embedded_case, embedded_cases};
 pub(crate) use fields::Fields;
 pub(crate) use gravity::Gravity;
 pub(crate) use ground::GroundMotion;

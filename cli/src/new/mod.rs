@@ -7,9 +7,10 @@ use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use whirl_codegen::diagnostic::{Code, Diagnostic, Source};
+use whirl_codegen::diagnostic::{Code, Diagnostic, Source, suggest};
 
 use crate::arguments::{NewArguments, NewKind};
+use crate::case::{embedded_case, embedded_cases};
 use crate::created::CreatedFolders;
 use crate::errors::Failure;
 use crate::text_file;
@@ -34,15 +35,16 @@ fn template(kind: NewKind) -> &'static str {
 /// A name that cannot be one, a file of this name that is there already, a folder that cannot be written.
 pub(crate) fn new(arguments: &NewArguments) -> Result<String, Failure> {
     let NewArguments { kind, dir, .. } = arguments;
-    let name = arguments.name.as_deref().unwrap_or("case");
+    let like = arguments.like.as_deref();
+    let name = arguments.name.as_deref().or(like).unwrap_or("case");
     check_name(*kind, name)?;
     let file = format!("{name}.toml");
     // Shown without the folder where there is none.
     let path = if dir == Path::new(".") { PathBuf::from(file) } else { dir.join(file) };
-    let made_from = arguments.shaft.is_some() || arguments.from.is_some();
+    let made_from = arguments.shaft.is_some() || arguments.from.is_some() || like.is_some();
     if made_from && *kind != NewKind::Case {
         return Err(Failure::Argument {
-            message: "`--from`, `--shaft` and `--support` are of `whirl new case`".to_owned(),
+            message: "`--like`, `--from`, `--shaft` and `--support` are of `whirl new case`".to_owned(),
             help: "leave them out, or write `whirl new case --from FILE`, or `--shaft FILE --support FILE`"
                 .to_owned(),
         });
@@ -58,10 +60,25 @@ pub(crate) fn new(arguments: &NewArguments) -> Result<String, Failure> {
             }
             from_meshes::case([shaft, support], arguments.units.as_deref(), dir)?
         }
+        _ if like.is_some() => (built_in(like.unwrap_or_default())?, String::new()),
         _ => (template(*kind).replace(NAME, name), String::new()),
     };
     write(dir, &[(&path, &text)])?;
     Ok(format!("{}\n{decided}{}", path.display(), next(*kind, &path)))
+}
+
+/// The text of a built-in case, to be changed.
+fn built_in(name: &str) -> Result<String, Failure> {
+    let known: Vec<&str> = embedded_cases().collect();
+    let Some(text) = embedded_case(name) else {
+        let message = format!("there is no built-in case `{}`", name.escape_debug());
+        let others = known.iter().map(|own| format!("`{own}`")).collect::<Vec<_>>().join(", ");
+        let help = suggest(name, &known).unwrap_or_else(|| format!("built-in cases are {others}"));
+        return Err(Failure::Argument { message, help });
+    };
+    Ok(format!(
+        "# As the built-in case `{name}`. Files that it names and that are not beside it are built in, too.\n{text}"
+    ))
 }
 
 /// A case from a rotor that another program saved, with files beside it for tables over the speed.

@@ -1,7 +1,8 @@
-//! `whirl schema`: what every kind of file may say, as JSON schema for editors. It is printed from the
+//! `whirl schema`: what every kind of file may say, as JSON schema for editors and as a page. Both are printed from the
 //! declarations through which the readers read; the readers check more (units, names, proofs).
 
 mod json;
+mod page;
 
 use whirl_codegen::document::schema::Shape;
 
@@ -15,9 +16,10 @@ pub(crate) fn kinds() -> impl Iterator<Item = (&'static str, &'static str, &'sta
     specs.chain([("case", Case::TITLE, Case::SHAPE), ("sweep", Sweep::TITLE, Sweep::SHAPE)])
 }
 
-/// The schema of a kind of file as text; without a kind, the kinds.
-pub(crate) fn schema(kind: Option<&str>) -> String {
+/// The schema of a kind of file as text, for editors or as a page; without a kind, the kinds.
+pub(crate) fn schema(kind: Option<&str>, as_page: bool) -> String {
     match kinds().find(|(name, ..)| Some(*name) == kind) {
+        Some((name, title, shape)) if as_page => page::page(name, title, shape),
         Some((_, title, shape)) => format!("{:#}\n", json::document(title, shape)),
         None => {
             let names: Vec<&str> = kinds().map(|(name, ..)| name).collect();

@@ -152,6 +152,20 @@ fn is_same(a: &Critical, b: &Critical) -> bool {
     (a.speed - b.speed).abs() <= SAME * b.speed.abs() && alike > 1.0 - SAME.sqrt()
 }
 
+/// The speed between two points at which two modes that change places have one frequency, if their frequencies go straight.
+fn meeting(a: &Point, b: &Point, to: &[Option<usize>]) -> Option<f64> {
+    let hertz = |point: &Point, place: usize| point.modes.oscillating[place].value.im;
+    let followed: Vec<(usize, usize)> =
+        to.iter().enumerate().filter_map(|(i, j)| Some((i, (*j)?))).collect();
+    let swapped = followed.windows(2).find(|pair| pair[0].1 > pair[1].1)?;
+    let [before, after] = [
+        hertz(a, swapped[1].0) - hertz(a, swapped[0].0),
+        hertz(b, swapped[0].1) - hertz(b, swapped[1].1),
+    ];
+    let share = before / (before + after);
+    share.is_finite().then(|| a.speed + share * (b.speed - a.speed))
+}
+
 struct Followed<'a> {
     roots: &'a Roots<'a>,
     unclear: Vec<usize>,
@@ -208,11 +222,30 @@ impl Followed<'_> {
             return Ok((to, is_clear));
         }
         let Roots { machine, range, slow, .. } = self.roots;
-        let middle = machine.point(range, *slow, 0.5 * (a.speed + b.speed), Some(&a.at))?;
-        let (first, sure) = self.between(a, &middle, halvings - 1)?;
-        let (second, too) = self.between(&middle, b, halvings - 1)?;
-        let both = first.into_iter().map(|place| place.and_then(|place| second[place]));
-        Ok((both.collect(), sure && too))
+        let least = (b.speed - a.speed) / f64::from(1_u32 << halvings);
+        // Whirls that lock to the rotation meet over whole intervals.
+        let meeting = if a.is_uneven { None } else { meeting(a, b, &to) };
+        let cuts = match meeting {
+            // The smallest part, in the middle of which they meet.
+            Some(speed) if speed - least > a.speed && speed + least < b.speed => {
+                vec![speed - 0.5 * least, speed + 0.5 * least]
+            }
+            _ => vec![0.5 * (a.speed + b.speed)],
+        };
+        let inside: Result<Vec<Point>, Error> =
+            cuts.into_iter().map(|speed| machine.point(range, *slow, speed, Some(&a.at))).collect();
+        let inside = inside?;
+        let all: Vec<&Point> =
+            std::iter::once(a).chain(&inside).chain(std::iter::once(b)).collect();
+        let (mut to, mut is_clear) = ((0..to.len()).map(Some).collect::<Vec<_>>(), true);
+        for pair in all.windows(2) {
+            // A whole number of the smallest parts, below that of the step.
+            let share = ((pair[1].speed - pair[0].speed) / least).log2().round().max(0.0) as u32;
+            let (next, is_sure) = self.between(pair[0], pair[1], share.min(halvings - 1))?;
+            to.iter_mut().for_each(|place| *place = place.and_then(|place| next[place]));
+            is_clear &= is_sure;
+        }
+        Ok((to, is_clear))
     }
 
     /// Whether all modes that go on keep their shape.

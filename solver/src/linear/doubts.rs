@@ -115,21 +115,21 @@ impl fmt::Display for Doubt {
             Doubt::NotRound { body, lack, varies: false } => {
                 write!(
                     f,
-                    "{body} is not round: {lack}. Modes are those in its frame, where nothing varies"
+                    "{body} is not round: {lack}. Modes are given in its rotating frame, in which the equations are constant"
                 )
             }
             Doubt::NotRound { body, lack, varies: true } => write!(
                 f,
-                "{body} is not round: {lack}. The equations vary with its angle (Hill's method), about the state of the mean body"
+                "{body} is not round: {lack}. The equations vary with its angle: modes are found by Hill's method, about the equilibrium of the averaged body"
             ),
             Doubt::RoundBelow { body, hertz: band } => write!(
                 f,
-                "{body} counts as round up to {} Hz: modes above are those of its mean over a turn",
+                "{body} is round up to {} Hz only: higher modes are those of its average over a turn",
                 hertz(*band)
             ),
             Doubt::EndOfReduction { body, last, first } => write!(
                 f,
-                "modes from {} Hz on are near the end of {body}, whose last mode with its joints held is at {} Hz: give it more `modes`",
+                "modes from {} Hz up are near the end of the reduction of {body} (its last mode with joints held: {} Hz): give it more `modes`",
                 hertz(*first),
                 hertz(*last)
             ),
@@ -168,7 +168,7 @@ impl fmt::Display for Doubt {
                 };
                 write!(
                     f,
-                    "{law} in {joint} is not to be believed{at}: {title} {}, limit {}. Remedy: {help}",
+                    "{law} in {joint} is outside its range of validity{at}: {title} {}, limit {}. Remedy: {help}",
                     amount(*value),
                     amount(*limit)
                 )
@@ -179,7 +179,7 @@ impl fmt::Display for Doubt {
                 });
                 write!(
                     f,
-                    "at {} rpm motions are small up to {}: there stiffness or damping have changed by a tenth",
+                    "at {} rpm the joints are linear, within 10 % of stiffness and damping, for amplitudes up to {}",
                     rounded(speed * 60.0 / TAU, 6),
                     joints.collect::<Vec<_>>().join(", ")
                 )
@@ -188,22 +188,22 @@ impl fmt::Display for Doubt {
                 let um = |own: f64| whirl_text::shown(1e6 * own, 3, 1e-3..1e5);
                 write!(
                     f,
-                    "the response is not small: {joint} moves by {} µm at {} rpm, and its stiffness or damping change by a tenth within {} µm. March it (`whirl run`), or take less unbalance",
+                    "the response is too large for a linear analysis: {joint} moves by {} µm at {} rpm, but its stiffness or damping changes by 10 % within {} µm. Run it in time (`whirl run`), or reduce the unbalance",
                     um(*amplitude),
                     rounded(speed * 60.0 / TAU, 6),
                     um(*within)
                 )
             }
             Doubt::Load { load, counted } => match counted {
-                Counted::AtStart => write!(f, "{load} varies in time: it counts as at t = 0"),
-                Counted::InFull => write!(f, "{load} counts in full, as at the end of its ramp"),
+                Counted::AtStart => write!(f, "{load} varies in time: its value at t = 0 is used"),
+                Counted::InFull => write!(f, "{load} is used in full, as at the end of its ramp"),
                 Counted::Later(from) => {
-                    write!(f, "{load} is left out, as it begins at {} s only", rounded(*from, 4))
+                    write!(f, "{load} is left out, as it starts only at {} s", rounded(*from, 4))
                 }
             },
             Doubt::Varies { share } => write!(
                 f,
-                "the equations vary with the angles of bodies by {} %, as joints are not alike all round: modes are those at the angle 0",
+                "the joints are not uniform around their circumference, so that the equations vary by {} % over a turn: modes are those at angle 0",
                 rounded(100.0 * share, 2)
             ),
         }

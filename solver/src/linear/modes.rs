@@ -197,16 +197,19 @@ impl LinearMachine {
     ) -> Result<Vec<Mode>, Error> {
         let angles = turning.len();
         let mut shapes: Vec<Vec<Complex64>> = Vec::with_capacity(cluster.len());
+        let mut moved: Vec<Vec<Complex64>> = Vec::with_capacity(cluster.len());
         for pair in cluster {
             // Orthonormal in M within the cluster.
             let mut own = pair.shape.clone();
-            for other in &shapes {
-                let part = inner(&apply(mass, other), &own);
+            for (other, moved) in shapes.iter().zip(&moved) {
+                let part = inner(moved, &own);
                 own.iter_mut().zip(other).for_each(|(own, other)| *own -= part * other);
             }
-            let norm = inner(&apply(mass, &own), &own).re.sqrt();
-            own.iter_mut().for_each(|value| *value /= norm);
+            let mut own_moved = apply(mass, &own);
+            let norm = inner(&own_moved, &own).re.sqrt();
+            own.iter_mut().chain(&mut own_moved).for_each(|value| *value /= norm);
             shapes.push(own);
+            moved.push(own_moved);
         }
         if shapes.len() > 1 {
             let turned: Vec<Vec<Complex64>> =
@@ -222,13 +225,13 @@ impl LinearMachine {
                 sum
             });
             shapes = mixed.collect();
+            moved = shapes.iter().map(|own| apply(mass, own)).collect();
         }
         let value = cluster.iter().map(|own| own.value).sum::<Complex64>() / cluster.len() as f64;
         let single = cluster.len() == 1;
-        let modes = shapes.into_iter().zip(cluster).map(|(shape, pair)| {
-            let moved = apply(mass, &shape);
-            let whole = inner(&shape, &moved).re;
-            let sense = inner(&moved, &self.turned(angles, &shape)).re / whole;
+        let modes = shapes.into_iter().zip(&moved).zip(cluster).map(|((shape, moved), pair)| {
+            let whole = inner(&shape, moved).re;
+            let sense = inner(moved, &self.turned(angles, &shape)).re / whole;
             let share = |body: usize| {
                 let block = self.block(angles, body);
                 let angle = turning.iter().position(|own| *own == body);

@@ -5,7 +5,7 @@ use pathfinding::kuhn_munkres::kuhn_munkres_min;
 use pathfinding::matrix::Matrix as Costs;
 
 use super::modes::Mode;
-use super::shapes::{apply, inner};
+use super::shapes::{apply_all, inner};
 use crate::linalg::Matrix;
 
 /// MAC from which on two shapes are one mode.
@@ -37,7 +37,7 @@ pub(super) fn matched(mass: &Matrix, from: &[Mode], to: &[Mode]) -> Matched {
     if from.is_empty() || to.is_empty() {
         return Matched { to: vec![None; from.len()], is_sure: true };
     }
-    let moved: Vec<Vec<Complex64>> = from.iter().map(|own| apply(mass, &own.shape)).collect();
+    let moved = apply_all(mass, from.iter().map(|own| own.shape.as_slice()));
     let alike = |i: usize, j: usize| mac(&moved[i], &to[j].shape);
     let size = from.len().max(to.len());
     let mut macs = vec![vec![0.0; to.len()]; from.len()];

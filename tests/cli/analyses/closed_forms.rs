@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
-use super::{Known, column, numbers, ran, reference};
+use super::{Known, column, numbers, ran, reference, section};
 use crate::workbench::Workbench;
 
 /// A matrix of x, y and z of a few nodes on the axis, as a file; `of`: the entry of two nodes along an axis.
@@ -70,7 +70,11 @@ fn a_shaft_without_mass_in_films_is_unstable_where_the_closed_form_says() {
         .file("dofs.csv", &dofs(&[0.0, 0.4, 0.8]))
         .file("case.toml", include_str!("massless-jeffcott.toml"));
     let [speed, _] = threshold(&workbench, "case.toml", "3500 rpm .. 4500 rpm, 5");
-    agree(speed * 60.0 / TAU, &known("jeffcott in films, massless shaft", "threshold"));
+    let known = known("jeffcott in films, massless shaft", "threshold");
+    let test = "a_shaft_without_mass_in_films_is_unstable_where_the_closed_form_says";
+    let mut section = section("A shaft without mass in oil films", &known.source, test);
+    known.holds(&mut section, speed * 60.0 / TAU);
+    section.finish();
 }
 
 /// A mass held by a damped spring that turns, and a damper that stands: ω (1 + c/βk).
@@ -82,8 +86,12 @@ fn damping_that_turns_makes_a_mass_unstable_where_the_closed_form_says() {
         .file("dofs.csv", &dofs(&[0.0, 0.0]))
         .file("case.toml", include_str!("rotating-damping.toml"));
     let [speed, whirl] = threshold(&workbench, "case.toml", "700 rad/s .. 900 rad/s, 5");
-    agree(speed, &known("rotating damping, 2 dof", "threshold"));
-    assert!((whirl / 1e5_f64.sqrt() - 1.0).abs() < 1e-8, "{whirl}");
+    let known = known("rotating damping, 2 dof", "threshold");
+    let test = "damping_that_turns_makes_a_mass_unstable_where_the_closed_form_says";
+    let mut section = section("Damping that turns", &known.source, test);
+    known.holds(&mut section, speed);
+    section.compare("whirl there, √(k/m) (rad/s)", 1e5_f64.sqrt(), whirl, 1e-8);
+    section.finish();
 }
 
 const VISCOSITY: f64 = 0.02;
@@ -143,6 +151,9 @@ fn films(workbench: &Workbench, load: f64, speeds: &str) -> Vec<(f64, [f64; 8])>
 #[test]
 fn thresholds_of_a_rigid_rotor_in_a_short_film_are_those_of_the_closed_form() {
     let omega = 6000.0;
+    let test = "thresholds_of_a_rigid_rotor_in_a_short_film_are_those_of_the_closed_form";
+    let source = super::source_of("ocvirk eps 0.05");
+    let mut section = section("A rigid rotor in a short film at its threshold", &source, test);
     for epsilon in [0.05, 0.1, 0.2, 0.4, 0.5, 0.6] {
         let case = format!("ocvirk eps {epsilon}");
         let ratio = known(&case, "whirl ratio at the threshold of a rigid rotor");
@@ -156,9 +167,14 @@ fn thresholds_of_a_rigid_rotor_in_a_short_film_are_those_of_the_closed_form() {
         agree(square.sqrt(), &ratio);
         agree(held / square, &mass);
         let [speed, whirl] = threshold(&workbench, "case.toml", "5700 rad/s .. 6300 rad/s, 3");
-        agree(whirl / speed, &ratio);
-        agree(mass.value * (speed / omega).powi(2), &mass);
+        for (known, found) in
+            [(&ratio, whirl / speed), (&mass, mass.value * (speed / omega).powi(2))]
+        {
+            let what = format!("ε {epsilon}: {}", known.quantity);
+            section.compare(&what, known.value, found, known.tolerance);
+        }
     }
+    section.finish();
 }
 
 /// Beyond, no mass is unstable: the whirl that would be neutral has no real frequency.

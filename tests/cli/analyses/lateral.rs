@@ -1,6 +1,8 @@
 //! `whirl lateral`: the table of API 617 against ROSS, variants of a case, and what is wrong with one.
 
-use super::{column, numbers, ran};
+use std::cell::RefCell;
+
+use super::{column, numbers, ran, section};
 use crate::workbench::Workbench;
 
 const CASE: &str = include_str!("lateral.toml");
@@ -60,6 +62,13 @@ fn agree(what: &str, found: f64, known: f64) {
 /// samples speeds; peaks, half powers and `run_level1` by ROSS 2.3.0, of which the former were refined.
 #[test]
 fn the_table_of_a_rotor_is_that_of_ross() {
+    let source =
+        "ROSS 2.3.0, and its `run_clearance_analysis` at commit 6320eab9f890, on the same matrices";
+    let test = "the_table_of_a_rotor_is_that_of_ross";
+    let section = RefCell::new(section("API 617: the table of a rotor", source, test));
+    let agree = |what: &str, found: f64, known: f64| {
+        section.borrow_mut().compare(what, known, found, 1e-7);
+    };
     let bench = bench(CASE);
     let text = lateral(&bench);
     let names = column(&bench, "out/api.unbalance.csv", "unbalance");
@@ -70,12 +79,12 @@ fn the_table_of_a_rotor_is_that_of_ross() {
     for (own, known) in
         of("load_kg").iter().zip([88.18180401658343, 44.09090200829096, 44.09090200829096])
     {
-        agree("W", *own, known);
+        agree("static load W (kg)", *own, known);
     }
     for (own, known) in
         of("unbalance_g_mm").iter().zip([124.43432344562272, 62.21716172281058, 62.21716172281058])
     {
-        agree("U_a", *own, known);
+        agree("unbalance U_a (g mm)", *own, known);
     }
     let phases = of("phase_deg");
     assert_eq!((phases[1] - phases[2]).abs(), 180.0);
@@ -105,7 +114,7 @@ fn the_table_of_a_rotor_is_that_of_ross() {
             (speeds[*k] - speed).abs() < 1e-6 && places[*k] == place && unbalances[*k] == "mode 1"
         };
         let found = (0..speeds.len()).find(at).unwrap_or_else(|| panic!("{place} at {speed} rpm"));
-        agree(place, readings[found], known);
+        agree(&format!("{place} at {speed} rpm (µm pk-pk)"), readings[found], known);
     }
 
     // Peaks (rpm), amplification factors, required margins (%) by hand.
@@ -124,9 +133,13 @@ fn the_table_of_a_rotor_is_that_of_ross() {
         assert_eq!(margins.len(), known.len());
         for ((factor, margin), (speed, known, required)) in factors.iter().zip(&margins).zip(known)
         {
-            agree("peak", factor.1, *speed);
-            agree("amplification factor", factor.0, *known);
-            agree("separation margin", margin.0, 100.0 * (1.0 - speed / 7000.0));
+            agree(&format!("{place}: peak (rpm)"), factor.1, *speed);
+            agree(&format!("{place}: amplification factor"), factor.0, *known);
+            agree(
+                &format!("{place}: separation margin (%)"),
+                margin.0,
+                100.0 * (1.0 - speed / 7000.0),
+            );
             assert!((margin.2 / required - 1.0).abs() < 1e-6, "{} {required}", margin.2);
             assert_eq!(margin.3, "yes");
         }
@@ -134,23 +147,23 @@ fn the_table_of_a_rotor_is_that_of_ross() {
     // A peak within the speeds of operation, which falls on one side only.
     let inside = lines(&bench, "mode 1", "amplification factor", "joint.NDE 135 deg");
     assert_eq!((inside.len(), inside[1].3.as_str()), (2, "yes"));
-    agree("peak", inside[1].1, 8839.551348106525);
+    agree("peak within the speeds of operation (rpm)", inside[1].1, 8839.551348106525);
     let most = line(&bench, "mode 1", "probe vibration A_max", "joint.NDE 135 deg");
-    agree("A_max", most.0, 24.5050577724339);
+    agree("mode 1: A_max (µm pk-pk)", most.0, 24.5050577724339);
     assert_eq!((most.2, most.3.as_str()), (25.4, "yes"));
     let factor = line(&bench, "mode 1", "scale factor S_cc", "").0;
-    agree("S_cc", factor, 25.4 / 24.5050577724339);
+    agree("scale factor S_cc", factor, 25.4 / 24.5050577724339);
     for (place, height, limit) in [
         ("joint.DE", 36.614557482167484, 150.0),
         ("output.eye", 100.58951924812379, 375.0),
         ("joint.NDE", 36.614557482167484, 180.0),
     ] {
         let own = line(&bench, "mode 1", "scaled response at clearance", place);
-        agree(place, own.0, factor * height);
+        agree(&format!("{place}: scaled response (µm pk-pk)"), own.0, factor * height);
         assert!((own.2 - limit).abs() < 1e-9 && own.3 == "yes");
     }
     let most = line(&bench, "mode 2", "probe vibration A_max", "joint.DE 135 deg");
-    agree("A_max", most.0, 91.17137286766348);
+    agree("mode 2: A_max (µm pk-pk)", most.0, 91.17137286766348);
     assert_eq!(most.3, "NO");
 
     let (across, decrements) = (
@@ -166,13 +179,14 @@ fn the_table_of_a_rotor_is_that_of_ross() {
         (1e6, -3.1586997688298553),
     ] {
         let place = across.iter().position(|own| (own - q).abs() < 1e-6).expect("Q of the curve");
-        agree("log decrement", decrements[place], known);
+        agree(&format!("log decrement at {q:e} N/m"), decrements[place], known);
     }
     let expected = line(&bench, "", "level I log decrement at Q_A", "");
-    agree("log decrement", expected.0, -0.31645610161690096);
+    agree("level I log decrement at Q_A", expected.0, -0.31645610161690096);
     assert_eq!(expected.3, "level II");
     assert_eq!(line(&bench, "", "level II log decrement", "").3, "NO");
     assert!(text.contains("DOES NOT PASS"), "{text}");
+    section.into_inner().finish();
 }
 
 /// With one speed of operation the scale factor is that of one reading of ROSS; another edition doubles the unbalance.

@@ -57,10 +57,10 @@ fn before(text: &str, line: &str, word: &str) -> f64 {
 fn motions_are_small_up_to_where_a_closed_form_says() {
     let workbench = rotor(CUBIC, "");
     let outcome = ran(&workbench, &["modes", "case.toml"]);
-    let within = before(&outcome.stdout, "motions are small up to", "µm");
+    let within = before(&outcome.stdout, "for amplitudes up to", "µm");
     let expected = 1e6 * (0.1 * 1e6 / 3e15_f64).sqrt();
     assert!((within / expected - 1.0).abs() < 0.02, "{within} µm, not {expected}");
-    assert!(!outcome.stdout.contains("not to be believed"), "{}", outcome.stdout);
+    assert!(!outcome.stdout.contains("outside its range of validity"), "{}", outcome.stdout);
 }
 
 /// What the response says of amplitudes: 1e-4 kg·m on 10 kg is 10 µm far above the critical speed, where 5.8 are small.
@@ -68,12 +68,12 @@ fn motions_are_small_up_to_where_a_closed_form_says() {
 fn a_response_that_is_not_small_says_so() {
     let workbench = rotor(CUBIC, "");
     let outcome = ran(&workbench, &["response", "case.toml", "--speeds", "9000 rpm"]);
-    let moves = before(&outcome.stdout, "the response is not small", "µm at");
+    let moves = before(&outcome.stdout, "too large for a linear analysis", "µm at");
     let orbit = numbers(&workbench, "results/case/response.csv", "major_um")[0];
     assert!((moves / orbit - 1.0).abs() < 5e-3, "{moves} {orbit}");
     let linear = CUBIC.replace("value = 1e15", "value = 0");
     let outcome = ran(&rotor(&linear, ""), &["response", "case.toml", "--speeds", "9000 rpm"]);
-    assert!(!outcome.stdout.contains("small"), "{}", outcome.stdout);
+    assert!(!outcome.stdout.contains("too large"), "{}", outcome.stdout);
 }
 
 /// k r + k₃r³ = 120 N at 44 µm, beyond the 40 µm of the law.
@@ -81,7 +81,7 @@ fn a_response_that_is_not_small_says_so() {
 fn a_law_beyond_its_range_is_named_with_value_limit_and_remedy() {
     let load = "[loads.pull]\nbody = \"rotor\"\ndirection = \"x\"\nforce = \"120 N\"";
     let outcome = ran(&rotor(CUBIC, load), &["coefficients", "case.toml"]);
-    let at = before(&outcome.stdout, "not to be believed", " um, limit");
+    let at = before(&outcome.stdout, "outside its range of validity", " um, limit");
     let force = |r: f64| 1e6 * r + 1e15 * r.powi(3);
     assert!((force(1e-6 * at) / 120.0 - 1.0).abs() < 1e-2, "{at} µm");
     assert!(outcome.stdout.contains("limit 40 um. Remedy: lower the load"), "{}", outcome.stdout);
@@ -128,9 +128,9 @@ fn loads_that_vary_count_as_the_output_says() {
     let (x, y) = (force("force_x_N"), force("force_y_N"));
     assert!((x / -130.0 - 1.0).abs() < 1e-6 && (y / -10.0 - 1.0).abs() < 1e-6, "{x} {y}");
     for words in [
-        "note: load.shake varies in time: it counts as at t = 0",
-        "note: load.rising counts in full, as at the end of its ramp",
-        "note: load.later is left out, as it begins at 1 s only",
+        "note: load.shake varies in time: its value at t = 0 is used",
+        "note: load.rising is used in full, as at the end of its ramp",
+        "note: load.later is left out, as it starts only at 1 s",
     ] {
         assert!(outcome.stdout.contains(words), "{words}\n{}", outcome.stdout);
     }

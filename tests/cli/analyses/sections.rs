@@ -27,7 +27,9 @@ fn from_section(case: &str, length: &str, diameter: &str) -> String {
 fn modes_of_tables_are_those_of_other_programs() {
     let ross = from_section(CASES[0].1, "1500 mm", "50 mm");
     let lalanne = from_section(CASES[1].1, "1300 mm", "100 mm");
-    assert_eq!(compare(&[(CASES[0].0, &ross), (CASES[1].0, &lalanne)]), 44 + 35);
+    let cases = [(CASES[0].0, ross.as_str()), (CASES[1].0, lalanne.as_str())];
+    let test = "modes_of_tables_are_those_of_other_programs";
+    assert_eq!(compare(&cases, "from a table of sections", test), 44 + 35);
 }
 
 /// Both shafts, of which the outer one is hollow and carries the bore of a bearing.
@@ -59,7 +61,8 @@ fn modes_of_coaxial_tables_are_those_of_another_program() {
     let workbench = Workbench::new()
         .file("outer.csv", "z [m], length [mm], outer [mm], inner [mm]\n0.5, 1500, 300, 250\n")
         .file("case.toml", &case);
-    assert_eq!(coaxial::compare(&workbench), 32);
+    let test = "modes_of_coaxial_tables_are_those_of_another_program";
+    assert_eq!(coaxial::compare(&workbench, "from tables of sections", test), 32);
 }
 
 /// A pipe from a section on stiff bushings at both of its ends, which stand still.

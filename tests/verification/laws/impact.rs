@@ -4,6 +4,7 @@
 use whirl_codegen::diagnostic::Source;
 use whirl_codegen::kinds::law::LawSpec;
 use whirl_codegen::tape::Tape;
+use whirl_tests::validation::Section;
 
 use super::kernel::Kernel;
 use super::laws;
@@ -63,6 +64,11 @@ const STEP: f64 = 1e-8;
 #[test]
 fn without_damping_the_impact_is_hertzs() {
     let (modulus, radius, speed) = (109.89e9, 0.01, 0.5);
+    let mut section = Section::new(
+        "An elastic impact of two spheres",
+        "Hertz; Johnson, Contact Mechanics, eqs. (11.22) to (11.24), their numbers with three digits",
+        "cargo test -p whirl-tests --test verification -- without_damping_the_impact_is_hertzs",
+    );
     for name in ["hunt-crossley", "lankarani-nikravesh"] {
         let law = Kernel::named(name);
         let found = strike(Body { mass: MASS, speed }, |h, _| law.value("Q", &[("h", h)]), STEP);
@@ -70,12 +76,16 @@ fn without_damping_the_impact_is_hertzs() {
         let ratio: f64 = 15.0 * MASS * speed * speed / (16.0 * f64::sqrt(radius) * modulus);
         let deepest = ratio.powf(0.4);
         // Between steps the largest approach is missed by at most v²/(2 a) of half a step.
-        assert!((found.deepest / deepest - 1.0).abs() < 1e-6, "{found:?} {deepest}");
-        assert!((found.duration * speed / deepest - 2.94).abs() < 0.005, "{found:?}");
+        let mut compare = |what: &str, theirs: f64, ours: f64, tolerance: f64| {
+            section.compare(&format!("`{name}`: {what}"), theirs, ours, tolerance);
+        };
+        compare("largest approach (m)", deepest, found.deepest, 1e-6);
+        compare("time of contact × speed/approach", 2.94, found.duration * speed / deepest, 1.7e-3);
         let time = 2.87 * (MASS * MASS / (radius * modulus * modulus * speed)).powf(0.2);
-        assert!((found.duration / time - 1.0).abs() < 0.005, "{found:?} {time}");
-        assert!((found.rebound / speed - 1.0).abs() < 1e-8, "{found:?}");
+        compare("time of contact (s)", time, found.duration, 5e-3);
+        compare("speed after (m/s)", speed, found.rebound, 1e-8);
     }
+    section.finish();
 }
 
 /// The restitution of Q = f(d) (1 + μ ḋ), whatever f: v dv/(1 + μ v) integrates to the same on both ways.
@@ -95,12 +105,17 @@ fn hunt_and_crossleys_restitution_falls_with_the_speed() {
     // e = 1 − a v with e = 0.9 at 0.5 m/s.
     let a = 0.2;
     let mut errors = Vec::new();
+    let mut section = Section::new(
+        "Restitution of Hunt and Crossley's law",
+        "Exact integral of v dv/(1 + μ v)",
+        "cargo test -p whirl-tests --test verification -- hunt_and_crossleys_restitution_falls_with_the_speed",
+    );
     for speed in [0.5, 0.25, 0.125, 0.0625] {
         let force = |h: f64, v: f64| law.value("Q", &[("h", h), ("h_dot", v)]);
         let found = strike(Body { mass: MASS, speed }, force, STEP).rebound / speed;
         let exact = exact_restitution(1.5 * a * speed);
         // d^1.5 has no bounded second derivative at first touch: (step/duration)^2.5 remain.
-        assert!((found - exact).abs() < 1e-7, "{found} {exact}");
+        section.compare(&format!("speed after over {speed} m/s before"), exact, found, 1e-7);
         // The authors' first-order theory: what is left is of the order of (a v)².
         errors.push(found - (1.0 - a * speed));
         assert!(errors[errors.len() - 1].abs() <= (a * speed).powi(2), "{errors:?}");
@@ -109,6 +124,7 @@ fn hunt_and_crossleys_restitution_falls_with_the_speed() {
         // Of second order in v, with a term of third order that is a v of it.
         assert!((pair[0] / pair[1] - 4.0).abs() < 4.0 * a * 0.5, "{errors:?}");
     }
+    section.finish();
 }
 
 #[test]

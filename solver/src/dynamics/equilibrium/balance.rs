@@ -5,8 +5,10 @@
 //! f = Q_e + Q_s − G0 θ̈ − K η_s − C η̇ (bodies that stand: K x_b), of a round body with Q_v − M q̈ of η_s, and Q_e + Q_s − J0 θ̈ in the
 //! rows of θ. ω̃ is θ̇, or what the steps of the march make of it.
 
+mod memory;
 mod tangent;
 
+use self::memory::Memory;
 use super::rotations::{Rotations, Turn, Twisting};
 use super::turning::TurningStart;
 use crate::equations::SpringTangent;
@@ -62,6 +64,7 @@ pub(super) struct Balance<'m> {
     /// What a force anywhere on its body comes to in each row.
     shares: Vec<f64>,
     tangent: SpringTangent,
+    memory: Memory,
 }
 
 impl<'m> Balance<'m> {
@@ -148,6 +151,7 @@ impl<'m> Balance<'m> {
             bound: vec![0.0; rows],
             shares: vec![0.0; rows],
             tangent,
+            memory: Memory::default(),
             state,
         };
         balance.shares = balance.shares();

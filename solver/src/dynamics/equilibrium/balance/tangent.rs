@@ -1,5 +1,6 @@
 //! The tangent of the balance.
 
+use super::memory::Memory;
 use super::{Balance, add};
 use crate::bearing::Springs;
 use crate::dynamics::equilibrium::rotations::Turn;
@@ -14,14 +15,15 @@ impl Balance<'_> {
     /// −∂f/∂z at the state that was last set, n × n.
     pub(in crate::dynamics::equilibrium) fn tangent(&mut self) -> Matrix {
         let (machine, size) = (self.machine, self.machine.size());
-        let mut by_position = vec![0.0; size * size];
         let springs: &Springs = &machine.springs;
-        self.tangent.subtract(springs, &self.equations.springs, 0.0, size, &mut by_position);
+        let mut memory = std::mem::take(&mut self.memory);
+        let [by_position, by_rate] = memory.cleared(size);
+        self.tangent.subtract(springs, &self.equations.springs, 0.0, size, by_position);
         // B + a1 P with a1 = 1 and without it: P.
-        let mut by_rate = vec![0.0; size * size];
-        self.tangent.subtract(springs, &self.equations.springs, 1.0, size, &mut by_rate);
-        by_rate.iter_mut().zip(&by_position).for_each(|(both, own)| *both -= own);
-        self.subtract_loads(&mut by_position, &mut by_rate);
+        self.tangent.subtract(springs, &self.equations.springs, 1.0, size, by_rate);
+        by_rate.iter_mut().zip(&*by_position).for_each(|(both, own)| *both -= own);
+        self.subtract_loads(&mut memory);
+        let Memory { by_position, by_rate, .. } = &mut memory;
         let n = self.places.len();
         let mut tangent = Matrix::zeros(n, n);
         // ∂f/∂θ̇ of every body, by its place.
@@ -110,31 +112,39 @@ impl Balance<'_> {
         for row in (self.flexible..n).filter(|row| self.holds(*row)) {
             (0..n).for_each(|column| tangent[(row, column)] = f64::from(u8::from(row == column)));
         }
+        self.memory = memory;
         tangent
     }
 
-    /// Subtracts the derivatives of the loads by positions and by rates, as far as the loads act.
-    fn subtract_loads(&self, by_position: &mut [f64], by_rate: &mut [f64]) {
+    /// Subtracts the derivatives of the loads by positions and by rates, as far as the loads act: by the angles, and of the
+    /// couples.
+    fn subtract_loads(&self, memory: &mut Memory) {
         let (machine, size) = (self.machine, self.machine.size());
+        let rotations = machine.rotations();
         let now = instant(machine, 0.0, &self.state);
-        let mut parts = [vec![0.0; size * size], vec![0.0; size * size]];
-        for load in &machine.loads {
-            let (_, position) = placed(machine, load, &self.state.q);
-            for (a1, part) in [0.0, 1.0].into_iter().zip(&mut parts) {
-                part.fill(0.0);
-                load.subtract_tangent(&now, self.released(load), &position, a1, part);
+        let Memory { by_position, by_rate, load } = memory;
+        for own in &machine.loads {
+            let (_, position) = placed(machine, own, &self.state.q);
+            for (a1, part) in [0.0, 1.0].into_iter().zip(load.iter_mut()) {
+                own.subtract_tangent(&now, self.released(own), &position, a1, part);
             }
-            let (share, rows) = match load.frame {
-                Frame::Space => (self.share, 0..size),
+            let (share, last) = match own.frame {
+                Frame::Space => (self.share, size),
                 // Only its couple acts.
-                Frame::Body => (1.0, 0..machine.rotations()),
+                Frame::Body => (1.0, rotations),
             };
-            let [position, both] = &parts;
-            for place in
-                (0..size).flat_map(|column| rows.clone().map(move |row| column * size + row))
-            {
-                by_position[place] += share * position[place];
-                by_rate[place] += share * (both[place] - position[place]);
+            let [position, both] = load;
+            for column in 0..size {
+                let rows = if column < rotations { size } else { rotations };
+                for row in 0..rows {
+                    let place = column * size + row;
+                    let [position, both] =
+                        [&mut *position, &mut *both].map(|own| std::mem::take(&mut own[place]));
+                    if row < last {
+                        by_position[place] += share * position;
+                        by_rate[place] += share * (both - position);
+                    }
+                }
             }
         }
     }
