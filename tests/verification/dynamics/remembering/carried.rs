@@ -119,16 +119,18 @@ fn a_start_at_equilibrium_has_relaxed() {
     let found = equilibrium(&machine, &[], Some(dt)).expect("stands");
     let initial = found.bodies;
     let exact = PUSH / SLOW;
-    assert!((initial[0].position[0] / exact - 1.0).abs() < 1e-9, "{initial:?}");
+    // A row of the balance is solved to 1e-6 of its largest term, and the mass moves about what is left.
+    let left = 1e-6 * exact;
+    assert!((initial[0].position[0] - exact).abs() < left, "{initial:?}");
     let own = MarchOptions { initial, laws_at_rest: true, ..options(dt, steps) };
     let mut march = March::new(&machine, &own).expect("starts");
     let states = march.state().laws.known.clone();
-    assert!((states[0] / exact - 1.0).abs() < 1e-9 && states[1].abs() < 1e-9 * exact, "{states:?}");
+    assert!((states[0] - exact).abs() < left && states[1].abs() < left, "{states:?}");
     while !march.is_done() {
         march.advance().expect("converges");
         let now = &march.state().laws;
-        assert!((now.known[0] - states[0]).abs() < 1e-10 * exact, "{now:?}");
-        assert!((now.rates[0] * dt).abs() < 1e-10 * exact, "{now:?}");
+        assert!((now.known[0] - states[0]).abs() < 2.0 * left, "{now:?}");
+        assert!((now.rates[0] * dt).abs() < 2.0 * left, "{now:?}");
     }
     // A mount that has not relaxed is stiffer.
     assert!(exact > 1.1 * PUSH / (SLOW + RELAXING));
