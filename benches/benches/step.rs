@@ -22,6 +22,7 @@ fn options() -> MarchOptions {
         steady_rule: SteadyRule::default(),
         stop_when_steady: false,
         initial: vec![BodyStart::default()],
+        laws_at_rest: false,
     }
 }
 

@@ -5,7 +5,7 @@ use whirl_codegen::kinds::law;
 use whirl_codegen::kinds::law::{Given, LawSpec};
 use whirl_codegen::schedule::ScheduleError;
 use whirl_codegen::tape::Tape;
-use whirl_solver::bearing::{SpringLaw, Validity};
+use whirl_solver::bearing::{Remembered, SpringLaw, Validity};
 use whirl_solver::cache::Key;
 
 /// A law whose kernel is a tape; it gives the same bits as a compiled one.
@@ -15,6 +15,9 @@ pub(crate) struct LawFile {
     inputs: Vec<String>,
     outputs: Vec<String>,
     tape: Tape,
+    states: Vec<Remembered>,
+    /// Of the energy that is stored.
+    stored: Option<Tape>,
     valid: Vec<Validity>,
     /// Of the measures of `valid`.
     measures: Option<Tape>,
@@ -31,6 +34,12 @@ impl LawFile {
         };
         let program = spec.program().map_err(too_large)?;
         let measures = spec.measures_program().map_err(too_large)?;
+        let stored = spec.stored_program().map_err(too_large)?;
+        let states = spec.remembered().iter().zip(&spec.states).map(|(input, state)| Remembered {
+            name: input.name.clone(),
+            unit: input.unit.dimension().si_unit(),
+            start: state.start,
+        });
         let exactly = |given: &Given| {
             let Given { name, value, unit } = given;
             format!("{name} = {}/{} {unit}", value.numer(), value.denom())
@@ -40,9 +49,11 @@ impl LawFile {
         Ok(LawFile {
             name: spec.name.clone(),
             hash: Key::of(&texts.join("\0")).hex(),
-            inputs: spec.inputs.iter().map(|input| input.name.clone()).collect(),
-            outputs: spec.outputs.iter().map(|output| output.name.clone()).collect(),
+            inputs: spec.taken().iter().map(|input| input.name.clone()).collect(),
+            outputs: spec.given().iter().map(|output| output.name.clone()).collect(),
             tape: Tape::new(&program),
+            states: states.collect(),
+            stored: stored.as_ref().map(Tape::new),
             valid: spec.valid.iter().map(validity).collect(),
             measures: measures.as_ref().map(Tape::new),
         })
@@ -67,11 +78,26 @@ impl SpringLaw for LawFile {
     }
 
     fn workspace(&self) -> usize {
-        self.tape.workspace().max(self.measures.as_ref().map_or(0, Tape::workspace))
+        let others = self.measures.iter().chain(&self.stored);
+        others.map(Tape::workspace).fold(self.tape.workspace(), usize::max)
     }
 
     fn evaluate(&self, springs: usize, inputs: &[f64], outputs: &mut [f64], workspace: &mut [f64]) {
         self.tape.evaluate(springs, inputs, outputs, workspace);
+    }
+
+    fn states(&self) -> Vec<Remembered> {
+        self.states.clone()
+    }
+
+    fn stores(&self) -> bool {
+        self.stored.is_some()
+    }
+
+    fn stored(&self, springs: usize, inputs: &[f64], energies: &mut [f64], workspace: &mut [f64]) {
+        if let Some(tape) = &self.stored {
+            tape.evaluate(springs, inputs, energies, workspace);
+        }
     }
 
     fn valid(&self) -> Vec<Validity> {

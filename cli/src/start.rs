@@ -34,6 +34,7 @@ pub(crate) fn options(case: &Case, built: &Built) -> MarchOptions {
         steady_rule: case.march().steady_rule,
         stop_when_steady: case.march().stop_when_steady,
         initial: built.initial.clone(),
+        laws_at_rest: matches!(case.start, Start::Equilibrium),
     }
 }
 

@@ -87,6 +87,38 @@ pub enum Error {
         /// The body.
         body: String,
     },
+    /// A law with states beside a joint whose coefficients are given over the frequency, in an analysis of small motions.
+    #[error(
+        "{joint} has the law {law}, which has states, and another joint has coefficients over the frequency: modes take one of both. Give that joint coefficients over the speed alone, or a law with states"
+    )]
+    Remembers {
+        /// The joint.
+        joint: String,
+        /// The law.
+        law: String,
+    },
+    /// A law with states beside a body that turns and is not round, in an analysis of small motions.
+    #[error(
+        "{joint} has the law {law}, which has states, but {body} turns and is not round: its motions have several frequencies each. Make {body} round, march the machine, or give the joint a law without states"
+    )]
+    RemembersNotRound {
+        /// The joint.
+        joint: String,
+        /// The law.
+        law: String,
+        /// The body.
+        body: String,
+    },
+    /// A law with states in a bore that turns, in a balance of forces.
+    #[error(
+        "the bore of {joint} turns, and its law {law} has states: they come to rest with the bore, while what stands in space does not. Begin at rest (start = \"rest\"), or give the joint a law without states"
+    )]
+    RemembersTurning {
+        /// The joint.
+        joint: String,
+        /// The law.
+        law: String,
+    },
     /// Two bodies that are not round and turn at different speeds.
     #[error(
         "{} and {} are not round and turn at different speeds: their equations have no common period. Make one of them round, or march the machine",

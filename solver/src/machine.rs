@@ -7,7 +7,7 @@ use whirl_specs::{BoreMotion, Clearance, Motion};
 
 pub use crate::bodies::{Body, BodyPlace, Rotation};
 
-use crate::bearing::{Bearing, MotionKind, SpringLaw, Springs, axis_motion};
+use crate::bearing::{Bearing, MotionKind, Plane, SpringLaw, Springs, axis_motion};
 use crate::bodies::{Layout, Owner};
 use crate::body::BodyNode;
 use crate::error::Error;
@@ -154,6 +154,12 @@ impl Machine {
     /// Number of coordinates that are marched: the 226 of the reference system.
     pub fn active(&self) -> usize {
         self.size() - self.first_unknown()
+    }
+
+    /// What the joint of a plane and its law are called.
+    pub(crate) fn names_of(&self, plane: &Plane) -> (String, String) {
+        let law = self.springs.laws[plane.law].bound.law.name().to_owned();
+        (self.monitors[plane.bearing].name.clone(), law)
     }
 
     /// Place in q from which on coordinates are unknown: the rotations that are given stand before.

@@ -80,8 +80,8 @@ pub struct FacePoint {
 
 /// Computes a law and its derivatives over a row of springs.
 ///
-/// `inputs`: one row of `springs` values an input. `outputs`: for every output o the rows
-/// o, ∂o/∂input₀, ∂o/∂input₁, … of `springs` values each. All SI.
+/// `inputs`: one row of `springs` values an input, then one a state. `outputs`: for every output o, then for the rate of
+/// every state, the rows o, ∂o/∂input₀, ∂o/∂input₁, …, and those by the states, of `springs` values each. All SI.
 pub type LawKernel = fn(springs: usize, inputs: &[f64], outputs: &mut [f64]);
 
 /// A bearing law: named inputs to named outputs with all first derivatives.
@@ -93,12 +93,25 @@ pub struct Law {
     pub inputs: &'static [Variable],
     /// Outputs in kernel order, such as `Q`.
     pub outputs: &'static [Variable],
+    /// What it remembers, in kernel order.
+    pub states: &'static [LawState],
     /// The kernel.
     pub evaluate: LawKernel,
+    /// The energy that is stored (J) over a row of springs, from rows of inputs and states, if the law says so.
+    pub stored: Option<fn(springs: usize, inputs: &[f64], energies: &mut [f64])>,
     /// Where the law may be believed.
     pub valid: &'static [Validity],
-    /// The measures of `valid` over a row of springs: one row an input, one row a measure, SI.
+    /// The measures of `valid` over a row of springs: one row an input, then one a state; one row a measure, SI.
     pub measure: fn(springs: usize, inputs: &[f64], measures: &mut [f64]),
+}
+
+/// A state of a law: a value that changes at a rate of its own.
+#[derive(Debug, Clone, Copy)]
+pub struct LawState {
+    /// What it is.
+    pub variable: Variable,
+    /// The value at which it begins, SI; none where its rate is zero.
+    pub start: Option<f64>,
 }
 
 /// A measure of a law's inputs, and the limits within which the law may be believed.

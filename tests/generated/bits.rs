@@ -13,7 +13,7 @@ use crate::random::Random;
 fn compiled_tape_and_direct_evaluation_agree() {
     let mut random = Random::new(7);
     assert!(!LAWS.is_empty());
-    let mut measured = 0;
+    let (mut measured, mut remembered) = (0, 0);
     for law in LAWS {
         let file = Source::new(law.origin.spec, law.origin.text);
         let table = |name: &str| {
@@ -75,6 +75,22 @@ fn compiled_tape_and_direct_evaluation_agree() {
             measured += law.valid.len();
         }
 
+        let rates: Vec<_> = spec.states.iter().map(|own| own.start).collect();
+        assert_eq!(law.states.iter().map(|own| own.start).collect::<Vec<_>>(), rates);
+        assert_eq!(rows, (law.outputs.len() + rates.len()) * (1 + spec.inputs.len()));
+        let stored = spec.stored_program().expect("a program").map(|own| Tape::new(&own));
+        assert_eq!(law.stored.is_some(), stored.is_some(), "{}", law.origin.name);
+        if let (Some(stored), Some(tape)) = (law.stored, stored) {
+            let mut taped = vec![1.0; springs];
+            tape.evaluate(springs, &inputs, &mut taped, &mut vec![f64::NAN; tape.workspace()]);
+            for registers in Registers::all() {
+                let mut energies = vec![f64::NAN; springs];
+                registers.within(|| stored(springs, &inputs, &mut energies));
+                assert_eq!(bits(&energies), bits(&taped), "what {} stores", law.origin.name);
+            }
+            remembered += rates.len();
+        }
+
         for j in 0..springs {
             let at: Vec<Rounded> =
                 (0..spec.inputs.len()).map(|i| Rounded::new(inputs[i * springs + j])).collect();
@@ -90,4 +106,5 @@ fn compiled_tape_and_direct_evaluation_agree() {
         }
     }
     assert!(measured > 10, "{measured} measures");
+    assert!(remembered > 1, "{remembered} states of laws that store energy");
 }

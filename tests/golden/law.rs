@@ -59,7 +59,9 @@ pub mod example {
                 title: "normal force, positive if it pushes journal and bore apart",
             },
         ],
+        states: &[],
         evaluate,
+        stored: None,
         valid: &[],
         measure: |_, _, _| {},
     };

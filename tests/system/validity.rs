@@ -30,6 +30,7 @@ fn the_reference_system_stays_within_its_films() {
             steady_rule: SteadyRule::default(),
             stop_when_steady: false,
             initial: vec![BodyStart::default()],
+            laws_at_rest: false,
         };
         let mut march = March::new(&machine, &options).unwrap_or_else(|e| panic!("{}", e.error));
         for _ in 0..steps {

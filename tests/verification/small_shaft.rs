@@ -184,5 +184,6 @@ pub(crate) fn options(time_step: f64, steps: usize) -> MarchOptions {
         steady_rule: SteadyRule::default(),
         stop_when_steady: false,
         initial: vec![BodyStart::default()],
+        laws_at_rest: false,
     }
 }

@@ -12,7 +12,16 @@ const Q: Variable = Variable { name: "Q", unit: "N", title: "normal force of one
 const fn law(name: &'static str, source: &'static str, evaluate: whirl_specs::LawKernel) -> Law {
     let title = "Springs for the oil film of a journal bearing, by hand";
     let origin = Origin { name, title, source, spec: "", text: "", hash: "" };
-    Law { origin, inputs: &[H], outputs: &[Q], evaluate, valid: &[], measure: |_, _, _| {} }
+    Law {
+        origin,
+        inputs: &[H],
+        outputs: &[Q],
+        states: &[],
+        evaluate,
+        stored: None,
+        valid: &[],
+        measure: |_, _, _| {},
+    }
 }
 
 /// Q = 233 − 6517 h (N, mm) up to its root, eq. (51).

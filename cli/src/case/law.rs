@@ -91,8 +91,8 @@ impl LawSource {
     /// Names of what the law takes and gives.
     fn names(&self) -> Vec<String> {
         let of = |spec: &LawSpec| {
-            let inputs = spec.inputs.iter().map(|own| own.name.clone());
-            inputs.chain(spec.outputs.iter().map(|own| own.name.clone())).collect()
+            let inputs = spec.taken().iter().map(|own| own.name.clone());
+            inputs.chain(spec.given().iter().map(|own| own.name.clone())).collect()
         };
         match self {
             LawSource::BuiltIn(law) => {

@@ -38,6 +38,9 @@ struct Measures {
     unresolved_motion: f64,
     inertia_error: f64,
     ringing: f64,
+    /// Left out where no law has states.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    state_error: Option<f64>,
     /// Of accepted steps, so that it is never above 1.
     row_error: f64,
 }
@@ -77,6 +80,7 @@ impl VerdictFacts {
                 unresolved_motion: quality.unresolved_motion,
                 inertia_error: quality.inertia_error,
                 ringing: quality.ringing.share,
+                state_error: quality.states.map(|own| own.share),
                 row_error: quality.row_error,
             },
         }

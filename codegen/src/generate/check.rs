@@ -80,8 +80,8 @@ fn names_of_law(law: &LawSpec, clearance: &ClearanceSpec, errors: &mut Diagnosti
         kinds().flat_map(|kind| &kind.inputs).map(|i| (&i.name, &i.unit)).collect();
     let forces: Vec<_> =
         kinds().flat_map(|kind| &kind.forces).map(|f| (&f.name, &f.unit)).collect();
-    let taken = law.inputs.iter().map(|own| (&own.name, own.unit.dimension(), "gives", &inputs));
-    let given = law.outputs.iter().map(|own| (&own.name, own.unit.dimension(), "takes", &forces));
+    let taken = law.taken().iter().map(|own| (&own.name, own.unit.dimension(), "gives", &inputs));
+    let given = law.given().iter().map(|own| (&own.name, own.unit.dimension(), "takes", &forces));
     for (name, dimension, does, known) in taken.chain(given) {
         let path = clearance.file.path.display();
         let found = known.iter().find(|(own, _)| *own == name);

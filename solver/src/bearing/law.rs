@@ -26,7 +26,19 @@ pub trait SpringLaw: Send + Sync {
     fn valid(&self) -> Vec<Validity> {
         Vec::new()
     }
-    /// Computes the measures of [`SpringLaw::valid`]: one row of `springs` values an input, one row a measure, SI.
+    /// What it remembers, in order: its kernel takes them after its inputs, and gives their rates after its outputs.
+    fn states(&self) -> Vec<Remembered> {
+        Vec::new()
+    }
+    /// Whether it says how much energy it stores.
+    fn stores(&self) -> bool {
+        false
+    }
+    /// Computes the energy that is stored (J): one row of `springs` values an input, then one a state. Allocates nothing.
+    fn stored(&self, springs: usize, inputs: &[f64], energies: &mut [f64], workspace: &mut [f64]) {
+        let _ = (springs, inputs, energies, workspace);
+    }
+    /// Computes the measures of [`SpringLaw::valid`]: one row of `springs` values an input, then one a state; one row a measure, SI.
     /// Allocates nothing.
     fn measure(&self, springs: usize, inputs: &[f64], measures: &mut [f64], workspace: &mut [f64]) {
         let _ = (springs, inputs, measures, workspace);
@@ -36,6 +48,17 @@ pub trait SpringLaw: Send + Sync {
     fn over_frequency(&self) -> Option<&FrequencyTable> {
         None
     }
+}
+
+/// A state of a law.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Remembered {
+    /// Name in the spec.
+    pub name: String,
+    /// SI unit.
+    pub unit: String,
+    /// The value at which it begins, SI; none where its rate is zero.
+    pub start: Option<f64>,
 }
 
 /// A measure of a law's inputs, and the limits within which the law may be believed.
@@ -74,6 +97,22 @@ impl SpringLaw for &'static Law {
     fn measure(&self, springs: usize, inputs: &[f64], measures: &mut [f64], _: &mut [f64]) {
         (self.measure)(springs, inputs, measures);
     }
+    fn states(&self) -> Vec<Remembered> {
+        let own = self.states.iter().map(|own| Remembered {
+            name: own.variable.name.to_owned(),
+            unit: own.variable.unit.to_owned(),
+            start: own.start,
+        });
+        own.collect()
+    }
+    fn stores(&self) -> bool {
+        self.stored.is_some()
+    }
+    fn stored(&self, springs: usize, inputs: &[f64], energies: &mut [f64], _: &mut [f64]) {
+        if let Some(stored) = self.stored {
+            stored(springs, inputs, energies);
+        }
+    }
 }
 
 /// A law with its inputs and outputs found by name.
@@ -85,6 +124,8 @@ pub(crate) struct BoundLaw {
     pub(crate) inputs: Vec<usize>,
     /// For every output of the law its place in [`Contact::forces`].
     pub(crate) forces: Vec<usize>,
+    /// What it remembers.
+    pub(crate) states: Vec<Remembered>,
 }
 
 /// What is wrong with a law, and how to fix it.
@@ -189,9 +230,22 @@ impl BoundLaw {
             forces.contains(&0).then_some((kind, inputs, forces))
         });
         match bound {
-            Some((kind, inputs, forces)) => Ok(BoundLaw { inputs, forces, kind, law }),
+            Some((kind, inputs, forces)) => {
+                let states = law.states();
+                Ok(BoundLaw { inputs, forces, states, kind, law })
+            }
             None => Err(mismatch(law.as_ref(), kinds)),
         }
+    }
+
+    /// Rows that its kernel takes: inputs and states.
+    pub(crate) fn rows_in(&self) -> usize {
+        self.inputs.len() + self.states.len()
+    }
+
+    /// Rows that its kernel gives: forces and rates, each before its derivatives.
+    pub(crate) fn rows_out(&self) -> usize {
+        (self.forces.len() + self.states.len()) * (1 + self.rows_in())
     }
 
     /// What the law takes.

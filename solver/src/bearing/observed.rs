@@ -12,7 +12,7 @@ impl SpringState {
         for observed in &measures.observed {
             let law = &springs.laws[observed.law];
             self.gather(law, observed.law);
-            let inputs = &self.memory.inputs[..law.bound.inputs.len() * observed.springs];
+            let inputs = &self.memory.inputs[..law.bound.rows_in() * observed.springs];
             let values = &mut self.monitor.values[..observed.count * observed.springs];
             law.bound.law.measure(observed.springs, inputs, values, &mut self.memory.workspace);
             self.monitor.take(&measures.all, observed, time);

@@ -33,6 +33,17 @@ impl Springs {
         self.laws.iter().map(|law| law.springs).sum()
     }
 
+    /// Number of states of all laws, one a spring each.
+    pub(crate) fn states(&self) -> usize {
+        self.laws.iter().map(|law| law.bound.states.len() * law.springs).sum()
+    }
+
+    /// The first plane whose law has states, among those that are asked for.
+    pub(crate) fn remembering(&self, asked: impl Fn(&Plane) -> bool) -> Option<&Plane> {
+        let states = |plane: &&Plane| !self.laws[plane.law].bound.states.is_empty();
+        self.planes.iter().filter(states).find(|plane| asked(plane))
+    }
+
     /// The bearing of a force among those tested for convergence.
     pub(crate) fn bearing_of(&self, force: usize) -> Option<usize> {
         let mut first = 0;

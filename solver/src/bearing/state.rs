@@ -4,12 +4,15 @@ use whirl_specs::{ContactState, ContactTangent, Ring};
 
 use super::apart::Seen;
 use super::bores::Bores;
+use super::hold::LawStates;
+use super::law_memory::LawMemory;
 use super::mark::Mark;
 use super::mirrors::BlockMemory;
 use super::placed_law::PlacedLaw;
 use super::plane::Plane;
 use super::spin::Spin;
 use super::springs::Springs;
+use super::states::Remembering;
 use super::valid::ValidityMonitor;
 
 /// All springs at one instant. Allocated once, filled at will.
@@ -24,6 +27,8 @@ pub struct SpringState {
     pub(super) rates: bool,
     /// Of every force of every plane the largest and the sum of all, without sign; see [`SpringState::size_forces`].
     pub(super) sizes: Vec<(f64, f64)>,
+    /// What is known of the states of the laws, and memory for finding them.
+    pub(super) remembering: Remembering,
     /// Where the measures are moved from.
     pub(super) mark: Mark,
     /// Whether the laws are used where they may be believed.
@@ -121,8 +126,12 @@ pub(super) struct LawState {
     /// Inputs and further measures.
     pub(super) inputs: Vec<f64>,
     pub(super) forces: Vec<f64>,
-    slopes: Vec<f64>,
+    pub(super) slopes: Vec<f64>,
     pub(super) bore_force: Vec<f64>,
+    /// The states, their rates, and the rate at which each relaxes by itself (1/s): a row of springs a state.
+    pub(super) states: Vec<f64>,
+    pub(super) rates: Vec<f64>,
+    pub(super) relaxes: Vec<f64>,
 }
 
 impl LawState {
@@ -135,6 +144,9 @@ impl LawState {
             forces: row(kind.forces.len()),
             slopes: row(kind.forces.len() * kind.inputs.len()),
             bore_force: row(kind.bore.len()),
+            states: row(law.bound.states.len()),
+            rates: row(law.bound.states.len()),
+            relaxes: row(law.bound.states.len()),
         }
     }
 
@@ -158,34 +170,6 @@ impl LawState {
     }
 }
 
-/// Memory in which any of the laws is evaluated at all its springs.
-pub(super) struct LawMemory {
-    pub(super) inputs: Vec<f64>,
-    outputs: Vec<f64>,
-    pub(super) workspace: Vec<f64>,
-}
-
-impl LawMemory {
-    pub(super) fn new(springs: &Springs) -> Self {
-        let outputs = springs.most(|law| law.bound.forces.len() * (1 + law.bound.inputs.len()));
-        let workspace = springs.laws.iter().map(|law| law.bound.law.workspace()).max();
-        LawMemory {
-            inputs: vec![0.0; springs.most(|law| law.bound.inputs.len())],
-            outputs: vec![0.0; outputs],
-            workspace: vec![0.0; workspace.unwrap_or(0)],
-        }
-    }
-
-    /// What a law gives of the inputs that stand here: a row a force, each before those of its derivatives.
-    pub(super) fn evaluate(&mut self, law: &PlacedLaw) -> &[f64] {
-        let (bound, n) = (&law.bound, law.springs);
-        let inputs = &self.inputs[..bound.inputs.len() * n];
-        let outputs = &mut self.outputs[..bound.forces.len() * (1 + bound.inputs.len()) * n];
-        bound.law.evaluate(n, inputs, outputs, &mut self.workspace);
-        outputs
-    }
-}
-
 /// Rows from the spring at `first` on; nothing of no rows.
 fn from(rows: &[f64], first: usize) -> &[f64] {
     rows.get(first..).unwrap_or_default()
@@ -203,13 +187,21 @@ impl SpringState {
             memory: LawMemory::new(springs),
             rates: springs.needs_rates(),
             sizes: Vec::with_capacity(sizes.sum()),
+            remembering: Remembering::new(springs),
             mark: Mark::new(springs),
             monitor: ValidityMonitor::new(&springs.measures),
         }
     }
 
-    /// Computes everything but the tangent from the machine's motion at time `t` (s).
-    pub(crate) fn update(&mut self, springs: &Springs, t: f64, q: &[f64], v: &[f64]) {
+    /// Computes everything but the tangent from the machine's motion at time `t` (s), and what is known of the laws' states.
+    pub(crate) fn update(
+        &mut self,
+        springs: &Springs,
+        t: f64,
+        [q, v]: [&[f64]; 2],
+        laws: &LawStates,
+    ) {
+        self.remembering.given.copy_from(laws);
         for (plane, own) in springs.planes.iter().zip(&mut self.planes) {
             own.take(plane, t, q, v);
         }
@@ -266,6 +258,12 @@ impl SpringState {
             (law.bound.kind.evaluate)(plane.springs.len(), &state, inputs);
         }
         self.evaluate(law, place);
+        self.push(springs, place);
+    }
+
+    /// What the forces of a law do to its planes and bores.
+    pub(super) fn push(&mut self, springs: &Springs, place: usize) {
+        let law = &springs.laws[place];
         let own = &mut self.laws[place];
         let planes = springs.planes[law.planes.clone()].iter();
         let planes = planes.zip(&mut self.planes[law.planes.clone()]);
@@ -298,6 +296,9 @@ impl SpringState {
 
     /// Evaluates a law at all its springs.
     fn evaluate(&mut self, law: &PlacedLaw, place: usize) {
+        if !law.bound.states.is_empty() {
+            return self.evaluate_remembering(law, place);
+        }
         let (bound, n) = (&law.bound, law.springs);
         self.gather(law, place);
         let own = &mut self.laws[place];
@@ -313,9 +314,10 @@ impl SpringState {
         }
     }
 
-    /// The inputs of a law, one row each.
+    /// The inputs of a law, one row each, then its states.
     pub(super) fn gather(&mut self, law: &PlacedLaw, place: usize) {
-        let (n, own) = (law.springs, &self.laws[place].inputs);
+        let (n, LawState { inputs: own, states, .. }) = (law.springs, &self.laws[place]);
+        self.memory.inputs[law.bound.inputs.len() * n..][..states.len()].copy_from_slice(states);
         for (row, &input) in law.bound.inputs.iter().enumerate() {
             self.memory.inputs[row * n..][..n].copy_from_slice(&own[input * n..][..n]);
         }

@@ -6,10 +6,11 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::law_memory::LawMemory;
 use super::placed_law::PlacedLaw;
 use super::spin::Spin;
 use super::springs::Springs;
-use super::state::{LawMemory, LawState, SpringState};
+use super::state::{LawState, SpringState};
 
 /// Nodes in (0, 1) of Lobatto's rule of five points, exact for polynomials of degree 7, and their weights.
 const NODES: [(f64, f64); 3] = [
@@ -34,6 +35,12 @@ impl SpringWork {
     fn add(&mut self, along: f64, at_rest: f64) {
         self.stored -= at_rest;
         self.dissipated -= along - at_rest;
+    }
+
+    /// Takes for stored what was taken for dissipated.
+    fn store(&mut self, energy: f64) {
+        self.stored += energy;
+        self.dissipated -= energy;
     }
 
     /// Adds the work of another step.
@@ -93,14 +100,18 @@ pub(crate) struct WorkAlong {
 struct LawStart {
     inputs: Vec<f64>,
     forces: Vec<f64>,
+    states: Vec<f64>,
 }
 
 impl WorkAlong {
     /// Starts at a state that was just evaluated.
     pub(crate) fn new(springs: &Springs, state: &SpringState) -> Self {
         let forces = springs.most(|law| law.bound.forces.len());
-        let start =
-            |law: &LawState| LawStart { inputs: law.inputs.clone(), forces: law.forces.clone() };
+        let start = |law: &LawState| LawStart {
+            inputs: law.inputs.clone(),
+            forces: law.forces.clone(),
+            states: law.states.clone(),
+        };
         WorkAlong {
             starts: state.laws.iter().map(start).collect(),
             along: vec![0.0; forces],
@@ -117,6 +128,7 @@ impl WorkAlong {
         for (start, law) in self.starts.iter_mut().zip(&state.laws) {
             start.inputs.copy_from_slice(&law.inputs);
             start.forces.copy_from_slice(&law.forces);
+            start.states.copy_from_slice(&law.states);
         }
         self.spins.iter_mut().zip(&state.planes).for_each(|(spin, own)| *spin = own.spin);
     }
@@ -132,6 +144,9 @@ impl WorkAlong {
                 state.measure_with(springs, place, &self.spins, &mut self.without_spin);
             }
             self.add(springs, place, &state.laws[place], &mut work);
+            if law.bound.law.stores() {
+                work.store(self.gain(law, place, &state.laws[place]));
+            }
         }
         self.flows.iter_mut().for_each(|own| own.flowed = own.flowed.abs());
         work
@@ -167,8 +182,10 @@ impl WorkAlong {
                 let ends = start.inputs[input * n..].iter().zip(&end.inputs[input * n..]);
                 values.iter_mut().zip(ends).for_each(|(v, (a, b))| *v = a + s * (b - a));
             }
-            let forces =
-                memory.evaluate(law).chunks_exact(n.max(1)).step_by(1 + bound.inputs.len());
+            let remembered = &mut memory.inputs[bound.inputs.len() * n..];
+            let ends = start.states.iter().zip(&end.states);
+            remembered.iter_mut().zip(ends).for_each(|(v, (a, b))| *v = a + s * (b - a));
+            let forces = memory.evaluate(law).chunks_exact(n.max(1)).step_by(1 + bound.rows_in());
             for (sums, forces) in sums.chunks_exact_mut(n.max(1)).zip(forces) {
                 sums.iter_mut().zip(forces).for_each(|(sum, force)| *sum += weight * force);
             }
@@ -176,7 +193,10 @@ impl WorkAlong {
         for (s, weight) in NODES {
             add(s, weight, false, &mut self.along);
         }
-        if bound.takes_rates() {
+        if !bound.states.is_empty() {
+            // What a law with states stores, it says itself; the rest is dissipated.
+            self.at_rest.fill(0.0);
+        } else if bound.takes_rates() {
             self.at_rest.fill(0.0);
             for (s, weight) in [(0.0, END), (1.0, END)].into_iter().chain(NODES) {
                 add(s, weight, true, &mut self.at_rest);
@@ -184,6 +204,24 @@ impl WorkAlong {
         } else {
             self.at_rest.copy_from_slice(&self.along);
         }
+    }
+
+    /// By how much the energy that a law stores has grown over the step (J).
+    fn gain(&mut self, law: &PlacedLaw, place: usize, end: &LawState) -> f64 {
+        let (bound, n, start) = (&law.bound, law.springs, &self.starts[place]);
+        let memory = &mut self.memory;
+        let mut energy = |inputs: &[f64], states: &[f64]| -> f64 {
+            for (row, &input) in bound.inputs.iter().enumerate() {
+                memory.inputs[row * n..][..n].copy_from_slice(&inputs[input * n..][..n]);
+            }
+            memory.inputs[bound.inputs.len() * n..][..states.len()].copy_from_slice(states);
+            let given = &memory.inputs[..bound.rows_in() * n];
+            let energies = &mut memory.outputs[..n];
+            bound.law.stored(n, given, energies, &mut memory.workspace);
+            energies.iter().sum()
+        };
+        let before = energy(&start.inputs, &start.states);
+        energy(&end.inputs, &end.states) - before
     }
 
     /// Adds the work of a law, spring by spring: its mean forces times what their measures changed. What its forces

@@ -43,7 +43,7 @@ impl Contacts {
         if free.is_empty() {
             return false;
         }
-        springs.update(all, t, &start.q, &start.v);
+        springs.update(all, t, [&start.q, &start.v], &start.laws);
         free.retain(|at| springs.forces[*at] == 0.0);
         PLACES.iter().any(|&s| {
             let moved = s * s * (3.0 - 2.0 * s);
@@ -56,7 +56,7 @@ impl Contacts {
                     start.q[i] + moved * whole + by_start * start.v[i] + by_end * end.v[i];
                 within.v[i] = rate * whole + rate_of_start * start.v[i] + rate_of_end * end.v[i];
             }
-            springs.update(all, t + s * dt, &within.q, &within.v);
+            springs.update(all, t + s * dt, [&within.q, &within.v], &end.laws);
             free.iter().any(|at| springs.forces[*at] != 0.0)
         })
     }

@@ -122,6 +122,11 @@ pub(super) struct Measured<'m> {
 }
 
 impl StepControl {
+    /// Local error that a part may have.
+    pub(super) fn tolerance(&self) -> f64 {
+        self.options.tolerance
+    }
+
     /// Of steps of `dt` s of a machine that stands at some displacements, of its parts and of the turns behind them, and has so
     /// many bearings. The first parts are the shortest: over one that is far longer than what acts both errors may be none by
     /// chance.

@@ -188,6 +188,7 @@ impl March<'_> {
     fn begin_cut(&mut self) {
         if !self.integrator.is_direct() {
             self.state.lag.fill(0.0);
+            self.state.laws.lag.fill(0.0);
             self.newton.forget_factors();
             self.integrator = Integrator::default();
         }

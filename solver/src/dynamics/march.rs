@@ -19,7 +19,7 @@ use super::row::{displacements, write_row};
 use super::settled::settled_from;
 use super::steady::{SteadyRule, SteadyState, SteadyTest};
 use super::strides::{MOST_SPLITS, SHELVES, most_halvings};
-use crate::bearing::Worst;
+use crate::bearing::{Hold, LawStates, Worst};
 use crate::equations::Equations;
 use crate::equations::State;
 use crate::error::Error;
@@ -49,6 +49,8 @@ pub struct MarchOptions {
     pub stop_when_steady: bool,
     /// How the bodies begin, in their order; those that are missing begin at rest.
     pub initial: Vec<BodyStart>,
+    /// Whether all states of laws begin where their rates are zero, whatever the laws say.
+    pub laws_at_rest: bool,
 }
 
 impl MarchOptions {
@@ -200,6 +202,10 @@ impl<'m> March<'m> {
             start.write(place, &mut state);
         }
         machine.set_given(0.0, false, [&mut state.q, &mut state.v, &mut state.a]);
+        state.laws = LawStates::beginning(machine.springs.states());
+        if options.laws_at_rest {
+            state.laws.hold = Hold::Rest;
+        }
         let released = machine.loads.iter().map(|load| {
             let theta = machine.places()[load.body].rotation;
             theta.is_some_and(|theta| load.reaches(state.v[theta]))
@@ -231,10 +237,14 @@ impl<'m> March<'m> {
         equations.released = released;
         match accelerated {
             true => accelerate(&mut equations, time, &mut state)?,
-            false => equations.evaluate(time, &state),
+            false => {
+                equations.evaluate(time, &state);
+                equations.springs.keep_states(&mut state.laws);
+            }
         }
         if options.integrator.is_direct() {
             state.lag.fill(0.0);
+            state.laws.lag.fill(0.0);
         }
         let length = (options.time_step, options.automatic);
         let meters = Meters::new(&mut equations, options.integrator, length, &state)?;
@@ -258,7 +268,7 @@ impl<'m> March<'m> {
             equations,
             // Steps are halved, and split where loads end or rows are hidden.
             starts: vec![
-                State::new(size);
+                State { laws: state.laws.clone(), ..State::new(size) };
                 MOST_SPLITS + halvings as usize + 2 + machine.loads.len()
             ],
             state,
@@ -496,5 +506,6 @@ pub(super) fn accelerate(
         }
     }
     equations.evaluate(t, state);
+    equations.springs.keep_states(&mut state.laws);
     Ok(())
 }

@@ -7,8 +7,9 @@ use super::control::{AutomaticStep, ControlMemory, Measured, PartsTaken, StepCon
 use super::energy::{EnergyBalance, EnergyMeter, EnergySums, rounding};
 use super::newmark::Integrator;
 use super::periods::{FewestSteps, PeriodMeter};
-use super::quality::{Quality, QualityMeter, QualitySums, StepLength};
+use super::quality::{Quality, QualityMeter, QualitySums, StepLength, larger};
 use super::ringing::{RingingMeter, RingingSums};
+use super::state_errors::{StateMeter, StateSums};
 use crate::equations::Equations;
 use crate::equations::State;
 use crate::error::Error;
@@ -18,6 +19,7 @@ pub(crate) struct Meters {
     energy: EnergyMeter,
     quality: QualityMeter,
     ringing: RingingMeter,
+    states: StateMeter,
     /// Chooses the parts of steps, where the march does.
     control: Option<StepControl>,
     contacts: Contacts,
@@ -35,6 +37,7 @@ pub(crate) struct MeterSums {
     energy: EnergySums,
     quality: QualitySums,
     ringing: RingingSums,
+    states: StateSums,
     control: Option<ControlMemory>,
     fewest_steps: Option<FewestSteps>,
 }
@@ -69,6 +72,7 @@ impl Meters {
         Ok(Meters {
             energy: EnergyMeter::new(equations, state),
             ringing: RingingMeter::new(equations, &quality.parts, method.damps()),
+            states: StateMeter::new(&equations.machine.springs, method, state),
             errors: vec![0.0; displacements.len()],
             kinetic: vec![0.0; bearings],
             control: automatic
@@ -94,6 +98,8 @@ impl Meters {
         }
         self.quality.errors(dt, start, end, &mut self.errors);
         let judged = self.measured(equations, [start, end], StepControl::judge).unwrap_or(0.0);
+        let tolerance = self.control.as_ref().map_or(1.0, StepControl::tolerance);
+        let judged = larger(judged, self.states.judge(dt, [start, end]) / tolerance);
         let hides = judged <= 1.0
             && (self.periods.excess([start, end]) > 1.0
                 || self.contacts.are_within(equations, (t, dt), [start, end]));
@@ -190,11 +196,13 @@ impl Meters {
         self.quality.add(equations, span, [start, end], (self.energy.flows(), row_error));
         self.periods.add(span.1, [start, end]);
         self.ringing.add(equations, end, &self.quality.parts);
+        self.states.add(span.1, [start, end], equations.springs.fastest_state());
     }
 
     /// Goes on at the state of the step that was added last, just evaluated, after loads have changed at once.
     pub(crate) fn jump(&mut self, equations: &Equations) {
         self.energy.jump(equations);
+        self.states.jump();
     }
 
     /// What was measured so far.
@@ -203,6 +211,7 @@ impl Meters {
             energy: self.energy.sums.clone(),
             quality: self.quality.sums.clone(),
             ringing: self.ringing.sums.clone(),
+            states: self.states.sums.clone(),
             control: self.control.as_ref().map(|own| own.memory.with_turns(&self.quality.turned)),
             fewest_steps: self.periods.fewest,
         }
@@ -220,6 +229,7 @@ impl Meters {
         self.energy.resume_from(equations, sums.energy);
         self.periods.fewest = sums.fewest_steps;
         self.ringing.sums = sums.ringing;
+        self.states.sums = sums.states;
         self.resume_control(sums.control);
         self.quality.resume_from(equations, sums.quality)
     }
@@ -248,6 +258,7 @@ impl Meters {
     pub(crate) fn quality(&mut self, equations: &mut Equations, unknown: f64) -> Quality {
         let quality = self.quality.quality(equations, &self.energy.sums.flows, unknown);
         let ringing = self.ringing.ringing(&self.quality.parts);
-        Quality { fewest_steps: self.periods.fewest, ringing, ..quality }
+        let states = self.states.worst();
+        Quality { fewest_steps: self.periods.fewest, ringing, states, ..quality }
     }
 }

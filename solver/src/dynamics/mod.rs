@@ -40,6 +40,7 @@ mod secants;
 mod settled;
 #[cfg(test)]
 mod small;
+mod state_errors;
 mod steady;
 mod stiffest;
 mod strides;
@@ -63,6 +64,7 @@ pub use quality::{MovingPart, Quality};
 pub use restart::LastState;
 pub use ringing::{Ringing, RingingPart};
 pub(crate) use settled::settled_from;
+pub use state_errors::StateError;
 pub use steady::{SteadyRule, SteadyState};
 pub use tell::{Acceleration, Amplitude};
 pub use verdict::{Finding, findings};

@@ -6,6 +6,7 @@
 //! acts at the end is what balances there. Of a, (a − q̈)/Δt is kept: it is (α_m − α_f) times the rate of q̈ whatever Δt, so that
 //! steps may change.
 
+use crate::bearing::{Hold, LawStates};
 use crate::equations::{State, Weights};
 use crate::linalg::widely;
 
@@ -104,6 +105,7 @@ impl Coefficients {
     /// The end of the step if the accelerations that are integrated stay as they are: q_n + Δt q̇_n + ½ Δt² a_n, q̇_n + Δt a_n,
     /// and the q̈ that goes with them, in Newmark's method q̈_n.
     pub(crate) fn predict(&self, start: &State, end: &mut State) {
+        self.foresee(&start.laws, &mut end.laws);
         let (dt, n) = (self.dt, start.q.len());
         if !self.integrator.is_direct() {
             let rest = dt / (1.0 - self.integrator.alpha_f);
@@ -151,13 +153,62 @@ impl Coefficients {
     }
 }
 
+impl Integrator {
+    /// δ_m and δ_f, by which the rates w of states that are integrated go with ṡ: (1 − δ_m) w_{n+1} + δ_m w_n =
+    /// (1 − δ_f) ṡ_{n+1} + δ_f ṡ_n (Brüls and Golinval, 2006); zero in Newmark's method.
+    fn of_states(&self) -> [f64; 2] {
+        if self.is_direct() { [0.0; 2] } else { [2.0 * self.alpha_f - 0.5, self.alpha_f] }
+    }
+
+    /// θ of s_{n+1} = s_n + Δt ((1 − θ) w_n + θ w_{n+1}): γ in Newmark's method, ½ + δ_f − δ_m in generalized-α.
+    fn theta(&self) -> f64 {
+        let [carried, of_rates] = self.of_states();
+        if self.is_direct() { self.newmark.gamma } else { 0.5 + of_rates - carried }
+    }
+
+    /// What a step misses of a state: the first times Δt² s̈, which is none of the methods of second order, and the second times
+    /// Δt³ d³s/dt³. With w = ṡ + LΔt s̈ + MΔt² d³s/dt³, L = δ_m − δ_f and M = L (δ_m − ½), they are θ + L − ½ and
+    /// θ (½ + L) + M − 1/6.
+    pub(super) fn missed_of_states(&self) -> [f64; 2] {
+        let ([carried, of_rates], theta) = (self.of_states(), self.theta());
+        let apart = carried - of_rates;
+        let second = (theta + apart - 0.5).abs();
+        let third = theta * (0.5 + apart) + apart * (carried - 0.5) - 1.0 / 6.0;
+        [if second < f64::EPSILON { 0.0 } else { second }, third.abs()]
+    }
+}
+
 impl Coefficients {
+    /// Takes over of the states of laws what is known of them at the end of the step: s_{n+1} = s_n + Δt ((1 − θ) w_n + θ w_{n+1}) is
+    /// that and a share of ṡ_{n+1}.
+    fn foresee(&self, start: &LawStates, end: &mut LawStates) {
+        end.copy_from(start);
+        if start.known.is_empty() {
+            return;
+        }
+        let (dt, [carried, of_rates]) = (self.dt, self.integrator.of_states());
+        let theta = self.integrator.theta();
+        for i in 0..end.known.len() {
+            let (rate, w) = (start.rates[i], start.rates[i] + dt * start.lag[i]);
+            let known = (of_rates * rate - carried * w) / (1.0 - carried);
+            end.known[i] = start.known[i] + dt * ((1.0 - theta) * w + theta * known);
+        }
+        end.hold = Hold::Implicit(dt * theta * ((1.0 - of_rates) / (1.0 - carried)));
+    }
+
     /// Takes what the method carries on to the next step, of the coordinates from `first` on, where a step from `start` has
     /// ended.
     pub(crate) fn end(&self, start: &State, first: usize, end: &mut State) {
         let Integrator { alpha_m, alpha_f, .. } = self.integrator;
         if self.integrator.is_direct() {
             return;
+        }
+        let [carried, of_rates] = self.integrator.of_states();
+        let (before, after) = (&start.laws, &mut end.laws);
+        for i in 0..after.lag.len() {
+            let rate = (after.rates[i] - before.rates[i]) / self.dt;
+            after.lag[i] =
+                ((carried - of_rates) * rate - carried * before.lag[i]) / (1.0 - carried);
         }
         for i in first..end.lag.len() {
             let rate = (end.a[i] - start.a[i]) / self.dt;
@@ -176,7 +227,7 @@ mod tests {
         let Newmark { gamma, beta } = method;
         let step = Coefficients::new(method, dt);
         let start =
-            State { q: vec![1.0, -2.0], v: vec![3.0, 0.5], a: vec![-7.0, 40.0], lag: vec![0.0; 2] };
+            State { q: vec![1.0, -2.0], v: vec![3.0, 0.5], a: vec![-7.0, 40.0], ..State::new(2) };
         let (mut predicted, mut end) = (State::new(2), State::new(2));
         step.predict(&start, &mut predicted);
         end.copy_from(&predicted);
@@ -205,6 +256,7 @@ mod tests {
                 v: vec![0.0, 3.0, 0.5],
                 a: vec![0.0, -7.0, 40.0],
                 lag: vec![0.0, 500.0, -30.0],
+                ..State::new(3)
             };
             let (mut predicted, mut end) = (State::new(3), State::new(3));
             step.predict(&start, &mut predicted);

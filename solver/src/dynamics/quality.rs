@@ -13,6 +13,7 @@ use super::periods::FewestSteps;
 use super::ringing::Ringing;
 use super::sampled::PartSums;
 use super::sampling::is_sampled;
+use super::state_errors::StateError;
 use super::stiffest::largest_eigenvalue;
 use super::turns::{TurnRange, TurnSums};
 use super::windows::Windows;
@@ -62,6 +63,8 @@ pub struct Quality {
     pub sensible_displacement: f64,
     /// What changes its sign from step to step.
     pub ringing: Ringing,
+    /// The worst local error of the states of laws; none without states.
+    pub states: Option<StateError>,
     /// Largest residual of a row over what it may have; see `Equations::row_error`.
     pub row_error: f64,
     /// Steps that had to be halved, as they could not be solved.
@@ -387,6 +390,7 @@ impl QualityMeter {
             farthest: farthest.map(|(_, part): (_, &Part)| part.body),
             sensible_displacement: largest_sensible(equations.machine),
             ringing: Ringing::default(),
+            states: None,
             row_error: sums.row_error,
             halved: HalvedSteps::default(),
             resolving_step: largest.map(|value| IMPACT / value.sqrt()),

@@ -35,6 +35,7 @@ impl March<'_> {
         step.predict(start, &mut self.state);
         self.set_given(t + dt, self.equations.before);
         let report = self.newton.solve(&mut self.equations, t + dt, &step, &mut self.state);
+        self.equations.springs.keep_states(&mut self.state.laws);
         step.end(start, self.machine.first_unknown(), &mut self.state);
         self.last_iterations += report.iterations;
         report

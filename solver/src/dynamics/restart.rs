@@ -4,12 +4,15 @@
 //! accelerations and the factors that Newton's method kept. Where anything does, accelerations follow from the forces that
 //! act now. Time and angles go on; energies, the steady state and what is measured of steps and laws count anew.
 
+use std::ops::Range;
+
 use serde::{Deserialize, Serialize};
 
 use super::checkpoint::{Checkpoint, Clock};
 use super::control::ControlMemory;
 use super::march::{March, MarchOptions};
 use super::newton::NewtonState;
+use crate::bearing::{Hold, LawStates};
 use crate::cache::Key;
 use crate::centre_of_mass::CentreOfMass;
 use crate::equations::Equations;
@@ -42,6 +45,16 @@ pub struct LastState {
     newton: NewtonState,
     /// What was remembered of the parts of steps, where the march chose them.
     control: Option<ControlMemory>,
+    /// The states of laws, where there are any.
+    remembered: Vec<LastLaw>,
+}
+
+/// The states of a law: known, rates and lag of [`LawStates`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct LastLaw {
+    /// Where it acts, and what its states are called.
+    content: Key,
+    states: [Vec<f64>; 3],
 }
 
 /// A body of it.
@@ -74,6 +87,7 @@ impl LastState {
                     v: part(&state.v),
                     a: part(&state.a),
                     lag: part(&state.lag),
+                    laws: LawStates::default(),
                 },
             }
         });
@@ -87,6 +101,7 @@ impl LastState {
             acting: acting(machine, evaluated, &state, (&released, &told)),
             newton,
             control: meters.control().map(ControlMemory::counted_anew),
+            remembered: remembered(machine, &state.laws),
         }
     }
 
@@ -124,7 +139,7 @@ impl LastState {
                 differ.push(format!("`{name}` is another one"));
                 continue;
             }
-            let State { q, v, a, lag } = &own.flexible;
+            let State { q, v, a, lag, laws: _ } = &own.flexible;
             let all =
                 [(&mut state.q, q), (&mut state.v, v), (&mut state.a, a), (&mut state.lag, lag)];
             all.into_iter().for_each(|(all, own)| all[place.flexible.clone()].copy_from_slice(own));
@@ -136,7 +151,25 @@ impl LastState {
         let is_gone = |own: &&LastBody| machine.bodies.iter().all(|body| body.name() != own.name);
         let gone = self.bodies.iter().filter(is_gone);
         differ.extend(gone.map(|own| format!("its body `{}` is missing", own.name)));
+        self.remember(machine, &mut state.laws);
         if differ.is_empty() { Ok(state) } else { Err(Error::OtherBodies(differ)) }
+    }
+
+    /// The states of laws, which go on where all laws with states act where they did and have the same ones; else they begin anew.
+    fn remember(&self, machine: &Machine, laws: &mut LawStates) {
+        *laws = LawStates::beginning(machine.springs.states());
+        let own = placed_states(machine);
+        let is_known = own.iter().map(|(content, _)| content);
+        if own.is_empty() || !is_known.eq(self.remembered.iter().map(|law| &law.content)) {
+            return;
+        }
+        for ((_, place), law) in own.into_iter().zip(&self.remembered) {
+            let all = [&mut laws.known, &mut laws.rates, &mut laws.lag];
+            for (all, own) in all.into_iter().zip(&law.states) {
+                all[place.clone()].copy_from_slice(own);
+            }
+        }
+        laws.hold = Hold::Implicit(0.0);
     }
 
     /// Whether rotations that are prescribed go on from the state.
@@ -243,6 +276,33 @@ fn content(body: &Body) -> Key {
             Key::of(&(coordinates, stiffness, mass, node))
         }
     }
+}
+
+/// By laws with states what these are, and their places among all states.
+fn placed_states(machine: &Machine) -> Vec<(Key, Range<usize>)> {
+    let springs = &machine.springs;
+    let mut first = 0;
+    let mut all = Vec::new();
+    for law in springs.laws.iter().filter(|law| !law.bound.states.is_empty()) {
+        let joints: Vec<&str> = springs.planes[law.planes.clone()]
+            .iter()
+            .map(|plane| machine.monitors[plane.bearing].name.as_str())
+            .collect();
+        let states: Vec<&str> = law.bound.states.iter().map(|own| own.name.as_str()).collect();
+        let place = first..first + law.springs * states.len();
+        first = place.end;
+        all.push((Key::of(&(joints, states, law.springs)), place));
+    }
+    all
+}
+
+/// The states of laws after a step.
+fn remembered(machine: &Machine, laws: &LawStates) -> Vec<LastLaw> {
+    let own = placed_states(machine).into_iter().map(|(content, place)| LastLaw {
+        content,
+        states: [&laws.known, &laws.rates, &laws.lag].map(|all| all[place.clone()].to_vec()),
+    });
+    own.collect()
 }
 
 /// Each load by what it is, of bodies by name: their order is no matter.

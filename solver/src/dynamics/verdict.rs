@@ -6,6 +6,7 @@ use super::halvings::{HalvedAt, HalvedSteps};
 use super::periods::{FewestSteps, LEAST_STEPS};
 use super::quality::{MovingPart, Quality};
 use super::ringing::{Ringing, RingingPart};
+use super::state_errors::StateError;
 
 /// Something that was measured and is beyond its limit.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,6 +44,8 @@ const UNRESOLVED_MOTION: f64 = 0.3;
 const INERTIA_ERROR: f64 = 0.02;
 /// Amplitude of what alternates from step to step, as a fraction of the range of the same quantity: peaks are off by so much.
 pub(super) const RINGING: f64 = 0.02;
+/// A rate times the step in which a state that comes to rest by it is followed.
+const FOLLOWED: f64 = 0.3;
 /// What does not balance, as a fraction of the energy in play.
 const ENERGY_ERROR: f64 = 0.05;
 
@@ -138,7 +141,8 @@ pub fn findings(
     let often = halved(quality, (time_step, automatic)).into_iter();
     let too_fast = outrun(quality, time_step, automatic.is_some());
     let rings = rings(&quality.ringing, time_step, automatic);
-    let of_steps = found.map(finding).chain(unjudged);
+    let forgets = quality.states.and_then(|own| missed(&own, time_step, automatic));
+    let of_steps = found.map(finding).chain(unjudged).chain(forgets);
     too_far.chain(too_fast).chain(of_steps).chain(rings).chain(often).collect()
 }
 
@@ -179,6 +183,44 @@ fn rings(ringing: &Ringing, time_step: f64, automatic: Option<AutomaticStep>) ->
                 "set `integrator = \"generalized-alpha\"` in [march], which damps motion far faster than the step, \
                  or {shorter}"
             ),
+        },
+    })
+}
+
+/// Whether steps miss what the states of laws do.
+fn missed(
+    states: &StateError,
+    time_step: f64,
+    automatic: Option<AutomaticStep>,
+) -> Option<Finding> {
+    let StateError { share, bearing, fastest } = *states;
+    if share <= LOCAL_ERROR {
+        return None;
+    }
+    let factor = (LOCAL_ERROR / share).cbrt();
+    let factor = if factor.is_nan() { 0.1 } else { factor.clamp(0.1, 0.5) };
+    let by_rate = if fastest > 0.0 { FOLLOWED / fastest } else { f64::INFINITY };
+    let step = (factor * time_step).min(by_rate.max(0.1 * time_step));
+    // What comes to rest within half a step alternates in it.
+    let alternates = fastest * time_step > 2.0;
+    let shorter = automatic.map_or_else(|| shorter(step), narrower);
+    Some(Finding {
+        what: format!(
+            "local error of a state of a law that one step in twenty exceeds, as a fraction of its range; the fastest \
+             comes to rest by itself at {} 1/s",
+            whirl_text::shown(fastest, 3, 1e-3..1e7)
+        ),
+        bearing: Some(bearing),
+        part: None,
+        coordinate: None,
+        value: share,
+        limit: LOCAL_ERROR,
+        unit: "1".to_owned(),
+        remedy: match alternates {
+            true => format!(
+                "set `integrator = \"generalized-alpha\"` in [march], which damps what is far faster than the step, or {shorter}"
+            ),
+            false => shorter,
         },
     })
 }

@@ -1,6 +1,7 @@
 //! The equations of the machine at one instant: the residual
 //! r = Q_v − M q̈ + Q_e + Q_s − C q̇ − K q and its derivatives.
 
+mod remembered;
 mod spring_tangent;
 mod state;
 mod turning;
@@ -160,7 +161,7 @@ impl<'m> Equations<'m> {
             load.add_force((amplitude, *factor), &position, &state.q, place, &mut self.load);
         }
 
-        self.springs.update(&machine.springs, t, &state.q, &state.v);
+        self.springs.update(&machine.springs, t, [&state.q, &state.v], &state.laws);
         self.spring.fill(0.0);
         self.springs.add_forces(&machine.springs, &mut self.spring);
 

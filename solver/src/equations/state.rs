@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::bearing::LawStates;
+
 /// What C and M weigh in a tangent, K having the weight 1: those of Newmark's method are a1 and a2, eq. (46).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Weights {
@@ -27,20 +29,23 @@ pub struct State {
     pub a: Vec<f64>,
     /// (a − q̈)/Δt, by which what is integrated differs from q̈; zero in Newmark's method.
     pub lag: Vec<f64>,
+    /// The states of the laws.
+    pub laws: LawStates,
 }
 
 impl State {
-    /// All zeros.
+    /// All zeros, the laws at rest.
     pub fn new(size: usize) -> Self {
         let values = || vec![0.0; size];
-        State { q: values(), v: values(), a: values(), lag: values() }
+        State { q: values(), v: values(), a: values(), lag: values(), laws: LawStates::default() }
     }
 
-    /// Takes over the first coordinates only, which no correction moves.
+    /// Takes over what no correction moves: the first coordinates, and what is known of the laws.
     pub(crate) fn copy_first(&mut self, first: usize, other: &State) {
         self.q[..first].copy_from_slice(&other.q[..first]);
         self.v[..first].copy_from_slice(&other.v[..first]);
         self.a[..first].copy_from_slice(&other.a[..first]);
+        self.laws.copy_from(&other.laws);
     }
 
     /// The accelerations from the coordinate `first` on that steps of `dt` s integrate: those of Newmark's method are q̈.
@@ -53,5 +58,6 @@ impl State {
         self.v.copy_from_slice(&other.v);
         self.a.copy_from_slice(&other.a);
         self.lag.copy_from_slice(&other.lag);
+        self.laws.copy_from(&other.laws);
     }
 }

@@ -38,7 +38,7 @@ pub use product::{
     congruence, congruence_diagonal, multiply, multiply_add, multiply_transpose_add,
     transpose_multiply,
 };
-pub(crate) use quadratic::{QuadraticPair, quadratic_eigen};
+pub(crate) use quadratic::{FirstOrder, QuadraticPair, quadratic_eigen, quadratic_eigen_with};
 pub(crate) use rough_inverse::RoughInverse;
 pub use sparse::{Inertia, SparseCholesky, SparseLdlt};
 pub(crate) use sums::{largest_and_sum, sum_of};

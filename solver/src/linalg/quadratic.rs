@@ -4,7 +4,7 @@ use num_complex::Complex64;
 
 use super::{
     LinearAlgebraError, Matrix, congruence, generalised_symmetric_eigen, multiply, on_one_thread,
-    view,
+    transpose_multiply, view,
 };
 
 /// ω below this share of the largest one stand for it where speeds are scaled by it.
@@ -17,6 +17,53 @@ pub(crate) struct QuadraticPair {
     pub(crate) value: Complex64,
     /// x, a value a coordinate.
     pub(crate) vector: Vec<Complex64>,
+}
+
+/// What hangs on x by rates of its own: ṡ = A s + B x + D ẋ, with the forces P s on x.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct FirstOrder {
+    /// A, m × m.
+    pub(crate) rates: Matrix,
+    /// B and D, m × n.
+    pub(crate) by_position: Matrix,
+    pub(crate) by_rate: Matrix,
+    /// P, n × m.
+    pub(crate) forces: Matrix,
+}
+
+impl FirstOrder {
+    /// Of x = T y.
+    pub(crate) fn in_basis(&self, basis: &Matrix) -> FirstOrder {
+        let [by_position, by_rate] =
+            [&self.by_position, &self.by_rate].map(|own| multiply(own.view(), basis.view()));
+        let forces = transpose_multiply(basis.view(), self.forces.view());
+        FirstOrder { rates: self.rates.clone(), by_position, by_rate, forces }
+    }
+
+    /// By s in units in which what goes in is as large as what goes out.
+    fn balanced(mut self) -> FirstOrder {
+        let (m, n) = (self.rates.rows, self.forces.rows);
+        let size = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(0.0, f64::max);
+        for k in 0..m {
+            let of = [&self.by_position, &self.by_rate];
+            let inward = size(&mut of.into_iter().flat_map(|own| (0..n).map(move |j| own[(k, j)])));
+            let outward = size(&mut self.forces.col(k).iter().copied());
+            let unit = (inward / outward).sqrt();
+            if !(unit > 0.0 && unit.is_finite()) {
+                continue;
+            }
+            for j in 0..n {
+                self.by_position[(k, j)] /= unit;
+                self.by_rate[(k, j)] /= unit;
+            }
+            for j in 0..m {
+                self.rates[(k, j)] /= unit;
+                self.rates[(j, k)] *= unit;
+            }
+            self.forces.col_mut(k).iter_mut().for_each(|own| *own *= unit);
+        }
+        self
+    }
 }
 
 /// All pairs with Im λ ≥ 0, real ones as they come, of M symmetric and positive definite, C and K of any kind; the largest
@@ -33,6 +80,19 @@ pub(crate) fn quadratic_eigen(
     damping: &Matrix,
     stiffness: &Matrix,
 ) -> Result<(Vec<QuadraticPair>, f64), LinearAlgebraError> {
+    quadratic_eigen_with(mass, damping, stiffness, None)
+}
+
+/// The same with what hangs on x by rates of its own beside it, whose own motions are among the pairs.
+///
+/// # Errors
+/// As [`quadratic_eigen`].
+pub(crate) fn quadratic_eigen_with(
+    mass: &Matrix,
+    damping: &Matrix,
+    stiffness: &Matrix,
+    beside: Option<&FirstOrder>,
+) -> Result<(Vec<QuadraticPair>, f64), LinearAlgebraError> {
     let n = mass.rows;
     if n == 0 {
         return Ok((Vec::new(), 0.0));
@@ -43,7 +103,26 @@ pub(crate) fn quadratic_eigen(
     let speeds: Vec<f64> =
         eigen.values.iter().map(|square| square.abs().sqrt().max(SLOWEST * scale)).collect();
     let [damping, stiffness] = [damping, stiffness].map(|own| congruence(own, &eigen.vectors));
-    let rates = Matrix::from_fn(2 * n, 2 * n, |i, j| {
+    // In x = V u, with u = W⁻¹ y.
+    let beside = beside.map(|own| {
+        let mut own = own.in_basis(&eigen.vectors);
+        for j in 0..n {
+            own.by_position.col_mut(j).iter_mut().for_each(|entry| *entry /= speeds[j]);
+        }
+        own.balanced()
+    });
+    let m = beside.as_ref().map_or(0, |own| own.rates.rows);
+    let rates = Matrix::from_fn(2 * n + m, 2 * n + m, |i, j| {
+        if let (Some(own), true) = (&beside, i >= 2 * n || j >= 2 * n) {
+            let entry = match (i.checked_sub(2 * n), j.checked_sub(2 * n)) {
+                (Some(k), Some(l)) => own.rates[(k, l)],
+                (Some(k), None) if j < n => own.by_rate[(k, j)],
+                (Some(k), None) => own.by_position[(k, j - n)],
+                (None, Some(l)) if i < n => own.forces[(i, l)],
+                _ => 0.0,
+            };
+            return entry / scale;
+        }
         let entry = match (i.checked_sub(n), j.checked_sub(n)) {
             (None, None) => -damping[(i, j)],
             (None, Some(k)) => -stiffness[(i, k)] / speeds[k],
@@ -57,9 +136,10 @@ pub(crate) fn quadratic_eigen(
         return Err(failure);
     }
     on_one_thread();
-    let found = view(2 * n, 2 * n, &rates.data).eigen().map_err(|_| failure)?;
+    let size = 2 * n + m;
+    let found = view(size, size, &rates.data).eigen().map_err(|_| failure)?;
     let (values, vectors) = (found.S().column_vector(), found.U());
-    let upper: Vec<usize> = (0..2 * n).filter(|&k| values[k].im >= 0.0).collect();
+    let upper: Vec<usize> = (0..size).filter(|&k| values[k].im >= 0.0).collect();
     // u = W⁻¹ y, both parts side by side.
     let parts = Matrix {
         rows: n,

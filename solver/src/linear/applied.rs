@@ -113,8 +113,9 @@ impl LinearMachine {
             let own = [0, 1].map(|axis| centre.node.shapes[(axis, place)]);
             *sum += centre.mass * dot(&own, &acceleration);
         }
+        let held = equations.at_frequency(0.0);
         let matrix: Vec<Complex64> =
-            equations.stiffness.data.iter().map(|own| Complex64::from(*own)).collect();
+            held.stiffness.data.iter().map(|own| Complex64::from(*own)).collect();
         let moved = solve_complex(size, &matrix, &force)?;
         let joints = self.coefficients(at);
         let points = self.points();

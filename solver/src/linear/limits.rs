@@ -64,7 +64,8 @@ impl LinearMachine {
     pub(super) fn unbelieved(&self, at: &Standstill) -> Vec<(String, Measure, f64)> {
         let machine = self.machine_of(at);
         let mut state = SpringState::new(&machine.springs);
-        state.update(&machine.springs, 0.0, &at.found.state.q, &at.found.state.v);
+        let found = &at.found.state;
+        state.update(&machine.springs, 0.0, [&found.q, &found.v], &found.laws);
         state.observe(&machine.springs, 0.0);
         let measures = machine.springs.measures().iter().zip(state.worst());
         let beyond = measures.filter_map(|(measure, worst)| {
@@ -92,7 +93,8 @@ impl<'m> Probe<'m> {
     fn new(machine: &'m Machine, at: &Standstill) -> Self {
         let springs = &machine.springs;
         let mut state = SpringState::new(springs);
-        state.update(springs, 0.0, &at.found.state.q, &at.found.state.v);
+        let found = &at.found.state;
+        state.update(springs, 0.0, [&found.q, &found.v], &found.laws);
         let tangent = springs.planes.iter().map(|plane| {
             ContactTangent::new(plane.springs.len(), springs.laws[plane.law].motions.len())
         });

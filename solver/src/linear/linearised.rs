@@ -3,10 +3,11 @@
 use std::borrow::Cow;
 
 use super::dependent::Dependent;
+use super::first_order;
 use super::round::LinearMachine;
 use crate::dynamics::{Standing, standing_at};
 use crate::error::Error;
-use crate::linalg::{Matrix, Periodic};
+use crate::linalg::{FirstOrder, Matrix, Periodic};
 use crate::machine::Machine;
 
 /// A state in which the machine stands at constant speeds, with the equations of small motions about it.
@@ -48,22 +49,27 @@ pub struct Linearised {
     pub(crate) varying: Option<Periodic>,
     /// Joints whose coefficients depend on the frequency; C′ and K′ have those of what stands still.
     pub(crate) dependent: Vec<Dependent>,
+    /// States of laws; C′ and K′ have them stand still.
+    pub(crate) remembered: Option<FirstOrder>,
 }
 
 impl Linearised {
-    /// Whether coefficients of joints depend on the frequency of the motion.
+    /// Whether coefficients of joints depend on the frequency of the motion, by themselves or as laws have states.
     pub fn depends_on_frequency(&self) -> bool {
-        !self.dependent.is_empty()
+        !self.dependent.is_empty() || self.remembered.is_some()
     }
 
-    /// The equations with the coefficients that joints have at a frequency (rad/s): exact for motions of that frequency.
+    /// The equations with the coefficients that joints and states of laws have at a frequency (rad/s): exact for motions of that frequency.
     pub fn at_frequency(&self, frequency: f64) -> Cow<'_, Linearised> {
         if !self.depends_on_frequency() {
             return Cow::Borrowed(self);
         }
-        let mut own = Linearised { dependent: Vec::new(), ..self.clone() };
+        let mut own = Linearised { dependent: Vec::new(), remembered: None, ..self.clone() };
         for joint in &self.dependent {
             joint.add(frequency, &mut own.damping, &mut own.stiffness);
+        }
+        if let Some(states) = &self.remembered {
+            first_order::add(states, frequency, &mut own.damping, &mut own.stiffness);
         }
         Cow::Owned(own)
     }
@@ -185,8 +191,14 @@ impl LinearMachine {
                 frame: 0.0,
                 varying,
                 dependent,
+                remembered: self.remembered(at),
             });
         };
+        if let Some(plane) = self.machine.springs.remembering(|_| true) {
+            let (joint, law) = self.machine.names_of(plane);
+            let body = self.machine.bodies[body].name().to_owned();
+            return Err(Error::RemembersNotRound { joint, law, body });
+        }
         if let Some(joint) = dependent.first() {
             return Err(Error::FrequenciesNotRound {
                 joint: self.machine.monitors[joint.joint].name.clone(),

@@ -8,7 +8,7 @@ use super::round::LinearMachine;
 use super::shapes::{apply, inner};
 use crate::error::Error;
 use crate::linalg::{
-    Matrix, QuadraticPair, congruence, multiply, quadratic_eigen, symmetric_eigen,
+    Matrix, QuadraticPair, congruence, multiply, quadratic_eigen_with, symmetric_eigen,
     transpose_multiply,
 };
 
@@ -49,21 +49,26 @@ impl LinearMachine {
         if let Some(periodic) = &equations.varying {
             return self.varying_motions(equations, periodic, count);
         }
-        let Linearised { mass, damping, stiffness, .. } = equations;
+        let Linearised { mass, damping, stiffness, remembered, .. } = equations;
         let (pairs, largest) = match basis {
-            _ if equations.depends_on_frequency() => {
+            _ if !equations.dependent.is_empty() => {
                 let (mut pairs, largest) = own_frequency::motions(equations, basis, count)?;
                 if let Some(basis) = basis {
                     pairs.iter_mut().for_each(|own| own.vector = apply(basis, &own.vector));
                 }
                 (pairs, largest)
             }
-            None => quadratic_eigen(mass, damping, stiffness)?,
+            None => quadratic_eigen_with(mass, damping, stiffness, remembered.as_ref())?,
             Some(basis) => {
                 let [mass, damping, stiffness] =
                     [mass, damping, stiffness].map(|own| congruence(own, basis));
-                let (mut pairs, largest) =
-                    quadratic_eigen(&mass.symmetric_part(), &damping, &stiffness)?;
+                let remembered = remembered.as_ref().map(|own| own.in_basis(basis));
+                let (mut pairs, largest) = quadratic_eigen_with(
+                    &mass.symmetric_part(),
+                    &damping,
+                    &stiffness,
+                    remembered.as_ref(),
+                )?;
                 let last = last_listed(&pairs, count);
                 for own in &mut pairs {
                     // Shapes of motions that are not listed are not looked at.

@@ -5,6 +5,7 @@ use std::ops::Range;
 use std::thread;
 
 use super::standing_loads::{Counted, begun, counted, mean, nothing, spins_with};
+use crate::bearing::Plane;
 use crate::bodies::{Body, Rotation};
 use crate::error::Error;
 use crate::linalg::{Matrix, multiply};
@@ -44,6 +45,16 @@ impl LinearMachine {
     /// # Errors
     /// A body that turns of which nothing shows how.
     pub fn new(mut machine: Machine) -> Result<LinearMachine, Error> {
+        let has_table = |plane: &Plane| {
+            let law = &machine.springs.laws[plane.law].bound.law;
+            law.over_frequency().is_some()
+        };
+        if let (Some(plane), true) =
+            (machine.springs.remembering(|_| true), machine.springs.planes.iter().any(has_table))
+        {
+            let (joint, law) = machine.names_of(plane);
+            return Err(Error::Remembers { joint, law });
+        }
         let mut all_counted = Vec::new();
         for load in &mut machine.loads {
             if spins_with(load, machine.bodies[load.body].rotation()) {

@@ -158,13 +158,24 @@ impl LinearMachine {
                 frame,
                 varying,
                 dependent,
+                remembered: None,
             });
         }
         let periodic = self.over_a_turn(at, machine, body);
         let [mass, damping, stiffness] = periodic.means.clone();
         let varying = Some(periodic);
         let dependent = Vec::new();
-        Ok(Linearised { angles, turning, mass, damping, stiffness, frame: 0.0, varying, dependent })
+        Ok(Linearised {
+            angles,
+            turning,
+            mass,
+            damping,
+            stiffness,
+            frame: 0.0,
+            varying,
+            dependent,
+            remembered: None,
+        })
     }
 }
 

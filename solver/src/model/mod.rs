@@ -72,6 +72,7 @@
 //!     steady_rule: SteadyRule::default(),
 //!     stop_when_steady: false,
 //!     initial: Vec::new(),
+//!     laws_at_rest: false,
 //! };
 //! let done = march(&machine, &options, &mut |_| ControlFlow::Continue(())).map_err(|failure| failure.error)?;
 //! assert!((done.history.column("omega_rad_s").unwrap().last().unwrap() - 4.0).abs() < 1e-9);

@@ -137,6 +137,7 @@ impl ByHand {
             steady_rule: SteadyRule::default(),
             stop_when_steady: false,
             initial: vec![BodyStart { speed: self.start_speed, ..BodyStart::default() }],
+            laws_at_rest: false,
         };
         let machine = machine.expect("a machine");
         let outcome = march(&machine, &options, &mut |_| ControlFlow::Continue(()));

@@ -14,6 +14,7 @@ mod lumped;
 mod many;
 mod newton;
 mod quality;
+mod remembering;
 mod resume;
 mod spinning;
 mod starts;
@@ -164,7 +165,16 @@ const Q: Variable = Variable { name: "Q", unit: "N", title: "normal force" };
 pub(crate) const fn law(name: &'static str, rates: bool, evaluate: whirl_specs::LawKernel) -> Law {
     let origin = Origin { name, title: "", source: "", spec: "", text: "", hash: "" };
     let inputs: &[Variable] = if rates { &[H, H_DOT] } else { &[H] };
-    Law { origin, inputs, outputs: &[Q], evaluate, valid: &[], measure: |_, _, _| {} }
+    Law {
+        origin,
+        inputs,
+        outputs: &[Q],
+        states: &[],
+        evaluate,
+        stored: None,
+        valid: &[],
+        measure: |_, _, _| {},
+    }
 }
 
 /// Q = 50 N · exp(−h/0.5 mm) · (1 − ḣ/(2 m/s)): smooth, and a different force for every ḣ.
@@ -221,5 +231,6 @@ pub(crate) fn options(time_step: f64, steps: usize) -> MarchOptions {
         steady_rule: SteadyRule::default(),
         stop_when_steady: false,
         initial: vec![BodyStart::default()],
+        laws_at_rest: false,
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::report::{Break, LawReport, OutputReport, TableReport, Trend};
+use super::report::{Break, LawReport, OutputReport, StateReport, TableReport, Trend};
 use super::table::Extend;
 
 /// A number to 6 digits, for people.
@@ -77,7 +77,34 @@ impl fmt::Display for LawReport {
                 writeln!(f, "  no finite value at ({})", point.join(", "))?;
             }
         }
+        for state in &self.states {
+            writeln!(f, "{state}")?;
+        }
         Ok(())
+    }
+}
+
+impl fmt::Display for StateReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let StateReport { name, rates: [least, most] } = self;
+        match (*least, *most) {
+            (0.0, 0.0) => write!(f, "{name} does not come to rest by itself"),
+            (least, most) if least == most && least > 0.0 => {
+                write!(f, "{name} relaxes at {} 1/s", short(least))
+            }
+            (least, most) if least >= 0.0 => {
+                write!(f, "{name} relaxes at {} to {} 1/s", short(least), short(most))
+            }
+            (least, most) if most <= 0.0 => {
+                write!(f, "{name} grows at {} to {} 1/s", short(-most), short(-least))
+            }
+            (least, most) => write!(
+                f,
+                "{name} relaxes at up to {} 1/s, and grows at up to {} 1/s in places",
+                short(most),
+                short(-least)
+            ),
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use num_traits::ToPrimitive;
 
 use super::equations::{Equation, equations};
-use super::{Condition, LawSpec, Parameter, short};
+use super::{Condition, LawInput, LawSpec, Parameter, short};
 use crate::expression::Rational;
 use crate::kinds::page::Page;
 
@@ -31,14 +31,28 @@ fn found(page: &mut Page, law: &LawSpec) {
 
 fn variables(page: &mut Page, law: &LawSpec) {
     page.heading("Inputs");
-    let rows = law.inputs.iter().map(|input| {
+    let named = |input: &LawInput| {
         let si = input.unit.factor().to_f64();
         let range = input.range.map_or(String::new(), |[low, high]| {
             format!("{} to {}", short(low / si), short(high / si))
         });
         vec![input.name.clone(), input.unit.to_string(), range, input.title.clone()]
-    });
-    page.columns(&rows.collect::<Vec<_>>());
+    };
+    page.columns(&law.taken().iter().map(named).collect::<Vec<_>>());
+    if !law.states.is_empty() {
+        page.heading("States");
+        let rows = law.remembered().iter().zip(&law.states).map(|(input, state)| {
+            let si = input.unit.factor().to_f64();
+            let start = match state.start {
+                Some(start) => format!("begins at {}", short(start / si)),
+                None => "begins at rest".to_owned(),
+            };
+            let mut row = named(input);
+            row.insert(3, start);
+            row
+        });
+        page.columns(&rows.collect::<Vec<_>>());
+    }
     if !law.parameters.is_empty() {
         page.heading("Parameters");
         let rows = law.parameters.iter().map(|parameter| {
@@ -84,6 +98,9 @@ fn given(page: &mut Page, law: &LawSpec) {
     page.heading("As given");
     for definition in &law.definitions {
         page.item(&format!("{} = {}", definition.name, definition.formula.text.text()));
+    }
+    if let Some(stored) = &law.stored {
+        page.item(&format!("stored = {}", stored.text));
     }
     for output in &law.outputs {
         page.item(&format!("{} ({}), {}", output.name, output.unit, output.title));

@@ -4,7 +4,7 @@ use num_traits::ToPrimitive;
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
 
-use super::{Condition, LawSpec, Validity};
+use super::{Condition, LawInput, LawSpec, Validity};
 use crate::diagnostic::Diagnostics;
 use crate::emit::{Numbers, documented, identifier, operand, statements};
 use crate::kinds::kernel::{self, unscheduled, variable};
@@ -19,16 +19,19 @@ impl LawSpec {
         let program = &self.program().map_err(refused)?;
         let about = self.about();
         let measured = measures.as_ref().map(|program| measures_of(self, program));
+        let stored = self.stored_program().map_err(refused)?;
+        let stored = stored.as_ref().map(|program| stored_of(self, program));
         let functions = functions(self, program);
-        let functions = quote!(#functions #measured);
+        let functions = quote!(#functions #measured #stored);
         let entry = entry(self, &about, &functions);
         let name = identifier(&self.name);
         let heading = documented(&format!("{}{}", about.heading(), pieces(self)));
         let validity = measures.is_some().then(|| quote!(Validity,));
+        let state = (!self.states.is_empty()).then(|| quote!(LawState,));
         let module = quote! {
             #heading
             pub mod #name {
-                use crate::{Lane, Law, Origin, SpringKernel, #validity Variable, each_spring};
+                use crate::{Lane, Law, #state Origin, SpringKernel, #validity Variable, each_spring};
                 #functions
                 #entry
             }
@@ -134,6 +137,14 @@ fn measures_of(law: &LawSpec, program: &Program) -> TokenStream {
     rows(program, &inputs, kernel, names, [TokenStream::new(), about])
 }
 
+/// The energy that the law stores.
+fn stored_of(law: &LawSpec, program: &Program) -> TokenStream {
+    let inputs = taken(law, program);
+    let about = documented("Rows of `springs` values: the energy that is stored (J).");
+    let (kernel, names) = (quote!(Energy), [quote!(stored), quote!(energies)]);
+    rows(program, &inputs, kernel, names, [TokenStream::new(), about])
+}
+
 /// A number that may be negative or infinite.
 fn number(value: f64) -> TokenStream {
     let size = match value.abs() {
@@ -165,12 +176,26 @@ fn body(program: &Program) -> TokenStream {
 
 fn entry(law: &LawSpec, about: &About, functions: &TokenStream) -> TokenStream {
     let origin = about.origin(functions);
-    let inputs = law
-        .inputs
-        .iter()
-        .map(|input| variable(&input.name, &input.unit.dimension().si_unit(), &input.title));
+    let as_variable =
+        |input: &LawInput| variable(&input.name, &input.unit.dimension().si_unit(), &input.title);
+    let inputs = law.taken().iter().map(as_variable);
+    let states = law.remembered().iter().zip(&law.states).map(|(input, state)| {
+        let own = as_variable(input);
+        let start = match state.start {
+            Some(start) => {
+                let start = number(start);
+                quote!(Some(#start))
+            }
+            None => quote!(None),
+        };
+        quote!(LawState { variable: #own, start: #start })
+    });
+    let stored = match law.stores() {
+        true => quote!(Some(stored)),
+        false => quote!(None),
+    };
     let outputs = law
-        .outputs
+        .given()
         .iter()
         .map(|output| variable(&output.name, &output.unit.dimension().si_unit(), &output.title));
     let valid = law.valid.iter().map(validity);
@@ -184,7 +209,9 @@ fn entry(law: &LawSpec, about: &About, functions: &TokenStream) -> TokenStream {
             origin: #origin,
             inputs: &[#(#inputs),*],
             outputs: &[#(#outputs),*],
+            states: &[#(#states),*],
             evaluate,
+            stored: #stored,
             valid: &[#(#valid),*],
             #measure,
         };

@@ -52,7 +52,7 @@ pub(super) fn tables(law: &LawSpec, lines: &[Line], errors: &mut Diagnostics) {
 /// Adds the errors of an output.
 pub(super) fn output(
     law: &LawSpec,
-    output: &LawOutput,
+    (number, output): (usize, &LawOutput),
     findings: &Findings,
     errors: &mut Diagnostics,
 ) {
@@ -64,7 +64,14 @@ pub(super) fn output(
         let place = scan::place_of(&output.pieces[piece]);
         let error =
             place.error_here(Code::JUMP, found.words(&output.name, &output.unit.to_string()));
-        errors.push(error.help(remedies(law, output, piece, found)));
+        let help = match law.is_rate(number) {
+            true => {
+                "the rate of a state must be continuous: let it rise over a small range, by min and max"
+                    .to_owned()
+            }
+            false => remedies(law, output, piece, found),
+        };
+        errors.push(error.help(help));
     }
     let declared = law.inputs.iter().all(|input| input.range.is_some());
     if let (Some(point), true) = (&findings.report.undefined, declared) {

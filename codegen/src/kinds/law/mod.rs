@@ -23,6 +23,18 @@
 //! ]
 //! ```
 //!
+//! A law that remembers has states with rates of their own; for all that is derived, proved and evaluated a state
+//! is one more input and its rate one more output:
+//!
+//! ```toml
+//! [states.s]
+//! unit = "mm"
+//! start = "rest"
+//!
+//! [rates]
+//! s = '(x - s)/tau'
+//! ```
+//!
 //! Formulas work in the units of the file: a bare number takes the unit that its place wants, a parameter
 //! is converted to the system of the inputs' and outputs' units. Kernels work in SI.
 
@@ -61,7 +73,7 @@ pub use describe::short;
 pub use report::{Break, LawReport, OutputReport, TableReport, Trend};
 pub(super) use schema::KIND;
 pub(crate) use spec::{Condition, Definition, Piece};
-pub use spec::{Given, LawInput, LawOutput, LawSpec, Parameter};
+pub use spec::{Given, LawInput, LawOutput, LawSpec, LawState, Parameter};
 use spec::{NameCode, Named, PieceCode, in_si};
 pub use table::{Column, Columns, Extend, LawTable, Wanted, Which};
 pub use valid::Validity;

@@ -4,8 +4,8 @@ use super::{LawInput, LawSpec};
 use crate::schedule::{Input, Output, Program, Request, ScheduleError, Stage, schedule};
 
 impl LawSpec {
-    /// The program of the law, of one stage: inputs in the order of the file, in SI; for every output o the
-    /// outputs o, do_dinput₀, do_dinput₁, …. Kernels are emitted from it, and a
+    /// The program of the law, of one stage: inputs in the order of the file, then states, in SI; for every output o, then
+    /// for the rate of every state, the outputs o, do_dinput₀, do_dinput₁, …. Kernels are emitted from it, and a
     /// [`Tape`](crate::tape::Tape) of it gives the same bits.
     ///
     /// # Errors
@@ -26,6 +26,21 @@ impl LawSpec {
             names: Vec::new(),
         };
         schedule(&mut self.graph.clone(), &request)
+    }
+
+    /// The program of the energy that the law stores (J), from its inputs and states; none if it does not say so.
+    ///
+    /// # Errors
+    /// As [`LawSpec::program`].
+    pub fn stored_program(&self) -> Result<Option<Program>, ScheduleError> {
+        let Some(stored) = &self.stored else { return Ok(None) };
+        let request = Request {
+            stages: vec![Stage::new("spring", &[], 1.0)],
+            inputs: self.inputs.iter().map(input).collect(),
+            outputs: vec![Output { name: "stored".to_owned(), expression: stored.value }],
+            names: Vec::new(),
+        };
+        schedule(&mut self.graph.clone(), &request).map(Some)
     }
 
     /// The program of the measures of [`LawSpec::valid`], in their order, SI, from the inputs of the law; none if

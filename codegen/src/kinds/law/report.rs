@@ -11,8 +11,19 @@ pub struct LawReport {
     pub ranges: Vec<(String, String, [f64; 2])>,
     /// One for every table.
     pub tables: Vec<TableReport>,
-    /// One for every output.
+    /// One for every output, then one for the rate of every state.
     pub outputs: Vec<OutputReport>,
+    /// One for every state.
+    pub states: Vec<StateReport>,
+}
+
+/// How a state comes to rest by itself, all else held, at the points evaluated.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StateReport {
+    /// Symbol.
+    pub name: String,
+    /// Least and largest −∂ẋ/∂x (1/s): the rate at which it relaxes; it grows where that is negative.
+    pub rates: [f64; 2],
 }
 
 /// What is known of a table, in the units of its columns.

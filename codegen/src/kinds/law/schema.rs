@@ -23,6 +23,17 @@ const WORD: &[Key] = &[needed("kind", Words(&["law"]), "the kind of spec")];
 
 const LAW: &[Key] = &[
     needed("inputs", Known(inputs, &Table(&[VARIABLE])), "what it depends on"),
+    key(
+        "states",
+        Named(&Table(&[STATE])),
+        "what it remembers: values that change at rates of their own",
+    ),
+    key("rates", Named(&Formula), "the rates of the states, in their units per second"),
+    key(
+        "stored",
+        Formula,
+        "energy stored in its inputs and states, in the units of the file; what else it takes is dissipated",
+    ),
     key("parameters", Named(&Table(&[PARAMETER])), "constants"),
     key(
         "tables",
@@ -40,6 +51,17 @@ const LAW: &[Key] = &[
 
 const VARIABLE: &[Key] = &[
     needed("unit", Text, "unit in which formulas take or give it, such as \"mm\""),
+    key("title", Text, "one-line description"),
+    key("range", Tuple(&Number, 2), "where the law is plotted and analysed"),
+];
+
+const STATE: &[Key] = &[
+    needed("unit", Text, "any unit; \"1\" for a pure number"),
+    needed(
+        "start",
+        Either(&[Number, Words(&["rest"])]),
+        "its value at the start, in its unit; \"rest\": that at which its rate is zero",
+    ),
     key("title", Text, "one-line description"),
     key("range", Tuple(&Number, 2), "where the law is plotted and analysed"),
 ];

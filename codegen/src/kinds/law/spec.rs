@@ -28,7 +28,7 @@ pub struct LawSpec {
     pub file: Arc<Source>,
     /// What it acts on.
     pub acts: Acts,
-    /// The inputs, in the order of the file.
+    /// The inputs, in the order of the file, then the states: for formulas and derivatives they are one.
     pub inputs: Vec<LawInput>,
     /// The parameters, in the order of the file.
     pub parameters: Vec<Parameter>,
@@ -36,8 +36,12 @@ pub struct LawSpec {
     pub tables: Vec<LawTable>,
     /// The definitions, in the order of the file.
     pub(crate) definitions: Vec<Definition>,
-    /// The outputs, in the order of the file.
+    /// The outputs, in the order of the file, then the rates of the states.
     pub outputs: Vec<LawOutput>,
+    /// The states, in the order of the file.
+    pub states: Vec<LawState>,
+    /// The energy that it stores, if the file says so.
+    pub(crate) stored: Option<Stored>,
     /// Where the law may be believed: the sections of the file, then the ends of its tables.
     pub valid: Vec<Validity>,
     /// The graph that holds symbols, values and derivatives, all SI.
@@ -72,6 +76,22 @@ pub struct LawInput {
     pub symbol: Id,
     /// Range over which the law is meant to be used, in SI, if the file says so.
     pub range: Option<[f64; 2]>,
+}
+
+/// A state of a law beside what it has as an input.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LawState {
+    /// The value at which it begins, SI; none where its rate is zero.
+    pub start: Option<f64>,
+}
+
+/// The energy that a law stores.
+#[derive(Debug, Clone)]
+pub(crate) struct Stored {
+    /// The formula, in the units of the file.
+    pub(crate) text: String,
+    /// The same in the graph, J.
+    pub(crate) value: Id,
 }
 
 /// A constant of a law.
@@ -180,6 +200,31 @@ impl LawSpec {
     pub(crate) fn about(&self) -> About<'_> {
         let LawSpec { name, title, reference, file, .. } = self;
         About { name, title, reference, file, beside: self.texts().skip(1).collect() }
+    }
+
+    /// The inputs without the states.
+    pub fn taken(&self) -> &[LawInput] {
+        &self.inputs[..self.inputs.len() - self.states.len()]
+    }
+
+    /// The states as inputs of formulas.
+    pub fn remembered(&self) -> &[LawInput] {
+        &self.inputs[self.inputs.len() - self.states.len()..]
+    }
+
+    /// The outputs without the rates of the states.
+    pub fn given(&self) -> &[LawOutput] {
+        &self.outputs[..self.outputs.len() - self.states.len()]
+    }
+
+    /// Whether an output, by its place, is the rate of a state.
+    pub(super) fn is_rate(&self, output: usize) -> bool {
+        output >= self.given().len()
+    }
+
+    /// Whether it says how much energy it stores.
+    pub fn stores(&self) -> bool {
+        self.stored.is_some()
     }
 
     /// The texts that the law was made from: its own file, then those of its tables.

@@ -25,9 +25,10 @@ use turning::TurningStart;
 use super::march::BodyStart;
 #[cfg(doc)]
 use super::march::MarchOptions;
+use crate::bearing::Plane;
 use crate::equations::{Equations, State, Tangents};
 use crate::error::Error;
-use crate::linalg::Matrix;
+use crate::linalg::{FirstOrder, Matrix};
 use crate::loads::Position;
 use crate::machine::Machine;
 
@@ -53,6 +54,8 @@ pub(crate) struct Standing {
     pub(crate) ended: Vec<bool>,
     /// Of small motions about it, in the frames of the bodies.
     pub(crate) tangents: Tangents,
+    /// States of laws beside them, which stand still in the tangents.
+    pub(crate) remembered: Option<FirstOrder>,
 }
 
 /// The state of round bodies at speeds that stay, with what begins at t = 0 acting and without what turns with bodies.
@@ -72,6 +75,7 @@ pub(crate) fn standing_at(
         let [once, twice] = generators[body].as_ref().expect("its generator");
         TurningStart::round(shaft, once, twice.clone())
     };
+    refuse_turning(machine)?;
     let mut balance = Balance::steady(machine, speeds, &turning)?;
     if let Err(nearest) = search(&mut balance, from)? {
         return Err(unbalanced(&mut balance, &nearest));
@@ -83,13 +87,22 @@ pub(crate) fn standing_at(
         both.map(|(load, ended)| load.turns_with_its_body() || *ended).collect::<Vec<_>>();
     let left = balance.worst();
     let (eccentricities, unknowns) = (balance.ratios(), balance.unknowns());
-    let state = balance.state.clone();
+    let mut state = balance.state.clone();
     let displacements = balance.eccentricities(&state.q);
     balance.equations.release(&released);
     balance.equations.evaluate(0.0, &state);
     let forces = forces(&balance.equations, &state);
     let torques = torques(&balance.equations);
-    let tangents = balance.equations.tangents(&state);
+    let mut tangents = balance.equations.tangents(&state);
+    let mut remembered = None;
+    if machine.springs.states() > 0 {
+        // Small motions have states of their own; joints are told as they are when these have come to rest.
+        let planes = tangents.planes;
+        balance.equations.springs.keep_states(&mut state.laws);
+        balance.equations.evaluate(0.0, &state);
+        tangents = Tangents { planes, ..balance.equations.tangents(&state) };
+        remembered = balance.equations.first_order(&state);
+    }
     Ok(Standing {
         state,
         unknowns,
@@ -101,7 +114,22 @@ pub(crate) fn standing_at(
         released,
         ended,
         tangents,
+        remembered,
     })
+}
+
+/// Refuses laws with states in bores that turn: they come to rest with the bore.
+fn refuse_turning(machine: &Machine) -> Result<(), Error> {
+    let turns = |plane: &Plane| {
+        machine.places()[machine.monitors[plane.bearing].bodies[1]].rotation.is_some()
+    };
+    match machine.springs.remembering(turns) {
+        Some(plane) => {
+            let (joint, law) = machine.names_of(plane);
+            Err(Error::RemembersTurning { joint, law })
+        }
+        None => Ok(()),
+    }
 }
 
 /// Forces of all joints on their journals at the state that was evaluated last (N, along x and y of space).
@@ -153,6 +181,7 @@ pub fn equilibrium(
     speeds: &[Option<f64>],
     step: Option<f64>,
 ) -> Result<Equilibrium, Error> {
+    refuse_turning(machine)?;
     let mut balance = Balance::new(machine, speeds, step)?;
     let Found { iterations } = match search(&mut balance, None)? {
         Ok(found) => found,

@@ -75,6 +75,7 @@ fn drift(machine: &Machine, initial: Vec<BodyStart>, dt: f64, steps: usize) -> f
         steady_rule: SteadyRule::default(),
         stop_when_steady: false,
         initial,
+        laws_at_rest: false,
     };
     let mut march = March::new(machine, &options).expect("starts");
     let place = &machine.places()[0];

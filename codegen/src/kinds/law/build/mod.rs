@@ -13,13 +13,15 @@ use std::collections::BTreeSet;
 use self::names::Names;
 use self::valid::Scope;
 use super::draft::{Constant, Draft, ValidityDraft};
+use super::spec::Stored;
 use super::system::{Misfit, System};
 use super::table::LawTable;
-use super::{Definition, LawInput, LawReport, LawSpec, Parameter, in_si};
+use super::{Definition, LawInput, LawReport, LawSpec, LawState, Parameter, in_si};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::expression::{Graph, Shape};
-use crate::formula::{Meaning, PI};
+use crate::formula::{Formula, Meaning, PI};
 use crate::rational::{Rational, nearest};
+use crate::units::Dimension;
 
 /// Checks and lowers a draft.
 pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
@@ -90,6 +92,12 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
     for table in waiting {
         tables.extend(names.table(&mut graph, table, &system, definitions.len(), &mut errors));
     }
+    let states = states(&draft.starts, &inputs);
+    let stored = draft.stored.map(|formula| stored(&formula, &mut graph, &names, &system));
+    let stored = stored.transpose().unwrap_or_else(|found| {
+        errors.append(found);
+        None
+    });
     let mut outputs = Vec::new();
     for output in draft.outputs {
         match output::lower(output, &mut graph, &names, &inputs) {
@@ -128,6 +136,8 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
         tables,
         definitions,
         outputs,
+        states,
+        stored,
         valid,
         graph,
         report: LawReport::default(),
@@ -136,6 +146,31 @@ pub(super) fn build(draft: Draft) -> Result<LawSpec, Diagnostics> {
     bytecode::write(&mut law)?;
     differentiate(&mut law)?;
     Ok(law)
+}
+
+/// The states, which are the last of the inputs.
+fn states(starts: &[Option<Rational>], inputs: &[LawInput]) -> Vec<LawState> {
+    let own = inputs[inputs.len() - starts.len()..].iter().zip(starts);
+    let si = |input: &LawInput, start: &Rational| nearest(&(start * in_si(&input.unit)));
+    own.map(|(input, start)| LawState { start: start.as_ref().map(|own| si(input, own)) }).collect()
+}
+
+/// The energy that is stored.
+fn stored(
+    formula: &Formula,
+    graph: &mut Graph,
+    names: &Names,
+    system: &System,
+) -> Result<Stored, Diagnostics> {
+    let energy = Dimension::TORQUE;
+    let (id, found) = names.lower(graph, formula, Shape::Scalar)?;
+    if let Some(found) = found.filter(|found| *found != energy) {
+        let message = format!("what is stored is an energy, but this is {found}");
+        let error = formula.text.error_here(Code::DIMENSION, message);
+        return Err(error.help("a force times a length is one, such as 'k*x^2/2'").into());
+    }
+    let text = formula.text.text().to_owned();
+    Ok(Stored { text, value: graph.times(system.in_si(&energy), id) })
 }
 
 /// The parameters of a draft.
@@ -173,6 +208,7 @@ fn unused(draft: &Draft) -> Diagnostics {
     let formulas = outputs.flat_map(|(when, value)| when.iter().chain([value]));
     let formulas = formulas.chain(draft.definitions.iter().map(|(_, _, formula)| formula));
     let formulas = formulas.chain(draft.tables.iter().map(|table| &table.input));
+    let formulas = formulas.chain(&draft.stored);
     let formulas = formulas.chain(draft.valid.iter().flat_map(ValidityDraft::formulas));
     let used: BTreeSet<&str> = formulas.flat_map(|formula| formula.names().into_keys()).collect();
     let inputs = draft.inputs.iter().map(|input| (&input.key, &input.name));

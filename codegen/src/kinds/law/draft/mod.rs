@@ -1,6 +1,7 @@
 //! A law file as it was written: keys, names and units checked, formulas parsed.
 
 mod output;
+mod state;
 mod valid;
 mod variable;
 
@@ -35,11 +36,17 @@ pub(super) struct Draft {
     pub(super) title: String,
     pub(super) reference: String,
     pub(super) acts: Acts,
+    /// The inputs, then the states.
     pub(super) inputs: Vec<Variable>,
     pub(super) parameters: Vec<Constant>,
     pub(super) tables: Vec<TableDraft>,
     pub(super) definitions: Vec<(Located, String, Formula)>,
+    /// The outputs, then the rates of the states.
     pub(super) outputs: Vec<Output>,
+    /// By states the values at which they begin; none where their rates are zero.
+    pub(super) starts: Vec<Option<Rational>>,
+    /// What is stored (J), if the file says so.
+    pub(super) stored: Option<Formula>,
     pub(super) valid: Vec<ValidityDraft>,
 }
 
@@ -96,6 +103,7 @@ fn draft<'d>(
     let inputs = names.named(root.table("inputs"), |entry, key, name| {
         variable(entry, key, name, Acts::inputs, "an input")
     });
+    let states = names.named(root.optional_table("states"), state::read);
     let parameters = names.named(root.optional_table("parameters"), parameter);
     let tables = names.all(root.optional_table("tables"), |entry, key, name| {
         let table = table::read(&entry, key, name, beside);
@@ -118,7 +126,11 @@ fn draft<'d>(
         let message = "a law has at least one output, such as `Q`".to_owned();
         table.error(Code::MISSING_KEY, table.span(), message);
     }
-    let outputs = names.named(table_of_outputs, output::read);
+    let mut outputs = names.named(table_of_outputs, output::read);
+    let acts = acts(document, &inputs, &outputs);
+    let is_free = |name: &str| !names.taken.contains_key(name);
+    outputs.extend(state::rates(root.optional_table("rates"), &states, is_free, &root));
+    let stored = root.optional_string("stored").and_then(|text| parse(document, &text));
     // Nothing refers to measures, so that one may have the name of an input. The ends of tables are measures, too.
     let taken = tables.iter().map(|table: &TableDraft| (table.name.clone(), table.key.span()));
     let mut names = Names { taken: taken.collect(), document };
@@ -128,8 +140,10 @@ fn draft<'d>(
         measure
     });
     root.finish();
-    let acts = acts(document, &inputs, &outputs);
     let [name, title, reference] = head.texts()?;
+    let mut inputs = inputs;
+    let starts = states.iter().map(|own| own.start.clone()).collect();
+    inputs.extend(states.into_iter().map(|own| own.variable));
     Some(Draft {
         file: file.clone(),
         name,
@@ -141,6 +155,8 @@ fn draft<'d>(
         tables,
         definitions,
         outputs,
+        starts,
+        stored,
         valid,
     })
 }

@@ -58,7 +58,7 @@ pub(super) fn variable(
     Some(Variable { key: key.clone(), name, title, only: *only, unit, unit_place, range })
 }
 
-fn range(table: &Table<'_>) -> Option<[Rational; 2]> {
+pub(super) fn range(table: &Table<'_>) -> Option<[Rational; 2]> {
     let items = table.optional_items("range")?;
     let ends: Vec<_> = items.iter().map(|item| item.value()).collect();
     match ends.as_slice() {

@@ -22,7 +22,7 @@ pieces = []
 ",
     );
     let expected = [
-        "law.toml:5:1: unknown key `colour` (known: `definitions`, `inputs`, `kind`, `name`, `outputs`, `parameters`, `source`, `tables`, `title`, `valid`)",
+        "law.toml:5:1: unknown key `colour` (known: `definitions`, `inputs`, `kind`, `name`, `outputs`, `parameters`, `rates`, `source`, `states`, `stored`, `tables`, `title`, `valid`)",
         "law.toml:7:9: `h` is a length, but `N` is the unit of a force (write for example `unit = \"m\"`)",
         "law.toml:8:9: `hdot` is not an input of laws (did you mean `h_dot`?)",
         "law.toml:11:27: unknown unit `milimeter` (write `mm`)",

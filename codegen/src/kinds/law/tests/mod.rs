@@ -2,6 +2,7 @@
 
 mod breaks;
 mod errors;
+mod states;
 mod values;
 
 use super::*;

@@ -1,0 +1,45 @@
+//! What a step knows of the states of laws.
+
+use serde::{Deserialize, Serialize};
+
+/// How the states of laws follow from what is known of them.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub enum Hold {
+    /// Their rates are zero, whatever is known of them.
+    #[default]
+    Rest,
+    /// They are as the laws begin.
+    Start,
+    /// s = known + weight · ṡ, with the weight of a step (s); they are what is known of them where it is 0.
+    Implicit(f64),
+}
+
+/// What is known of the states of all laws: law after law, state after state, spring after spring. All of it is empty where
+/// no law has any, and nothing is known where they rest.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct LawStates {
+    /// The states, or what of them does not hang on their rates.
+    pub known: Vec<f64>,
+    /// Their rates, in a step those at its start.
+    pub rates: Vec<f64>,
+    /// (w − ṡ)/Δt, by which the rates w that are integrated differ from ṡ; zero in Newmark's method.
+    pub lag: Vec<f64>,
+    /// How the states follow.
+    pub hold: Hold,
+}
+
+impl LawStates {
+    /// Of so many states, as laws begin.
+    pub fn beginning(count: usize) -> Self {
+        let values = || vec![0.0; count];
+        let hold = if count == 0 { Hold::default() } else { Hold::Start };
+        LawStates { known: values(), rates: values(), lag: values(), hold }
+    }
+
+    pub(crate) fn copy_from(&mut self, other: &LawStates) {
+        self.known.clone_from(&other.known);
+        self.rates.clone_from(&other.rates);
+        self.lag.clone_from(&other.lag);
+        self.hold = other.hold;
+    }
+}

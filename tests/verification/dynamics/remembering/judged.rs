@@ -1,0 +1,71 @@
+//! What a run believes of its states.
+
+use whirl_solver::dynamics::{Integrator, March, MarchOptions, findings};
+use whirl_solver::loads::TimeFunction;
+use whirl_solver::machine::Rotation;
+
+use super::super::options;
+use super::{mass_on, on_mount, taped};
+
+fn sine(frequency: f64) -> (f64, TimeFunction) {
+    (500.0, TimeFunction::Sine { frequency, phase: 0.0 })
+}
+
+/// The share of the local error of states, and what is found of the run.
+fn judged(machine: &whirl_solver::machine::Machine, own: &MarchOptions) -> (f64, Vec<String>) {
+    let mut march = March::new(machine, own).expect("starts");
+    while !march.is_done() {
+        march.advance().expect("converges");
+    }
+    let outcome = march.outcome();
+    let found = findings(&outcome.quality, &outcome.energy, (own.time_step, None));
+    let found = found.into_iter().map(|own| format!("{}: {}", own.what, own.remedy));
+    (outcome.quality.states.expect("has states").share, found.collect())
+}
+
+/// Of a state that is shaken at ω the trapezoidal rule misses (ωΔt)³/12 of its amplitude in a step, half of that of its range.
+#[test]
+fn the_error_of_a_state_is_what_a_step_misses() {
+    let frequency = 20.0;
+    let machine = on_mount(sine(frequency));
+    for per_period in [100, 200] {
+        let dt = 1.0 / (frequency * f64::from(per_period));
+        let (share, found) = judged(&machine, &options(dt, 60 * per_period as usize));
+        let exact = (std::f64::consts::TAU / f64::from(per_period)).powi(3) / 24.0;
+        // 95 % of |sin| stay below 0.997; classes round up by a twentieth, and the mass moves by itself, too.
+        assert!((0.8..1.6).contains(&(share / exact)), "{share} for {exact}");
+        assert!(!found.iter().any(|own| own.contains("state of a law")), "{found:?}");
+    }
+}
+
+/// A state that comes to rest within a hundredth of a step, pushed about by a load that changes at once, alternates: found, with the
+/// remedy that helps.
+#[test]
+fn a_state_far_faster_than_the_step_is_found() {
+    let fast = "[inputs]
+e_x = { unit = \"mm\", range = [-1, 1] }
+e_y = { unit = \"mm\", range = [-1, 1] }
+[states.z]
+unit = \"mm\"
+start = 0.3
+range = [-1, 1]
+[parameters]
+k = { value = 900, unit = \"N/mm\" }
+tau = { value = 10, unit = \"us\" }
+[rates]
+z = '(e_x - z)/tau'
+[outputs]
+F_x = { unit = \"N\", value = '-k*(e_x + z/10)' }
+F_y = { unit = \"N\", value = '-k*e_y' }
+";
+    let machine = mass_on(taped(fast), sine(20.0), Rotation::Held);
+    let (share, found) = judged(&machine, &options(1e-3, 100));
+    assert!(share > 0.1, "{share}");
+    let own = found.iter().find(|own| own.contains("state of a law")).expect("found");
+    assert!(own.contains("1e5 1/s") || own.contains("100000 1/s"), "{own}");
+    assert!(own.contains("generalized-alpha"), "{own}");
+    let damped =
+        MarchOptions { integrator: Integrator::generalized_alpha(0.5), ..options(1e-3, 1000) };
+    let (share, _) = judged(&machine, &damped);
+    assert!(share < 1e-2, "{share}");
+}
