@@ -1,6 +1,6 @@
 //! Units for co-simulation after FMI 2.0: a case with its reduced bodies and the solver, which other programs run.
 //!
-//! [`export`] writes them; the crate `whirl-fmu` runs them, with what is here of their resources and variables.
+//! `export` writes them; the crate `whirl-fmu` runs them, with what is here of their resources and variables.
 
 mod description;
 mod export;
