@@ -335,6 +335,7 @@ mod tests {
         farthest: Some(1),
         sensible_displacement: 1.5,
         ringing: Ringing { share: RINGING, of: Some(RingingPart::Force(0)), damped: false },
+        states: None,
         row_error: 1.0,
         judged: true,
         halved: HalvedSteps { steps: 50, of: 1000, halvings: 99, at: None },

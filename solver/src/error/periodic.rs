@@ -31,6 +31,14 @@ pub enum PeriodicError {
         /// Its name.
         load: String,
     },
+    /// A law with states, which a cycle would have to close as well.
+    #[error("{joint} has the law {law}, which has states: a cycle closes motions only")]
+    Remembers {
+        /// The joint.
+        joint: String,
+        /// The law.
+        law: String,
+    },
     /// Nothing turns, and no load changes.
     #[error("nothing turns and no load repeats: there is no cycle")]
     NothingRepeats,

@@ -9,7 +9,7 @@ use crate::dynamics::{
     Outcome, SteadyRule,
 };
 use crate::equations::State;
-use crate::error::Error;
+use crate::error::{Error, PeriodicError};
 use crate::history::History;
 use crate::linalg::Matrix;
 use crate::machine::Machine;
@@ -41,6 +41,10 @@ impl<'m> CycleMap<'m> {
     /// # Errors
     /// What the machine is told does not repeat, or a rotation is not known; a mass matrix that cannot be inverted.
     pub fn new(machine: &'m Machine, cycle: Cycle, newton: NewtonOptions) -> Result<Self, Error> {
+        if let Some(plane) = machine.springs.remembering(|_| true) {
+            let (joint, law) = machine.names_of(plane);
+            return Err(PeriodicError::Remembers { joint, law }.into());
+        }
         let turns = cycle.turns(machine)?;
         let options = MarchOptions {
             time_step: cycle.time_step(),
@@ -55,6 +59,7 @@ impl<'m> CycleMap<'m> {
             cycle: None,
             steady_rule: SteadyRule::default(),
             stop_when_steady: false,
+            laws_at_rest: false,
             initial: Vec::new(),
         };
         let march = March::at(machine, &options, State::new(machine.size()), cycle.start)?;

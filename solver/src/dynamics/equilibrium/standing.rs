@@ -137,6 +137,7 @@ fn accelerations_at_the_start_are_those_of_what_stands() {
             cycle: None,
             steady_rule: SteadyRule::default(),
             stop_when_steady: false,
+            laws_at_rest: false,
             initial: found.bodies.clone(),
         };
         let march = March::new(&machine, &options).expect("starts");
