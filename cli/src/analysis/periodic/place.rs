@@ -47,9 +47,10 @@ pub(super) fn of(case: &Case, error: Error) -> Failure {
             let place = all.iter().find_map(|name| load_called(case, name));
             at(place, help)
         }
-        PeriodicError::Remembers { .. } => {
-            at(None, "march it until it repeats itself (`whirl run`, `stop_when_steady`), or give the joint a law without states")
-        }
+        PeriodicError::Remembers { .. } => at(
+            None,
+            "march it until it repeats itself (`whirl run`, `stop_when_steady`), or give the joint a law without states",
+        ),
         PeriodicError::NothingRepeats => at(None, "give a body a speed, or a load a frequency"),
         PeriodicError::NotFound { .. }
         | PeriodicError::NoMachine { .. }
