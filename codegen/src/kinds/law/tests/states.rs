@@ -101,7 +101,6 @@ fn what_is_wrong_with_states_is_said() {
             "z = '(h - z)/tau'\ny = 'h/tau'",
             "law.toml:19:1: `y` is not a state of this law (known: `z`)",
         ),
-        ("z = '(h - z)/tau'", "z = 'select(h < z, -h, h)/tau'", ""),
         (
             "'k*h^2/2 + k_m*(h - z)^2/2'",
             "'k*h'",
@@ -113,7 +112,7 @@ fn what_is_wrong_with_states_is_said() {
             "law.toml:9:9: `z_dot` is the name of the rate of `z` (choose another name for the state)",
         ),
     ];
-    for (from, to, expected) in cases.iter().filter(|(.., expected)| !expected.is_empty()) {
+    for (from, to, expected) in cases {
         let body = ZENER.replacen(from, to, 1);
         let found = messages(&body);
         assert!(found.iter().any(|own| own == expected), "{expected}\n{found:#?}");
