@@ -106,8 +106,8 @@ pub(crate) fn quadratic_eigen_with(
     // In x = V u, with u = W⁻¹ y.
     let beside = beside.map(|own| {
         let mut own = own.in_basis(&eigen.vectors);
-        for j in 0..n {
-            own.by_position.col_mut(j).iter_mut().for_each(|entry| *entry /= speeds[j]);
+        for (j, speed) in speeds.iter().enumerate() {
+            own.by_position.col_mut(j).iter_mut().for_each(|entry| *entry /= speed);
         }
         own.balanced()
     });
