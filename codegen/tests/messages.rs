@@ -34,6 +34,7 @@ fn place(name: &str, text: &str) -> String {
         ("kind = \"form\"", "forms"),
         ("kind = \"motion\"", "motion"),
         ("kind = \"clearance\"", "motion"),
+        ("kind = \"film\"", "films"),
     ];
     let folder = kinds.iter().find(|(kind, _)| text.contains(kind)).map_or("laws", |(_, f)| f);
     format!("{folder}/{name}.toml")

@@ -450,6 +450,14 @@ fn samples(kind: &str, schema: &Value) -> Vec<Value> {
             // Shape functions are read when there are nodes.
             value["nodes"] = json!([[0, 0, 0]]);
         }
+        if kind == "law" {
+            // States and parameters have names of their own.
+            for table in ["states", "rates"] {
+                let table = value[table].as_object_mut().expect("a table");
+                let own = table.remove("chosen").expect("a name");
+                table.insert("kept".to_owned(), own);
+            }
+        }
         without(&mut value, &dropped);
         value
     });

@@ -268,7 +268,7 @@ fn specs_of_hostile_names_compile() {
     // The names of rates and forces that laws take and give stay what they are.
     let kept = [
         "v_t", "omega", "F_x", "F_y", "F_z", "h", "theta", "e_x", "e_y", "e_z", "alpha_x",
-        "alpha_y", "e_n", "Q", "T", "M_x", "M_y", "M_z", "F_n",
+        "alpha_y", "e_n", "Q", "T", "M_x", "M_y", "M_z", "F_n", "T_m", "s_mean",
     ];
     let mut free: Vec<String> = (words.iter())
         .filter(|word| !word.ends_with("_dot"))

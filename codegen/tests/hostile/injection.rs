@@ -190,15 +190,18 @@ impl Check<'_> {
                     assert!(MACROS.contains(&name.as_str()), "{name}!");
                 }
                 syn::Item::Const(_) | syn::Item::Static(_) => {}
-                // The types that a law's kernel and that of its measures belong to, and the kernels.
+                // The types that kernels of a law, of its measures and energy, and of films belong to, and the kernels.
                 syn::Item::Enum(kernel) => {
-                    assert!(kernel.ident == "Kernel" || kernel.ident == "Measures");
+                    let known =
+                        ["Kernel", "Measures", "Energy", "Nodal", "Stored", "Flow", "Surface"];
+                    assert!(known.iter().any(|known| kernel.ident == known), "{}", kernel.ident);
                     assert!(kernel.variants.is_empty());
                 }
                 syn::Item::Impl(kernel) => {
                     let (path, _) = kernel.trait_.as_ref().expect("a trait of the crate");
                     assert!(kernel.unsafety.is_none() && path.segments.len() == 1);
-                    assert_eq!(path.segments[0].ident, "SpringKernel");
+                    let own = &path.segments[0].ident;
+                    assert!(own == "SpringKernel" || own == "FilmKernel", "{own}");
                 }
                 _ => panic!("an item that kernels do not have"),
             }
