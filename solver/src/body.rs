@@ -10,8 +10,9 @@ use crate::error::Error;
 use crate::error::ReductionError;
 use crate::linalg::{Matrix, multiply};
 use crate::mesh::{MeanComponent, Mesh, NodeSetMean};
-use crate::reduction::{CraigBampton, Interface, Row, Solid};
+use crate::reduction::{CraigBampton, FixedInterface, Interface, Row, Solid};
 use crate::sparse::SparseMatrix;
+use crate::together::both;
 
 /// Rayleigh damping C = αM + βK.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -112,19 +113,24 @@ impl BodySpec {
     /// As [`assemble`]; a dof retained twice, or retained and held.
     pub(crate) fn assemble(&self, mesh: &Mesh) -> Result<Assembled, Error> {
         self.check(mesh)?;
-        let stiffness = add_ground_springs(&assemble(mesh, "stiffness")?, &self.springs)?;
-        Ok(Assembled { stiffness, mass: assemble(mesh, "mass")?, ties: mesh.tie_rows() })
+        let (stiffness, mass) = both(|| assemble(mesh, "stiffness"), || assemble(mesh, "mass"));
+        let stiffness = add_ground_springs(&stiffness?, &self.springs)?;
+        Ok(Assembled { stiffness, mass: mass?, ties: mesh.tie_rows() })
     }
 
-    /// Reduces a mesh with its matrices.
+    /// A mesh with its matrices, its interface fixed, and its modes so.
     ///
     /// # Errors
-    /// As [`Solid::reduce`].
-    pub(crate) fn reduce(&self, mesh: &Mesh, body: &Assembled) -> Result<CraigBampton, Error> {
+    /// As [`Solid::fixed_interface`].
+    pub(crate) fn fixed_interface<'a>(
+        &self,
+        mesh: &'a Mesh,
+        body: &'a Assembled,
+    ) -> Result<FixedInterface<'a>, Error> {
         let rows = self.rows();
         let solid = body.solid(mesh, self.memory);
-        let reduced = solid.reduce(&self.interface(&rows), self.modes);
-        reduced.map_err(|error| self.named(error, mesh))
+        let found = solid.fixed_interface(&self.interface(&rows), self.modes);
+        found.map_err(|error| self.named(error, mesh))
     }
 
     /// An error of the reduction, with the names of what is retained and the labels of nodes.
@@ -149,13 +155,13 @@ impl BodySpec {
     /// load in N).
     ///
     /// # Errors
-    /// As [`BodySpec::reduce`].
+    /// As [`Solid::factored`].
     pub(crate) fn compliances(&self, mesh: &Mesh, loads: &[Row]) -> Result<Vec<f64>, Error> {
         let body = self.assemble(mesh)?;
         let rows = self.rows();
         let solid = body.solid(mesh, self.memory);
-        let found = solid.compliances(&self.interface(&rows), loads);
-        found.map_err(|error| self.named(error, mesh))
+        let factored = solid.factored(&self.interface(&rows));
+        Ok(factored.map_err(|error| self.named(error, mesh))?.compliances(loads))
     }
 
     /// The retained motions, as rows over dofs.

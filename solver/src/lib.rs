@@ -43,6 +43,7 @@ mod stiffening;
 pub mod stress;
 pub mod support;
 mod time_function;
+mod together;
 mod told;
 mod trains;
 

@@ -19,6 +19,7 @@ use crate::reduction::{CraigBampton, Row};
 use crate::section::{self, Section};
 use crate::sparse::SparseMatrix;
 use crate::stiffening::displacement;
+use crate::together::both;
 
 /// Which body a reduction is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -178,28 +179,27 @@ impl Reduced {
     pub fn new(kind: BodyKind, mesh: &Mesh, spec: &BodySpec) -> Result<Reduced, Error> {
         let body = spec.assemble(mesh)?;
         let has_sections = !spec.sections.is_empty() && mesh.matrices().is_none();
-        let whole = match has_sections {
-            true => {
-                let answered = section::answered(mesh, &body.mass, &spec.means);
-                let corrections = spec.corrections.iter().cloned().chain(answered).collect();
-                let mut with = BodySpec { corrections, ..spec.clone() };
-                let once = with.reduce(mesh, &body)?;
-                with.corrections.extend(section::inertia_of_answers(&once, spec.modes, &body.mass));
-                with.reduce(mesh, &body)?
-            }
-            false => spec.reduce(mesh, &body)?,
-        };
+        let fixed = spec.fixed_interface(mesh, &body)?;
+        let mut corrections = spec.corrections.clone();
+        if has_sections {
+            corrections.extend(section::answered(mesh, &body.mass, &spec.means));
+            let once = fixed.reduce(&corrections)?;
+            corrections.extend(section::inertia_of_answers(&once, spec.modes, &body.mass));
+        }
+        let whole = fixed.reduce(&corrections)?;
+        let factored = fixed.into_factored();
         let mut spun = None;
         let spin = match kind {
             BodyKind::Shaft => {
                 let (inertia, coupling) =
-                    (assemble(mesh, "spin_inertia")?, assemble(mesh, "spin_coupling")?);
+                    both(|| assemble(mesh, "spin_inertia"), || assemble(mesh, "spin_coupling"));
+                let (inertia, coupling) = (inertia?, coupling?);
                 let undeformed = Undeformed::of(mesh, &inertia, &coupling);
                 let mut under_load = || match mesh.matrices() {
                     Some(_) => assemble(mesh, "stiffening"),
                     None => {
                         let load = &undeformed.y_x0;
-                        let displaced = displacement(mesh, spec, &body, &whole, load)?;
+                        let displaced = displacement(mesh, spec, &body, (&whole, &factored), load)?;
                         assemble_under(mesh, "stiffening", spun.insert(displaced))
                     }
                 };

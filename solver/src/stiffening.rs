@@ -7,7 +7,7 @@ use crate::linalg::{
     transpose_multiply,
 };
 use crate::mesh::Mesh;
-use crate::reduction::{CraigBampton, Row, Solid, free_shapes};
+use crate::reduction::{CraigBampton, Factored, Row, Solid, free_shapes};
 
 /// K u⁰ = load, with the constraints of the spec; m per (rad/s)². Under it G is [`crate::assembly::assemble_under`].
 ///
@@ -23,7 +23,7 @@ pub(crate) fn displacement(
     mesh: &Mesh,
     spec: &BodySpec,
     body: &Assembled,
-    reduction: &CraigBampton,
+    (reduction, factored): (&CraigBampton, &Factored),
     load: &[f64],
 ) -> Result<Vec<f64>, Error> {
     let modes = reduction.modes();
@@ -52,7 +52,7 @@ pub(crate) fn displacement(
 
     let mut shifts = vec![0.0; modes];
     shifts.extend(transform.apply(&active));
-    let inner = solid.held(&spec.interface(&spec.rows()), &load)?;
+    let inner = factored.displacement(&load);
     let follows = reduction.shapes.apply(&shifts);
     Ok(follows.iter().zip(&inner).map(|(a, b)| a + b).collect())
 }

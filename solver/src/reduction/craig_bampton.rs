@@ -2,18 +2,16 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize};
 
-use crate::linalg::{LinearAlgebraError, LowerTriangle, Matrix, dot, transpose_multiply};
+use crate::linalg::{LowerTriangle, Matrix, transpose_multiply};
 use crate::ordering::{Neighbours, nested_dissection};
 use crate::sparse::SparseMatrix;
 
-use super::constrained::{ConstrainedCholesky, Constraints};
-use super::correction::corrected;
+use super::constrained::Constraints;
 use super::partition::{Interface, Partition};
 use super::pencil::{Modes, Pencil};
-use super::rigid::{free_motions, free_shapes_of_parts, pins};
+use super::rigid::{free_shapes_of_parts, pins};
 use super::solid::{Solid, lower};
-use super::ties::Tied;
-use crate::error::{FreeMotion, ReductionError};
+use crate::error::ReductionError;
 use crate::sparse::Row;
 
 /// A body in Craig–Bampton coordinates: amplitudes of its fixed-interface modes, then the displacements
@@ -81,175 +79,7 @@ impl Solid<'_> {
         interface: &Interface,
         modes: usize,
     ) -> Result<CraigBampton, ReductionError> {
-        let Some(tied) = self.tied(interface.held) else {
-            return self.reduce_free(interface, &[], modes);
-        };
-        let rows = |rows: &[Row]| -> Vec<Row> { rows.iter().map(|row| tied.row(row)).collect() };
-        let (retained, corrections) = (rows(interface.retained), rows(interface.corrections));
-        let own = Interface { retained: &retained, corrections: &corrections, ..*interface };
-        let (stiffness, mass) = self.tied_matrices(&tied)?;
-        let solid = Solid { stiffness: &stiffness, mass: &mass, ties: &[], ..*self };
-        let mut reduced = solid.reduce_free(&own, &tied.dependent, modes)?;
-        tied.expand(&mut reduced.shapes);
-        Ok(CraigBampton { retained: interface.retained.to_vec(), ..reduced })
-    }
-
-    /// [`Solid::reduce`] of a body in which nothing but `dependent` dofs, which have no stiffness, follows from others.
-    fn reduce_free(
-        &self,
-        interface: &Interface,
-        dependent: &[usize],
-        modes: usize,
-    ) -> Result<CraigBampton, ReductionError> {
-        let retained = interface.retained;
-        let partition = Partition::new(self.mass.size(), interface, dependent)?;
-        let whole = lower(self.stiffness, "stiffness")?;
-        let held = interface.held.iter().map(|&dof| vec![(dof, 1.0)]);
-        let held: Vec<Row> = retained.iter().map(of_order_one).chain(held).collect();
-        let motions = free_motions((self.coordinates, self.slots), &whole, &held)?;
-        if !motions.is_empty() {
-            return Err(ReductionError::Mechanism { motions });
-        }
-        let stiffness = partition.inner(&whole);
-        let mass = partition.inner(&*lower(self.mass, "mass")?);
-        let order = self.order(&whole, &partition.inner);
-        let pins = self.pins(&whole, &partition, interface)?;
-        let components: Vec<usize> = partition.inner.iter().map(|dof| dof % 3).collect();
-        let pencil = Pencil {
-            stiffness: &stiffness,
-            mass: &mass,
-            order: &order,
-            constraints: Constraints { rows: &partition.rows, pins: &pins },
-            components: &components,
-            memory: self.memory,
-            columns: retained.len(),
-        };
-        let loose = |row: usize| ReductionError::Mechanism {
-            motions: vec![FreeMotion::Part { node: (partition.inner[row] / 3) as u64 }],
-        };
-        // A mode that has lost its partner takes from a round body that it is round.
-        let found = pencil.lowest_pairs(modes);
-        let (fixed, factor) = found.map_err(|error| match error {
-            ReductionError::LinearAlgebra(LinearAlgebraError::NotPositiveDefinite {
-                row, ..
-            }) => loose(row),
-            ReductionError::Hidden { node: row, stiffest, modes, .. } => {
-                let dof = partition.inner[row as usize];
-                let (node, component) = ((dof / 3) as u64, dof % 3);
-                ReductionError::Hidden { node, component, stiffest, modes }
-            }
-            error => error,
-        })?;
-        if let Some(row) = moves_freely(&fixed, &pencil) {
-            return Err(loose(row));
-        }
-
-        let loads = partition.inner_loads(interface.corrections);
-        let fixed = corrected(fixed, &pencil, &factor, loads)?;
-        let modes = fixed.eigenvalues.len();
-
-        let (coupling, held) = partition.coupling(&whole);
-        let mut constraint = coupling.clone();
-        constraint.data.iter_mut().for_each(|value| *value = -*value);
-        let multipliers = factor.solve_with(&mut constraint.data, &partition.given());
-
-        // K̄ of the retained dofs is the Schur complement K_rr − K_ri K_ii⁻¹ K_ir, that of the means what brings them about.
-        let mut condensed = transpose_multiply(coupling.view(), constraint.view());
-        for (value, k) in condensed.data.iter_mut().zip(&held.data) {
-            *value += k;
-        }
-        partition.add_multipliers(&multipliers, &mut condensed);
-        let condensed = condensed.symmetric_part();
-        let size = modes + retained.len();
-        let stiffness = Matrix::from_fn(size, size, |i, j| {
-            match (i.checked_sub(modes), j.checked_sub(modes)) {
-                (Some(i), Some(j)) => condensed[(i, j)],
-                (None, None) if i == j => fixed.eigenvalues[i],
-                _ => 0.0,
-            }
-        });
-        let shapes = partition.shapes(&fixed.vectors, &constraint);
-        let mut reduced = CraigBampton {
-            hertz: fixed.hertz(),
-            retained: retained.to_vec(),
-            shapes,
-            mass: Matrix::default(),
-            stiffness,
-        };
-        let mass = reduced.reduce(self.mass).symmetric_part();
-        reduced.mass = Matrix::from_fn(size, size, |i, j| match (i < modes, j < modes) {
-            (true, true) if i == j => 1.0,
-            (true, true) => 0.0,
-            _ => mass[(i, j)],
-        });
-        Ok(reduced)
-    }
-
-    /// The displacement under `force` (N, 3·nodes) with the retained motions and the held dofs at zero; 3·nodes values, in m.
-    ///
-    /// # Errors
-    /// As [`Solid::reduce`], but that motions which nothing stops are named by a dof only.
-    pub(crate) fn held(
-        &self,
-        interface: &Interface,
-        force: &[f64],
-    ) -> Result<Vec<f64>, ReductionError> {
-        let tied = self.tied(interface.held);
-        let force = tied.as_ref().map_or(Cow::Borrowed(force), |tied| tied.forces(force).into());
-        let (partition, factor) = self.factored(interface, tied.as_ref())?;
-        let mut inner = partition.inner_load(&force);
-        factor.solve_in_place(&mut inner);
-        let data = partition.displacement(&inner);
-        let mut moved = Matrix { rows: data.len(), cols: 1, data };
-        tied.iter().for_each(|tied| tied.expand(&mut moved));
-        Ok(moved.data)
-    }
-
-    /// The displacement under each of these loads in its own direction, with the retained motions and the held dofs at
-    /// zero.
-    ///
-    /// # Errors
-    /// As [`Solid::held`].
-    pub(crate) fn compliances(
-        &self,
-        interface: &Interface,
-        loads: &[Row],
-    ) -> Result<Vec<f64>, ReductionError> {
-        let tied = self.tied(interface.held);
-        let own: Vec<Row> = match &tied {
-            Some(tied) => loads.iter().map(|load| tied.row(load)).collect(),
-            None => loads.to_vec(),
-        };
-        let (partition, factor) = self.factored(interface, tied.as_ref())?;
-        let loads = partition.inner_loads(&own);
-        let mut moved = loads.clone();
-        factor.solve_in_place(&mut moved.data);
-        Ok((0..loads.cols).map(|j| dot(loads.col(j), moved.col(j))).collect())
-    }
-
-    /// What is inner, and the factor of its stiffness.
-    fn factored(
-        &self,
-        interface: &Interface,
-        tied: Option<&Tied>,
-    ) -> Result<(Partition, ConstrainedCholesky), ReductionError> {
-        let whole = lower(self.stiffness, "stiffness")?;
-        let (whole, retained, dependent) = match tied {
-            Some(tied) => (
-                Cow::Owned(tied.matrix(&whole, self.memory)?),
-                interface.retained.iter().map(|row| tied.row(row)).collect(),
-                &tied.dependent[..],
-            ),
-            None => (whole, interface.retained.to_vec(), &[][..]),
-        };
-        let interface = &Interface { retained: &retained, ..*interface };
-        let partition = Partition::new(self.mass.size(), interface, dependent)?;
-        let order = self.order(&whole, &partition.inner);
-        let pins = self.pins(&whole, &partition, interface)?;
-        let constraints = Constraints { rows: &partition.rows, pins: &pins };
-        let stiffness = partition.inner(&whole);
-        let factor = ConstrainedCholesky::new(&stiffness, &order, constraints, self.memory)?;
-        Ok((partition, factor))
+        self.fixed_interface(interface, modes)?.reduce(interface.corrections)
     }
 
     /// The `count` lowest modes of the body with no dof held, rigid motions first.
@@ -293,7 +123,7 @@ impl Solid<'_> {
 
     /// Inner dofs, by their places, without which nothing of the body moves freely while its means may: those that the rigid
     /// motions move most. None where there are no means.
-    fn pins(
+    pub(super) fn pins(
         &self,
         whole: &LowerTriangle,
         partition: &Partition,
@@ -310,15 +140,15 @@ impl Solid<'_> {
     }
 
     /// Order of elimination of the dofs listed (ascending), as places in that list.
-    fn order(&self, stiffness: &LowerTriangle, dofs: &[usize]) -> Vec<usize> {
+    pub(super) fn order(&self, stiffness: &LowerTriangle, dofs: &[usize]) -> Vec<usize> {
         let nodes = self.coordinates.len();
         let mut neighbours: Neighbours = vec![Vec::new(); nodes];
         for dof in 0..stiffness.size {
             for (other, _) in stiffness.column(dof) {
                 let (a, b) = (dof / 3, other / 3);
                 if a != b {
-                    neighbours[a].push(b);
-                    neighbours[b].push(a);
+                    push_new(&mut neighbours[a], b);
+                    push_new(&mut neighbours[b], a);
                 }
             }
         }
@@ -338,17 +168,9 @@ impl Solid<'_> {
     }
 }
 
-/// A row divided by the sum of its coefficients' absolute values.
-fn of_order_one(row: &Row) -> Row {
-    let sum: f64 = row.iter().map(|(_, c)| c.abs()).sum();
-    row.iter().map(|&(dof, c)| (dof, c / sum)).collect()
-}
-
-/// The row of largest motion in the first mode, if that mode costs no more than rounding.
-fn moves_freely(fixed: &Modes, pencil: &Pencil) -> Option<usize> {
-    if *fixed.eigenvalues.first()? > pencil.blur() {
-        return None;
+/// Adds a neighbour that is not the last one.
+fn push_new(neighbours: &mut Vec<usize>, node: usize) {
+    if neighbours.last() != Some(&node) {
+        neighbours.push(node);
     }
-    let shape = fixed.vectors.col(0);
-    (0..shape.len()).max_by(|&a, &b| shape[a].abs().total_cmp(&shape[b].abs()))
 }
