@@ -15,6 +15,8 @@ pub(crate) struct LawFile {
     inputs: Vec<String>,
     outputs: Vec<String>,
     tape: Tape,
+    /// Of the outputs alone.
+    forces: Tape,
     states: Vec<Remembered>,
     /// Of the energy that is stored.
     stored: Option<Tape>,
@@ -52,6 +54,7 @@ impl LawFile {
             inputs: spec.taken().iter().map(|input| input.name.clone()).collect(),
             outputs: spec.given().iter().map(|output| output.name.clone()).collect(),
             tape: Tape::new(&program),
+            forces: Tape::new(&spec.forces_of(&program)),
             states: states.collect(),
             stored: stored.as_ref().map(Tape::new),
             valid: spec.valid.iter().map(validity).collect(),
@@ -84,6 +87,10 @@ impl SpringLaw for LawFile {
 
     fn evaluate(&self, springs: usize, inputs: &[f64], outputs: &mut [f64], workspace: &mut [f64]) {
         self.tape.evaluate(springs, inputs, outputs, workspace);
+    }
+
+    fn forces(&self, springs: usize, inputs: &[f64], outputs: &mut [f64], workspace: &mut [f64]) {
+        self.forces.evaluate(springs, inputs, outputs, workspace);
     }
 
     fn states(&self) -> Vec<Remembered> {

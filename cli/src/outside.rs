@@ -1,7 +1,6 @@
 //! The outside of a mesh: faces that only one cell has.
 
-use std::collections::HashMap;
-
+use rustc_hash::FxHashMap;
 use whirl_solver::mesh::{Cell, Mesh};
 use whirl_specs::{Element, Face};
 
@@ -20,7 +19,7 @@ pub(crate) fn outer_corners(mesh: &Mesh) -> Vec<Vec<usize>> {
 /// Cells and faces of them that no other cell has, in the order of the cells.
 pub(crate) fn outer_places(mesh: &Mesh) -> impl Iterator<Item = (Cell, usize)> {
     // The corners of a face name it: two cells that share them share the face.
-    let mut known: HashMap<[usize; 4], Option<(Cell, usize)>> = HashMap::new();
+    let mut known: FxHashMap<[usize; 4], Option<(Cell, usize)>> = FxHashMap::default();
     let mut order = Vec::new();
     let corners: Vec<Vec<Vec<usize>>> = mesh
         .blocks()

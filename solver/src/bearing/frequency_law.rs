@@ -38,6 +38,10 @@ impl SpringLaw for FrequencyLaw {
         self.still.evaluate(springs, inputs, outputs, workspace);
     }
 
+    fn forces(&self, springs: usize, inputs: &[f64], outputs: &mut [f64], workspace: &mut [f64]) {
+        self.still.forces(springs, inputs, outputs, workspace);
+    }
+
     fn valid(&self) -> Vec<Validity> {
         self.still.valid()
     }

@@ -22,6 +22,18 @@ pub trait SpringLaw: Send + Sync {
     fn workspace(&self) -> usize;
     /// Evaluates all springs; rows as in [`whirl_specs::LawKernel`]. Allocates nothing.
     fn evaluate(&self, springs: usize, inputs: &[f64], outputs: &mut [f64], workspace: &mut [f64]);
+    /// The outputs alone, to the same bits: one row of `springs` values an output, neither derivatives nor rates. What is given here
+    /// takes them out of all; a law that is marched has its own, which is faster and allocates nothing.
+    fn forces(&self, springs: usize, inputs: &[f64], outputs: &mut [f64], workspace: &mut [f64]) {
+        let rows = 1 + self.inputs().len() + self.states().len();
+        let count = self.outputs().len();
+        let mut all = vec![0.0; springs * rows * (count + self.states().len())];
+        self.evaluate(springs, inputs, &mut all, workspace);
+        for output in 0..count {
+            let own = &all[springs * rows * output..][..springs];
+            outputs[springs * output..][..springs].copy_from_slice(own);
+        }
+    }
     /// Where its results may be believed.
     fn valid(&self) -> Vec<Validity> {
         Vec::new()
@@ -82,6 +94,9 @@ impl SpringLaw for &'static Law {
     }
     fn evaluate(&self, springs: usize, inputs: &[f64], outputs: &mut [f64], _: &mut [f64]) {
         (self.evaluate)(springs, inputs, outputs);
+    }
+    fn forces(&self, springs: usize, inputs: &[f64], outputs: &mut [f64], _: &mut [f64]) {
+        (self.forces)(springs, inputs, outputs);
     }
     fn valid(&self) -> Vec<Validity> {
         let own = |own: &whirl_specs::Validity| Validity {

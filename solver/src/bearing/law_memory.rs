@@ -30,4 +30,13 @@ impl LawMemory {
         bound.law.evaluate(n, inputs, outputs, &mut self.workspace);
         outputs
     }
+
+    /// The forces alone, a row each.
+    pub(super) fn forces(&mut self, law: &PlacedLaw) -> &[f64] {
+        let (bound, n) = (&law.bound, law.springs);
+        let inputs = &self.inputs[..bound.rows_in() * n];
+        let outputs = &mut self.outputs[..bound.forces.len() * n];
+        bound.law.forces(n, inputs, outputs, &mut self.workspace);
+        outputs
+    }
 }

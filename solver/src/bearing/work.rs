@@ -185,7 +185,7 @@ impl WorkAlong {
             let remembered = &mut memory.inputs[bound.inputs.len() * n..];
             let ends = start.states.iter().zip(&end.states);
             remembered.iter_mut().zip(ends).for_each(|(v, (a, b))| *v = a + s * (b - a));
-            let forces = memory.evaluate(law).chunks_exact(n.max(1)).step_by(1 + bound.rows_in());
+            let forces = memory.forces(law).chunks_exact(n.max(1));
             for (sums, forces) in sums.chunks_exact_mut(n.max(1)).zip(forces) {
                 sums.iter_mut().zip(forces).for_each(|(sum, force)| *sum += weight * force);
             }

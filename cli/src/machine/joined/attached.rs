@@ -1,5 +1,7 @@
 //! Discs and unbalance on the sections of a body that turns.
 
+use std::cell::OnceCell;
+
 use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::assembly::mass_properties;
 use whirl_solver::mesh::MeanComponent;
@@ -21,11 +23,15 @@ pub(super) fn plan(
     errors: &mut Diagnostics,
 ) -> Vec<Attachment> {
     let mut all = Vec::with_capacity(attached.len());
+    let mass = OnceCell::new();
     for own in attached {
         let at = match body {
             PlannedBody::Meshed(plan) => {
-                let beside = carried_beside(attached, own);
-                section((own, beside), plan, errors).map(Place::Mean)
+                let mass_of_body =
+                    || mass_properties(&plan.mesh).map_or(f64::INFINITY, |own| own.mass);
+                let is_heavy = matches!(own.what, AttachmentKind::Mass { .. })
+                    && carried_beside(attached, own) > HEAVY * mass.get_or_init(mass_of_body);
+                section((own, is_heavy), plan, errors).map(Place::Mean)
             }
             PlannedBody::Rigid(rigid) => {
                 let [x, y] = off_axis(own);
@@ -46,9 +52,9 @@ fn carried_beside(attached: &[Attached], own: &Attached) -> f64 {
     masses.sum()
 }
 
-/// The mean motion of the section nearest to where something is; `beside`: the masses there (kg).
+/// The mean motion of the section nearest to where something is, with masses there that are heavy or not.
 fn section(
-    (own, beside): (&Attached, f64),
+    (own, is_heavy): (&Attached, bool),
     plan: &mut BodyPlan,
     errors: &mut Diagnostics,
 ) -> Option<usize> {
@@ -83,8 +89,11 @@ fn section(
     let own_motions: &[MeanComponent] = match own.what {
         AttachmentKind::Disc { .. } => &MOTIONS,
         AttachmentKind::Mass { .. } => {
-            let mass = mass_properties(&plan.mesh).map_or(f64::INFINITY, |own| own.mass);
-            if beside > HEAVY * mass { &MOTIONS } else { &MOTIONS[..2] }
+            if is_heavy {
+                &MOTIONS
+            } else {
+                &MOTIONS[..2]
+            }
         }
         AttachmentKind::Unbalance(_) => &[],
     };

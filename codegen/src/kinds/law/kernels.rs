@@ -22,7 +22,8 @@ impl LawSpec {
         let stored = self.stored_program().map_err(refused)?;
         let stored = stored.as_ref().map(|program| stored_of(self, program));
         let functions = functions(self, program);
-        let functions = quote!(#functions #measured #stored);
+        let forces = forces_of(self, &self.forces_of(program));
+        let functions = quote!(#functions #forces #measured #stored);
         let entry = entry(self, &about, &functions);
         let name = identifier(&self.name);
         let heading = documented(&format!("{}{}", about.heading(), pieces(self)));
@@ -82,6 +83,18 @@ fn functions(law: &LawSpec, program: &Program) -> TokenStream {
         8 * names.len()
     ));
     let (kernel, names) = (quote!(Kernel), [quote!(evaluate), quote!(outputs)]);
+    rows(program, &inputs, kernel, names, [about_spring, about_rows])
+}
+
+/// The outputs without their derivatives.
+fn forces_of(law: &LawSpec, program: &Program) -> TokenStream {
+    let names: Vec<&str> = program.outputs.iter().map(|output| output.name.as_str()).collect();
+    let names = names.join(", ");
+    let about_spring = documented(&format!("{names}; {}.", program.total_counts()));
+    let about_rows =
+        documented(&format!("Rows of `springs` values, SI: {names} alone, to the same bits."));
+    let inputs = taken(law, program);
+    let (kernel, names) = (quote!(Forces), [quote!(forces), quote!(outputs)]);
     rows(program, &inputs, kernel, names, [about_spring, about_rows])
 }
 
@@ -211,6 +224,7 @@ fn entry(law: &LawSpec, about: &About, functions: &TokenStream) -> TokenStream {
             outputs: &[#(#outputs),*],
             states: &[#(#states),*],
             evaluate,
+            forces,
             stored: #stored,
             valid: &[#(#valid),*],
             #measure,

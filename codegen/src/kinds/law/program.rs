@@ -28,6 +28,11 @@ impl LawSpec {
         schedule(&mut self.graph.clone(), &request)
     }
 
+    /// What of [`LawSpec::program`] gives the outputs alone, to the same bits: neither derivatives nor rates of states.
+    pub fn forces_of(&self, program: &Program) -> Program {
+        program.restricted(|name| self.given().iter().any(|output| output.name == name))
+    }
+
     /// The program of the energy that the law stores (J), from its inputs and states; none if it does not say so.
     ///
     /// # Errors
