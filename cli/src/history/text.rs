@@ -20,6 +20,8 @@ pub(super) fn line(text: &mut Vec<u8>, row: &[f64]) {
 
 /// Significant digits after the first: two more than forces are compared with.
 pub(super) const DIGITS: usize = 9;
+/// More than the shortest text of any number has.
+const LONGEST: usize = 32;
 
 /// Adds a number.
 pub(super) fn number(text: &mut Vec<u8>, value: f64) {
@@ -30,22 +32,74 @@ pub(super) fn number(text: &mut Vec<u8>, value: f64) {
     if value.abs() < 1e-300 {
         return write!(text, "{value:e}").expect("memory can be written");
     }
-    let start = text.len();
-    write!(text, "{value:.DIGITS$e}").expect("memory can be written");
-    rearrange(text, start);
+    if value < 0.0 {
+        text.push(b'-');
+    }
+    place(text, &rounded(value.abs()));
 }
 
-/// Turns what begins at `start`, such as `-1.500000000e-4`, into the shortest text of the same number, plain where it
-/// is neither very small nor very large. (To print the number rounded to these digits costs three times as much.)
-fn rearrange(text: &mut Vec<u8>, start: usize) {
-    let negative = text[start] == b'-';
-    let written = text.split_off(start + usize::from(negative));
-    let (mantissa, exponent) = written.split_at(DIGITS + 2);
-    let exponent = std::str::from_utf8(&exponent[1..]).ok().and_then(|digits| digits.parse().ok());
-    let exponent: i32 = exponent.expect("an exponent after ten digits");
+/// Digits d₀d₁d₂… of d₀.d₁d₂… · 10^exponent.
+struct Decimal {
+    digits: [u8; DIGITS + 1],
+    exponent: i32,
+}
+
+/// A positive number to ten digits, as its exact value is rounded.
+fn rounded(value: f64) -> Decimal {
+    let mut buffer = zmij::Buffer::new();
+    let (all, count, exponent) = parts(buffer.format_finite(value));
+    let mut decimal = Decimal { digits: [b'0'; DIGITS + 1], exponent };
+    decimal.digits.copy_from_slice(&all[..=DIGITS]);
+    match &all[DIGITS + 1..count.max(DIGITS + 1)] {
+        [] | [b'0'..b'5', ..] => return decimal,
+        // No shorter text lies between the shortest and the number itself, except halfway between two of ten digits.
+        [b'5'] => return exactly(value),
+        _ => {}
+    }
+    for digit in decimal.digits.iter_mut().rev() {
+        if *digit < b'9' {
+            *digit += 1;
+            return decimal;
+        }
+        *digit = b'0';
+    }
+    decimal.digits[0] = b'1';
+    decimal.exponent += 1;
+    decimal
+}
+
+/// The digits of a text such as `0.0125` or `1.25e-2`, how many there are, and the exponent of the first.
+fn parts(text: &str) -> ([u8; LONGEST], usize, i32) {
+    let (mut digits, mut count) = ([b'0'; LONGEST], 0);
+    let (mantissa, power) = text.split_once('e').unwrap_or((text, "0"));
+    let (mut exponent, mut is_behind) = (-1, false);
+    for byte in mantissa.bytes() {
+        if byte == b'.' {
+            is_behind = true;
+        } else if count == 0 && byte == b'0' {
+            exponent -= i32::from(is_behind);
+        } else {
+            digits[count] = byte;
+            count += 1;
+            exponent += i32::from(!is_behind);
+        }
+    }
+    let power: i32 = power.parse().expect("a whole power of ten");
+    (digits, count, exponent + power)
+}
+
+/// The same by the exact value.
+fn exactly(value: f64) -> Decimal {
+    let written = format!("{value:.DIGITS$e}");
+    let (mantissa, exponent) = written.split_once('e').expect("an exponent");
     let mut digits = [b'0'; DIGITS + 1];
-    digits[0] = mantissa[0];
-    digits[1..].copy_from_slice(&mantissa[2..]);
+    digits.iter_mut().zip(mantissa.bytes().filter(|byte| *byte != b'.')).for_each(|(d, b)| *d = b);
+    Decimal { digits, exponent: exponent.parse().expect("a whole power of ten") }
+}
+
+/// Adds the shortest text of a number, plain where it is neither very small nor very large.
+fn place(text: &mut Vec<u8>, Decimal { digits, exponent }: &Decimal) {
+    let exponent = *exponent;
     let count = digits.iter().rposition(|digit| *digit != b'0').map_or(1, |last| last + 1);
     let digits = &digits[..count];
     match exponent {
@@ -109,12 +163,24 @@ mod tests {
             123.0,
             1e300,
             5e-299,
+            // Halfway between two of ten digits.
+            1234567890.5,
+            1234567891.5,
+            99999999995.0,
+            0.5_f64.powi(34),
+            12345678.90625,
         ];
+        let halfway = (0..20_000_u32).map(|k| (1e9 + f64::from(k) * 44_999.0).floor() + 0.5);
         let wild = std::iter::repeat_with(|| {
             let (a, b) = (random(), random());
             (a - 0.5) * 10f64.powf(40.0 * b - 20.0)
         });
-        for value in edges.into_iter().chain([f64::NAN, f64::INFINITY]).chain(wild.take(100_000)) {
+        for value in edges
+            .into_iter()
+            .chain([f64::NAN, f64::INFINITY])
+            .chain(halfway)
+            .chain(wild.take(100_000))
+        {
             for value in [value, -value, (value * 8.0).round()] {
                 let mut text = Vec::new();
                 number(&mut text, value);
