@@ -97,8 +97,8 @@ pub struct Law {
     pub states: &'static [LawState],
     /// The kernel.
     pub evaluate: LawKernel,
-    /// The outputs alone, a row each, to the same bits: neither derivatives nor rates.
-    pub forces: LawKernel,
+    /// The outputs alone, a row each, to the same bits: neither derivatives nor rates. Without it they are taken out of all.
+    pub forces: Option<LawKernel>,
     /// The energy that is stored (J) over a row of springs, from rows of inputs and states, if the law says so.
     pub stored: Option<fn(springs: usize, inputs: &[f64], energies: &mut [f64])>,
     /// Where the law may be believed.

@@ -62,6 +62,40 @@ fn the_files_that_are_damaged_here_are_good() {
     }
 }
 
+/// Places on the entities, which Gmsh writes behind the coordinates of nodes where it is asked to, are passed over: none at points
+/// and in volumes, one on curves, two on faces.
+#[test]
+fn nodes_with_parametric_coordinates_are_those_without() {
+    let plain = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n";
+    let text = OLDER.replace(
+        plain,
+        "$ParametricNodes\n4\n1 0 0 0 0 7\n2 1 0 0 1 3 0.25\n3 0 1 0 2 5 0.5 -0.125\n4 0 0 1 3 1\n$EndParametricNodes\n",
+    );
+    assert_ne!(text, OLDER);
+    let [with, without] = [text.as_bytes(), OLDER.as_bytes()]
+        .map(|bytes| open(bytes, "good.msh").unwrap_or_else(|errors| panic!("{errors}")).mesh);
+    assert_eq!(with.nodes(), without.nodes());
+    // In binary, as Gmsh writes it.
+    let mut bytes = b"$MeshFormat\n2.2 1 8\n".to_vec();
+    bytes.extend(1_i32.to_le_bytes());
+    bytes.extend(b"\n$EndMeshFormat\n$ParametricNodes\n4\n");
+    let places: [(i32, &[f64]); 4] = [(0, &[]), (1, &[0.25]), (2, &[0.5, -0.125]), (3, &[])];
+    for (node, (dimension, place)) in places.into_iter().enumerate() {
+        bytes.extend((node as i32 + 1).to_le_bytes());
+        without.nodes()[node].iter().for_each(|own| bytes.extend(own.to_le_bytes()));
+        bytes.extend(dimension.to_le_bytes());
+        bytes.extend(9_i32.to_le_bytes());
+        place.iter().for_each(|own| bytes.extend(own.to_le_bytes()));
+    }
+    bytes.extend(b"\n$EndParametricNodes\n$Elements\n1\n");
+    for own in [4, 1, 2, 1, 3, 1, 1, 2, 3, 4_i32] {
+        bytes.extend(own.to_le_bytes());
+    }
+    bytes.extend(b"\n$EndElements\n");
+    let binary = open(&bytes, "good.msh").unwrap_or_else(|errors| panic!("{errors}")).mesh;
+    assert_eq!(binary.nodes(), without.nodes());
+}
+
 #[test]
 fn what_is_wrong_is_said_where_it_is() {
     for (text, from, to, place, what) in [

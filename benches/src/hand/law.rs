@@ -9,7 +9,11 @@ use whirl_specs::{Lane, Law, Origin, Variable};
 const H: Variable = Variable { name: "h", unit: "m", title: "clearance at the spring" };
 const Q: Variable = Variable { name: "Q", unit: "N", title: "normal force of one spring" };
 
-const fn law(name: &'static str, source: &'static str, evaluate: whirl_specs::LawKernel) -> Law {
+const fn law(
+    name: &'static str,
+    source: &'static str,
+    [evaluate, forces]: [whirl_specs::LawKernel; 2],
+) -> Law {
     let title = "Springs for the oil film of a journal bearing, by hand";
     let origin = Origin { name, title, source, spec: "", text: "", hash: "" };
     Law {
@@ -18,6 +22,7 @@ const fn law(name: &'static str, source: &'static str, evaluate: whirl_specs::La
         outputs: &[Q],
         states: &[],
         evaluate,
+        forces: Some(forces),
         stored: None,
         valid: &[],
         measure: |_, _, _| {},
@@ -25,10 +30,11 @@ const fn law(name: &'static str, source: &'static str, evaluate: whirl_specs::La
 }
 
 /// Q = 233 − 6517 h (N, mm) up to its root, eq. (51).
-pub static LINEAR: Law = law("hu2003-linear", "eq. (51)", evaluate::<Linear>);
+pub static LINEAR: Law = law("hu2003-linear", "eq. (51)", [evaluate::<Linear>, forces::<Linear>]);
 
 /// Q = 388 − 18632 h + 217550 h² (N, mm) up to its lower root, eq. (52).
-pub static NONLINEAR: Law = law("hu2003-nonlinear", "eq. (52)", evaluate::<Nonlinear>);
+pub static NONLINEAR: Law =
+    law("hu2003-nonlinear", "eq. (52)", [evaluate::<Nonlinear>, forces::<Nonlinear>]);
 
 /// What a law computes for a lane of springs: Q and ∂Q/∂h.
 trait Spring {
@@ -66,6 +72,12 @@ fn each<S: Spring, L: Register>(h: &[f64], q: &mut [f64], slope: &mut [f64]) {
 fn evaluate<S: Spring>(springs: usize, h: &[f64], out: &mut [f64]) {
     let (q, slope) = out[..2 * springs].split_at_mut(springs);
     Registers::current().run(Rows { h: &h[..springs], q, slope, spring: PhantomData::<S> });
+}
+
+fn forces<S: Spring>(springs: usize, h: &[f64], out: &mut [f64]) {
+    for (h, q) in h[..springs].iter().zip(out) {
+        [*q, _] = S::spring(*h);
+    }
 }
 
 enum Linear {}

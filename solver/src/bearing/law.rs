@@ -25,14 +25,7 @@ pub trait SpringLaw: Send + Sync {
     /// The outputs alone, to the same bits: one row of `springs` values an output, neither derivatives nor rates. What is given here
     /// takes them out of all; a law that is marched has its own, which is faster and allocates nothing.
     fn forces(&self, springs: usize, inputs: &[f64], outputs: &mut [f64], workspace: &mut [f64]) {
-        let rows = 1 + self.inputs().len() + self.states().len();
-        let count = self.outputs().len();
-        let mut all = vec![0.0; springs * rows * (count + self.states().len())];
-        self.evaluate(springs, inputs, &mut all, workspace);
-        for output in 0..count {
-            let own = &all[springs * rows * output..][..springs];
-            outputs[springs * output..][..springs].copy_from_slice(own);
-        }
+        forces_of_all(self, (springs, inputs), outputs, workspace);
     }
     /// Where its results may be believed.
     fn valid(&self) -> Vec<Validity> {
@@ -95,8 +88,11 @@ impl SpringLaw for &'static Law {
     fn evaluate(&self, springs: usize, inputs: &[f64], outputs: &mut [f64], _: &mut [f64]) {
         (self.evaluate)(springs, inputs, outputs);
     }
-    fn forces(&self, springs: usize, inputs: &[f64], outputs: &mut [f64], _: &mut [f64]) {
-        (self.forces)(springs, inputs, outputs);
+    fn forces(&self, springs: usize, inputs: &[f64], outputs: &mut [f64], workspace: &mut [f64]) {
+        match self.forces {
+            Some(forces) => forces(springs, inputs, outputs),
+            None => forces_of_all(self, (springs, inputs), outputs, workspace),
+        }
     }
     fn valid(&self) -> Vec<Validity> {
         let own = |own: &whirl_specs::Validity| Validity {
@@ -127,6 +123,23 @@ impl SpringLaw for &'static Law {
         if let Some(stored) = self.stored {
             stored(springs, inputs, energies);
         }
+    }
+}
+
+/// The outputs alone, taken out of all that a law computes.
+fn forces_of_all<L: SpringLaw + ?Sized>(
+    law: &L,
+    (springs, inputs): (usize, &[f64]),
+    outputs: &mut [f64],
+    workspace: &mut [f64],
+) {
+    let (count, states) = (law.outputs().len(), law.states().len());
+    let rows = 1 + law.inputs().len() + states;
+    let mut all = vec![0.0; springs * rows * (count + states)];
+    law.evaluate(springs, inputs, &mut all, workspace);
+    for output in 0..count {
+        let own = &all[springs * rows * output..][..springs];
+        outputs[springs * output..][..springs].copy_from_slice(own);
     }
 }
 

@@ -27,10 +27,11 @@ pub struct EnergyBalance {
     pub spring_dissipated: f64,
     /// Work done on the dampers of the bodies.
     pub dissipated: f64,
-    /// Energy in play: kinetic and strain energy at the start, and what loads, dampers and springs moved since,
-    /// summed without sign.
+    /// Energy in play: strain energy and kinetic energy without rotations at the start, and the most that loads, dampers and springs
+    /// have moved since, each on balance. What goes to and fro counts once, however long a run is: an error that grows with it is
+    /// not hidden.
     #[serde(skip)]
-    pub(crate) turnover: f64,
+    pub(crate) in_play: f64,
     /// Work of the forces that act on the rounding of what they hold: a machine that stands still has no other.
     #[serde(skip)]
     pub(crate) rounding: f64,
@@ -49,11 +50,7 @@ impl EnergyBalance {
     /// The error as a fraction of the energy in play; 0 where it is no more than rounding.
     pub fn error_fraction(&self) -> f64 {
         let error = self.error().abs();
-        if error <= self.rounding && self.rounding.is_finite() {
-            0.0
-        } else {
-            error / self.turnover
-        }
+        if error <= self.rounding && self.rounding.is_finite() { 0.0 } else { error / self.in_play }
     }
 }
 
@@ -62,8 +59,11 @@ impl EnergyBalance {
 pub(crate) struct EnergySums {
     work_in: f64,
     dissipated: f64,
-    turnover: f64,
     springs: SpringWork,
+    /// The largest size so far of these two, and of what springs have stored and dissipated.
+    largest: [f64; 4],
+    /// Strain energy and kinetic energy without rotations at the start.
+    moving: f64,
     pub(crate) flows: Windows,
     start: (f64, f64),
 }
@@ -89,6 +89,14 @@ pub(super) fn rounding(equations: &Equations, state: &State) -> f64 {
     ROUNDINGS * f64::EPSILON * held.sum::<f64>()
 }
 
+/// The kinetic energy of rotations alone, bodies as they are deformed (J).
+fn turning_alone(equations: &mut Equations, state: &State) -> f64 {
+    let mut turning = state.clone();
+    let first = equations.machine.rotations();
+    turning.v[first..].fill(0.0);
+    equations.kinetic_energy(&turning)
+}
+
 /// Residuals of the rows of rotations that are given.
 fn drives<'s>(equations: &'s Equations) -> &'s [f64] {
     &equations.residual[..equations.machine.first_unknown()]
@@ -104,7 +112,8 @@ impl EnergyMeter {
                 dissipated: 0.0,
                 springs: SpringWork::default(),
                 flows: Windows::new(MOTIONS * equations.machine.springs.bearings),
-                turnover: start.0 + start.1,
+                largest: [0.0; 4],
+                moving: start.1 + start.0 - turning_alone(equations, state),
                 start,
             },
             along: WorkAlong::new(&equations.machine.springs, &equations.springs),
@@ -152,9 +161,9 @@ impl EnergyMeter {
         self.sums.springs.add_step(&work);
         let flows = self.along.flows();
         self.sums.flows.add(flows);
-        let all = flows.iter().skip(MOTIONS - 1).step_by(MOTIONS);
-        let flowed: f64 = all.map(|own| own.flowed).sum();
-        self.sums.turnover += work_in.abs() + dissipated.abs() + flowed;
+        let EnergySums { work_in, dissipated, springs, largest, .. } = &mut self.sums;
+        let all = [*work_in, *dissipated, springs.stored, springs.dissipated];
+        largest.iter_mut().zip(all).for_each(|(most, own)| *most = most.max(own.abs()));
     }
 
     /// Takes the forces of the state that was just evaluated for those of the start of the next step: loads have changed at
@@ -175,7 +184,7 @@ impl EnergyMeter {
             spring_stored: springs.stored,
             spring_dissipated: springs.dissipated,
             dissipated: *dissipated,
-            turnover: self.sums.turnover,
+            in_play: self.sums.moving + self.sums.largest.iter().sum::<f64>(),
             rounding: rounding(equations, state),
         }
     }

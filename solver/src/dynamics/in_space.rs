@@ -12,6 +12,7 @@ use super::histogram::Histogram;
 use super::newmark::Integrator;
 use super::quality::{QualityMeter, larger};
 use super::sampling::{is_sampled, stands_for};
+use crate::bodies::Rotation;
 use crate::equations::Equations;
 use crate::equations::State;
 
@@ -114,7 +115,12 @@ impl QualityMeter {
         linearised.driven(judged, &self.held, &mut self.before);
         let InSpace { errors, forces, .. } = &mut self.sums.in_space;
         for ((part, error), force) in self.parts.all.iter().zip(errors).zip(forces) {
-            if !part.turns() {
+            let body = &equations.machine.bodies[part.moving().body];
+            // A frame that never turns makes no such forces.
+            let turns = body
+                .rotation()
+                .is_some_and(|own| !matches!(own, Rotation::Held | Rotation::Spinning { .. }));
+            if turns && !part.turns() {
                 error.add_times(part.measure(&self.within), weight);
                 *force = larger(*force, part.measure(&self.before));
             }

@@ -346,7 +346,7 @@ mod tests {
 
     /// Out of balance by a fraction of 100 J.
     fn balance(fraction: f64) -> EnergyBalance {
-        EnergyBalance { work_in: 100.0 * fraction, turnover: 100.0, ..EnergyBalance::default() }
+        EnergyBalance { work_in: 100.0 * fraction, in_play: 100.0, ..EnergyBalance::default() }
     }
 
     fn found(quality: Quality) -> Finding {

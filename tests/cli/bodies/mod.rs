@@ -1,5 +1,6 @@
 //! Machines of named bodies, run by the binary: what they do, and what is said of them.
 
+mod added;
 mod bushings;
 mod joint_laws;
 mod joints;

@@ -70,6 +70,21 @@ fn what_is_not_read_is_named() {
             "*TRANSFORM turns the axes of nodes that *EQUATION",
         ),
         (
+            format!("*EQUATION, REMOVE\n2\n{a}, 1, 1., {b}, 1, -1.\n"),
+            "REMOVE of *EQUATION is not read",
+        ),
+        (format!("*MPC, USER\nBEAM, {a}, {b}\n"), "USER of *MPC is not read"),
+        (
+            format!(
+                "*COUPLING, CONSTRAINT NAME=C, REF NODE={a}, SURFACE=ALL\n*KINEMATIC, SCALE=2\n1, 3\n"
+            ),
+            "SCALE of *KINEMATIC is not read",
+        ),
+        (
+            format!("*RIGID BODY, REF NODE={a}, REF NODE={b}, NSET=ALL\n"),
+            "REF NODE of *RIGID BODY is given twice",
+        ),
+        (
             "*RIGID BODY, REF NODE=1, NSET=ALL, POSITION=CENTER OF MASS\n".to_owned(),
             "POSITION of *RIGID BODY is not read",
         ),

@@ -171,6 +171,7 @@ pub(crate) const fn law(name: &'static str, rates: bool, evaluate: whirl_specs::
         outputs: &[Q],
         states: &[],
         evaluate,
+        forces: None,
         stored: None,
         valid: &[],
         measure: |_, _, _| {},

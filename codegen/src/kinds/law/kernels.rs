@@ -224,7 +224,7 @@ fn entry(law: &LawSpec, about: &About, functions: &TokenStream) -> TokenStream {
             outputs: &[#(#outputs),*],
             states: &[#(#states),*],
             evaluate,
-            forces,
+            forces: Some(forces),
             stored: #stored,
             valid: &[#(#valid),*],
             #measure,

@@ -5,24 +5,10 @@ use std::collections::BTreeSet;
 
 use super::super::raw::{Direction, FileDof, FileRow, MeshReport, did_you_mean, follows_mean};
 use super::cards::{Card, Token};
-use super::joining::{Joining, REMEDY};
+use super::joining::Joining;
 use super::values::{number, required, whole};
 
 const BASIC: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-
-/// Notes parameters that are not read.
-fn knows(card: &Card, known: &[&str], report: &mut MeshReport) {
-    for parameter in &card.parameters {
-        let name = parameter.name.as_str();
-        if !known.contains(&name) && !["", "INPUT"].contains(&name) {
-            report.error(
-                parameter.place,
-                format!("{name} of *{} is not read", card.keyword),
-                REMEDY,
-            );
-        }
-    }
-}
 
 /// Reads `*RIGID BODY`: nodes of a set, or of the cells of one, move as one body.
 pub(super) fn of_rigid_body(
@@ -30,8 +16,6 @@ pub(super) fn of_rigid_body(
     joining: &Joining,
     report: &mut MeshReport,
 ) -> Vec<FileRow> {
-    let known = ["REF NODE", "ROT NODE", "NSET", "ELSET", "PIN NSET", "TIE NSET", "NAME"];
-    knows(card, &known, report);
     let value = |name: &str| card.parameter(name).and_then(|parameter| parameter.value);
     let mut nodes: BTreeSet<usize> = BTreeSet::new();
     for name in ["NSET", "PIN NSET", "TIE NSET"] {
@@ -77,9 +61,6 @@ pub(super) fn of_coupling(
     joining: &Joining,
     report: &mut MeshReport,
 ) -> Vec<FileRow> {
-    let known =
-        ["CONSTRAINT NAME", "REF NODE", "SURFACE", "INFLUENCE RADIUS", "ORIENTATION", "ALPHA"];
-    knows(card, &known, report);
     let example = "*COUPLING, CONSTRAINT NAME=C, REF NODE=1, SURFACE=BORE";
     let reference = required(card, "REF NODE", example, report)
         .and_then(|token| joining.single(&token, report));
@@ -122,7 +103,6 @@ pub(super) fn of_coupling(
             nodes.into_iter().flat_map(follows).collect()
         }
         Some(kind) if kind.keyword == "DISTRIBUTING" => {
-            knows(kind, &["COUPLING"], report);
             let directions = chosen(kind, report);
             let translations = Direction::all()[..3].to_vec();
             let others: Vec<_> = nodes
@@ -145,7 +125,6 @@ pub(super) fn of_old_coupling(
     joining: &Joining,
     report: &mut MeshReport,
 ) -> Vec<FileRow> {
-    knows(card, &["REF NODE"], report);
     let reference = required(card, "REF NODE", "*KINEMATIC COUPLING, REF NODE=1", report)
         .and_then(|token| joining.single(&token, report));
     let Some(reference) = reference else { return Vec::new() };

@@ -177,6 +177,7 @@ fn readable<'c, 'a>(cards: &'c [Card<'a>], report: &mut MeshReport) -> Vec<&'c C
             parameters::check(card, report);
             kept.push(card);
         } else if ties::is_tie(keyword) {
+            parameters::check(card, report);
             kept.push(card);
         } else if keyword.is_empty() {
             report.error(card.place, "data before the first keyword", "begin with *NODE");
@@ -207,5 +208,20 @@ fn is_of_assembly(card: &Card) -> bool {
                 && first.is_some_and(|label| values::whole(label.text).is_some())
         }
         _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_card_that_is_read_has_its_parameters_listed() {
+        for keyword in READ.iter().chain(&PARTS).chain(&ties::READ) {
+            // Those that end something have none.
+            let ends = keyword.starts_with("END ");
+            let listed = parameters::KNOWN.iter().any(|(own, ..)| own == keyword);
+            assert!(ends || listed, "*{keyword}");
+        }
     }
 }

@@ -11,7 +11,7 @@ use super::cards::Card;
 type Known =
     (&'static str, &'static [&'static str], &'static [&'static str], &'static [&'static str]);
 
-const KNOWN: [Known; 13] = [
+pub(super) const KNOWN: [Known; 21] = [
     ("NODE", &[], &["NSET", "SYSTEM"], &[]),
     ("ELEMENT", &["TYPE"], &["ELSET"], &[]),
     ("NSET", &["NSET"], &["ELSET", "GENERATE", "INSTANCE"], &["INTERNAL", "UNSORTED"]),
@@ -35,6 +35,29 @@ const KNOWN: [Known; 13] = [
     ("PART", &["NAME"], &[], &["INTERNAL"]),
     ("ASSEMBLY", &["NAME"], &[], &[]),
     ("INSTANCE", &["NAME"], &["PART"], &["DEPENDENT"]),
+    ("EQUATION", &[], &[], &[]),
+    ("MPC", &[], &[], &[]),
+    (
+        "TIE",
+        &[],
+        &["POSITION TOLERANCE", "ADJUST"],
+        &["NAME", "TYPE", "NO ROTATION", "NO THICKNESS"],
+    ),
+    (
+        "RIGID BODY",
+        &[],
+        &["REF NODE", "ROT NODE", "NSET", "ELSET", "PIN NSET", "TIE NSET"],
+        &["NAME"],
+    ),
+    (
+        "COUPLING",
+        &[],
+        &["REF NODE", "SURFACE", "INFLUENCE RADIUS", "ORIENTATION"],
+        &["CONSTRAINT NAME", "ALPHA"],
+    ),
+    ("KINEMATIC", &[], &[], &[]),
+    ("DISTRIBUTING", &[], &[], &["COUPLING"]),
+    ("KINEMATIC COUPLING", &[], &["REF NODE"], &[]),
 ];
 
 /// Notes the parameters of a card that are not read. Where one is missing that the card needs, that is the error.
@@ -48,8 +71,13 @@ pub(super) fn check(card: &Card, report: &mut MeshReport) {
         return;
     }
     let known = || needed.iter().chain(*read).chain(*idle).copied();
-    for parameter in &card.parameters {
+    for (place, parameter) in card.parameters.iter().enumerate() {
         let name = parameter.name.as_str();
+        if !name.is_empty() && card.parameters[..place].iter().any(|other| other.name == name) {
+            let what = format!("{name} of *{keyword} is given twice");
+            report.error(parameter.place, what, "leave one of them");
+            continue;
+        }
         // One of none, where values do not depend on anything but temperature.
         let none = name == "DEPENDENCIES" && parameter.value.is_some_and(|value| value.text == "0");
         // The lines of any card may be in another file.

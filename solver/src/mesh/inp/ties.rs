@@ -13,7 +13,7 @@ use super::values::number;
 use super::{couplings, equations};
 
 /// Cards that are read.
-const READ: [&str; 8] = [
+pub(super) const READ: [&str; 8] = [
     "EQUATION",
     "MPC",
     "TIE",
@@ -168,22 +168,6 @@ fn onto_surface(
     joining: &Joining,
     report: &mut MeshReport,
 ) -> Vec<super::super::raw::FileRow> {
-    for parameter in &card.parameters {
-        let known = [
-            "NAME",
-            "POSITION TOLERANCE",
-            "ADJUST",
-            "TYPE",
-            "NO ROTATION",
-            "NO THICKNESS",
-            "INPUT",
-            "",
-        ];
-        if !known.contains(&parameter.name.as_str()) {
-            let what = format!("{} of *TIE is not read", parameter.name);
-            report.error(parameter.place, what, REMEDY);
-        }
-    }
     let value = |name: &str| card.parameter(name).and_then(|parameter| parameter.value);
     let most =
         value("POSITION TOLERANCE").and_then(|token| number(&token, "POSITION TOLERANCE", report));

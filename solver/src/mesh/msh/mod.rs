@@ -98,12 +98,17 @@ fn sections(bytes: &[u8], contents: &mut Contents, report: &mut MeshReport) -> R
                         version4::entities(contents, &mut cursor, true)?;
                     }
                     (b"Nodes", Version::Four) => version4::nodes(contents, &mut cursor, report)?,
-                    (b"Nodes", Version::Two) => version2::nodes(contents, &mut cursor, report)?,
+                    (b"Nodes", Version::Two) => {
+                        version2::nodes(contents, &mut cursor, false, report)?;
+                    }
+                    (b"ParametricNodes", Version::Two) => {
+                        version2::nodes(contents, &mut cursor, true, report)?;
+                    }
                     (b"Elements", Version::Four) => version4::elements(contents, &mut cursor)?,
                     (b"Elements", Version::Two) => version2::elements(contents, &mut cursor)?,
                     _ => cursor.skip_section()?,
                 }
-                seen.0 |= known == b"Nodes";
+                seen.0 |= [b"Nodes".as_slice(), b"ParametricNodes"].contains(&known);
                 seen.1 |= known == b"Elements";
             }
         }

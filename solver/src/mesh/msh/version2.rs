@@ -7,13 +7,14 @@ use super::cursor::{Cursor, DAMAGED, Stop};
 /// Tags that an element may have: group, entity, partitions.
 const MOST_TAGS: i64 = 10_000;
 
-/// `$Nodes`.
+/// `$Nodes`, and `$ParametricNodes`, which have the entity that a node is on with its place there behind the coordinates.
 pub(super) fn nodes(
     contents: &mut Contents,
     cursor: &mut Cursor,
+    parametric: bool,
     report: &mut MeshReport,
 ) -> Result<(), Stop> {
-    let count = counted(cursor, "nodes", 4, 28)?;
+    let count = counted(cursor, "nodes", 4, if parametric { 36 } else { 28 })?;
     contents.nodes.positions.reserve(count);
     for _ in 0..count {
         cursor.peek_text();
@@ -22,6 +23,14 @@ pub(super) fn nodes(
         let mut position = [0.0; 3];
         for value in &mut position {
             *value = cursor.real("a coordinate")?;
+        }
+        if parametric {
+            let dimension = cursor.whole("the dimension of an entity")?;
+            cursor.whole("the label of an entity")?;
+            // Points and volumes have none.
+            for _ in 0..if (1..=2).contains(&dimension) { dimension } else { 0 } {
+                cursor.real("a parametric coordinate")?;
+            }
         }
         contents.node(node, position, place, report);
     }

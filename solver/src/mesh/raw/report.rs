@@ -23,12 +23,14 @@ pub(crate) struct MeshReport {
     errors: Vec<(LinePosition, InputError)>,
     warnings: Vec<(LinePosition, InputError)>,
     error_count: usize,
+    /// Of these such as are listed already.
+    repeated: usize,
 }
 
 impl MeshReport {
     pub(crate) fn new(path: &str) -> MeshReport {
         let (errors, warnings) = (Vec::new(), Vec::new());
-        MeshReport { files: vec![path.to_owned()], errors, warnings, error_count: 0 }
+        MeshReport { files: vec![path.to_owned()], errors, warnings, error_count: 0, repeated: 0 }
     }
 
     fn entry(&self, place: LinePosition, what: String, help: String) -> (LinePosition, InputError) {
@@ -36,7 +38,7 @@ impl MeshReport {
         (place, InputError { file, line: place.line, column: place.column, what, help })
     }
 
-    /// Notes what makes the file unreadable.
+    /// Notes what makes the file unreadable, once.
     pub(crate) fn error(
         &mut self,
         at: impl Into<LinePosition>,
@@ -44,8 +46,10 @@ impl MeshReport {
         help: impl Into<String>,
     ) {
         self.error_count += 1;
-        if self.errors.len() < LISTED {
-            let error = self.entry(at.into(), what.into(), help.into());
+        let error = self.entry(at.into(), what.into(), help.into());
+        if self.errors.contains(&error) {
+            self.repeated += 1;
+        } else if self.errors.len() < LISTED {
             self.errors.push(error);
         }
     }
@@ -82,7 +86,7 @@ impl MeshReport {
     /// The errors in the order of the lines; of very many the first.
     pub(crate) fn into_errors(mut self) -> InputErrors {
         self.errors.sort_by_key(|(place, _)| *place);
-        let more = self.error_count - self.errors.len();
+        let more = self.error_count - self.repeated - self.errors.len();
         if more > 0 {
             let what = format!("and {more} more");
             let help = "correct these first: one of them may be the cause of many";

@@ -103,6 +103,7 @@ impl Columns {
         }
         let columns = Columns { source: source.clone(), heads, rows: lines };
         columns.check_lengths()?;
+        columns.check_names()?;
         Ok(columns)
     }
 
@@ -126,6 +127,20 @@ impl Columns {
             };
             let message = format!("this line has {} values, but {says}", row.len());
             errors.push(self.error(span, message).help(POINTS));
+        }
+        errors.into_result(())
+    }
+
+    /// Of two columns of one name either could be meant.
+    fn check_names(&self) -> Result<(), Diagnostics> {
+        let heads = self.heads.as_deref().unwrap_or_default();
+        let mut errors = Diagnostics::new();
+        for (place, head) in heads.iter().enumerate() {
+            if !head.name.is_empty() && heads[..place].iter().any(|other| other.name == head.name) {
+                let message = format!("two columns are called `{}`", head.name);
+                let help = "give each column a name of its own";
+                errors.push(self.error(head.span.clone(), message).help(help));
+            }
         }
         errors.into_result(())
     }
