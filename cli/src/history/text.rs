@@ -85,6 +85,9 @@ fn parts(text: &str) -> ([u8; LONGEST], usize, i32) {
         }
     }
     let power: i32 = power.parse().expect("a whole power of ten");
+    while count > 1 && digits[count - 1] == b'0' {
+        count -= 1;
+    }
     (digits, count, exponent + power)
 }
 

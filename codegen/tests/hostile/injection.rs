@@ -192,8 +192,10 @@ impl Check<'_> {
                 syn::Item::Const(_) | syn::Item::Static(_) => {}
                 // The types that kernels of a law, of its measures and energy, and of films belong to, and the kernels.
                 syn::Item::Enum(kernel) => {
-                    let known =
-                        ["Kernel", "Measures", "Energy", "Nodal", "Stored", "Flow", "Surface"];
+                    let known = [
+                        "Kernel", "Forces", "Measures", "Energy", "Nodal", "Stored", "Flow",
+                        "Surface",
+                    ];
                     assert!(known.iter().any(|known| kernel.ident == known), "{}", kernel.ident);
                     assert!(kernel.variants.is_empty());
                 }

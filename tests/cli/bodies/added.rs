@@ -59,7 +59,7 @@ set = \"JOURNAL2_MIDDLE\"
 /// The largest displacement of the right journal, and by how much another run departs from it (m).
 fn departure(a: &History, b: &History) -> [f64; 2] {
     let [mut most, mut apart] = [0.0_f64; 2];
-    for column in ["disp_right_x_m", "disp_right_y_m"] {
+    for column in ["right_x_m", "right_y_m"] {
         for (a, b) in a.column(column).iter().zip(b.column(column)) {
             most = most.max(a.abs());
             apart = apart.max((a - b).abs());
