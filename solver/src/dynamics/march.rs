@@ -12,7 +12,6 @@ use super::linear_steps::LinearSteps;
 use super::meters::Meters;
 use super::newmark::Integrator;
 use super::newton::{Newton, NewtonOptions, NewtonState, StepReport};
-use super::outputs::write_outputs;
 use super::quality::Quality;
 use super::restart::LastState;
 use super::row::{displacements, write_row};
@@ -372,7 +371,7 @@ impl<'m> March<'m> {
         let time = self.time();
         let (usual, asked) = self.row.split_at_mut(self.usual);
         write_row(&self.equations, &self.state, time, self.last_iterations, usual);
-        write_outputs(&mut self.equations, &self.state, time, asked);
+        self.equations.write_outputs(&self.state, time, asked);
     }
 
     /// Whether no drive is on its way to its target speed.

@@ -24,7 +24,6 @@ mod meters;
 mod modes;
 mod newmark;
 mod newton;
-mod outputs;
 mod part_errors;
 mod parts;
 mod periods;

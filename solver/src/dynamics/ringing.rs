@@ -278,7 +278,7 @@ impl RingingMeter {
 
     /// Takes the signals of a state just evaluated, in the order of the groups.
     fn take(&mut self, equations: &Equations, end: &State) {
-        let (machine, springs) = (equations.machine, &equations.springs);
+        let machine = equations.machine;
         let mut signals = self.now.iter_mut();
         let mut put = |value: f64| {
             if let Some(signal) = signals.next() {
@@ -286,26 +286,12 @@ impl RingingMeter {
             }
         };
         for monitor in &machine.monitors {
-            let mut force = [0.0; 2];
-            for [_, x, y] in monitor.planes.iter().map(|&plane| springs.plane_force(plane)) {
-                force[0] += x;
-                force[1] += y;
-            }
-            force.into_iter().for_each(&mut put);
+            equations.joint_force(monitor).into_iter().for_each(&mut put);
             if monitor.torque {
-                put(monitor
-                    .planes
-                    .iter()
-                    .map(|&plane| springs.plane_torque(&machine.springs, plane))
-                    .sum());
+                put(equations.joint_torque(monitor));
             }
-            if let Some(plane) = monitor.tilts {
-                let moment = springs.tilting_moment(&machine.springs, plane);
-                moment.into_iter().for_each(&mut put);
-            }
-            if let Some(plane) = monitor.along {
-                put(springs.axial_force(&machine.springs, plane));
-            }
+            equations.joint_moment(monitor).into_iter().flatten().for_each(&mut put);
+            equations.axial_force(monitor).into_iter().for_each(&mut put);
         }
         for body in machine.turning() {
             let theta = machine.places()[body].rotation.expect("it turns");

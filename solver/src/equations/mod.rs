@@ -1,6 +1,8 @@
 //! The equations of the machine at one instant: the residual
 //! r = Q_v − M q̈ + Q_e + Q_s − C q̇ − K q and its derivatives.
 
+mod joints;
+mod outputs;
 mod remembered;
 mod spring_tangent;
 mod state;
@@ -11,6 +13,7 @@ use std::ops::Range;
 
 use whirl_specs::ContactTangent;
 
+pub(crate) use self::joints::{displaced, frame_of, turn};
 pub(crate) use self::spring_tangent::SpringTangent;
 pub use self::state::{State, Weights};
 pub(crate) use self::turning::TurningBody;
@@ -397,5 +400,5 @@ pub(crate) fn placed<'m>(
     q: &[f64],
 ) -> (&'m BodyPlace, Position) {
     let place = &machine.places()[load.body];
-    (place, Position::new(place.rotation.map_or(0.0, |theta| q[theta])))
+    (place, frame_of(machine, load.body, q))
 }

@@ -109,9 +109,8 @@ impl LinearMachine {
         let size = equations.mass.rows;
         let mut force = vec![Complex64::ZERO; size];
         let block = self.block(equations.angles, body);
-        for (place, sum) in force[block].iter_mut().enumerate() {
-            let own = [0, 1].map(|axis| centre.node.shapes[(axis, place)]);
-            *sum += centre.mass * dot(&own, &acceleration);
+        for (sum, moved) in force[block].iter_mut().zip(centre.node.shapes.data.chunks_exact(3)) {
+            *sum += centre.mass * dot(&moved[..2], &acceleration);
         }
         let held = equations.at_frequency(0.0);
         let matrix: Vec<Complex64> =
