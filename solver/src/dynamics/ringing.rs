@@ -12,12 +12,14 @@ use std::ops::Range;
 use serde::{Deserialize, Serialize};
 
 use super::histogram::Histogram;
+use super::moving_part::{SMALLEST, larger};
 use super::parts::Parts;
-use super::quality::{SMALLEST, larger};
-use super::verdict::RINGING;
 use crate::equations::Equations;
 use crate::equations::State;
 use crate::linalg::widely;
+
+/// Amplitude of what alternates from step to step, as a fraction of the range of the same quantity: peaks are off by so much.
+pub(super) const RINGING: f64 = 0.02;
 
 /// What of a machine rings, and how much.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -15,8 +15,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::histogram::Histogram;
+use super::moving_part::{StepLength, larger};
 use super::parts;
-use super::quality::{QualityMeter, StepLength, larger};
+use super::quality_meter::QualityMeter;
 use super::ringing::LASTS;
 use super::sampling::{is_sampled, stands_for};
 use crate::equations::State;

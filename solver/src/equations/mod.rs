@@ -65,7 +65,7 @@ pub struct Equations<'m> {
     pub(crate) told: Vec<Option<ToldLoad>>,
     /// What every load had as its amplitude.
     pub(crate) amplitudes: Vec<[f64; 3]>,
-    /// Whether what begins at the instant of an evaluation does not act yet: see `dynamics::jumps`.
+    /// Whether what begins at the instant of an evaluation does not act yet: see `dynamics::step`.
     pub(crate) before: bool,
     /// What the loads were multiplied by.
     pub(crate) load_factors: Vec<f64>,
