@@ -10,7 +10,7 @@ use super::round::LinearMachine;
 use super::standing_loads::mean;
 use crate::equations::{Equations, instant, placed};
 use crate::error::Error;
-use crate::linalg::{dot, solve_complex};
+use crate::linalg::dot;
 use crate::loads::Load;
 use crate::output::{Motion, Wanted};
 use crate::plane_rows::PlaneRows;
@@ -174,13 +174,7 @@ impl LinearMachine {
         } else {
             for (order, force) in &forces {
                 let omega = f64::from(*order) / HALVES * speed;
-                let held = equations.at_frequency(omega);
-                let Linearised { mass, damping, stiffness, .. } = &*held;
-                let entry =
-                    |m: f64, c: f64, k: f64| Complex64::new(k - omega * omega * m, omega * c);
-                let entries = mass.data.iter().zip(&damping.data).zip(&stiffness.data);
-                let matrix: Vec<Complex64> = entries.map(|((m, c), k)| entry(*m, *c, *k)).collect();
-                add(*order, solve_complex(mass.rows, &matrix, force)?);
+                add(*order, equations.moved_by(omega, force)?);
             }
         }
         moved.sort_by_key(|own| own.0);
