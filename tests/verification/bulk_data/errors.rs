@@ -108,11 +108,7 @@ fn every_error_says_where_what_and_how_to_fix_it() {
         found += &format!("--- {}\n{errors}\n\n", by.trim_end().replace('\n', "\n    "));
     }
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("verification/bulk_data/errors.txt");
-    if std::env::var_os("WHIRL_RENEW_GOLDEN").is_some() {
-        fs::write(&path, &found).unwrap();
-    }
-    let known = fs::read_to_string(&path).unwrap_or_default();
-    assert!(known == found, "errors.txt differs; WHIRL_RENEW_GOLDEN=1 writes it anew:\n{found}");
+    whirl_tests::golden::is_as_committed(&path, &found);
 }
 
 #[test]
