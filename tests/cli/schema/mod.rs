@@ -53,7 +53,7 @@ fn the_pages_of_keys_are_those_of_the_program() {
         names(&schema(kind), &mut keys);
         assert!(keys.len() > 5, "{keys:?}");
         for key in keys {
-            assert!(committed.contains(&format!("| `{key}`")), "{kind}: `{key}`");
+            assert!(found.stdout.contains(&format!("| `{key}`")), "{kind}: `{key}`");
         }
     }
 }

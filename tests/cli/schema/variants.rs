@@ -88,7 +88,7 @@ const SECTIONS: &str = "/body/chosen/turns=prescribed /output/chosen/joint /fiel
      teeth pitch_radii internal pressure_angle mesh_stiffness mesh_damping backlash";
 
 /// Keys that exclude each other, so that a file with both would leave tables of one unread.
-pub fn variants(kind: &str) -> Vec<Vec<&'static str>> {
+pub(super) fn variants(kind: &str) -> Vec<Vec<&'static str>> {
     let plain: &[&[&str]] = match kind {
         "law" => &[&["value"], &["pieces"]],
         "element" => &[&["points"], &["rule"]],

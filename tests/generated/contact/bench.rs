@@ -8,33 +8,33 @@ use whirl_specs::{
 use crate::hyper::Hyper;
 use crate::random::Random;
 
-pub const SPRINGS: usize = 7;
-pub const C: f64 = 3.5e-5;
-pub const R: f64 = 0.034;
-pub const A1: f64 = 27.0;
+pub(super) const SPRINGS: usize = 7;
+pub(super) const C: f64 = 3.5e-5;
+pub(super) const R: f64 = 0.034;
+pub(super) const A1: f64 = 27.0;
 /// Sizes of lengths (m), of their rates (m/s), and of the speed (rad/s).
-pub const SIZES: [f64; 3] = [2e-5, 0.02, 40.0];
+pub(super) const SIZES: [f64; 3] = [2e-5, 0.02, 40.0];
 
-pub fn psi(j: usize) -> f64 {
+pub(super) fn psi(j: usize) -> f64 {
     0.3 + 0.8 * j as f64
 }
 
 /// A kind of law on a plane: θ, ε_x, ε_y, then the motions of the bore, row after row.
-pub struct Bench {
-    pub kind: &'static Contact,
-    pub count: usize,
-    pub table: Vec<f64>,
+pub(super) struct Bench {
+    pub(super) kind: &'static Contact,
+    pub(super) count: usize,
+    pub(super) table: Vec<f64>,
 }
 
 #[derive(Clone)]
-pub struct State {
-    pub q: Vec<f64>,
-    pub rate: Vec<f64>,
+pub(super) struct State {
+    pub(super) q: Vec<f64>,
+    pub(super) rate: Vec<f64>,
 }
 
 /// A measure by its place in what `measures` gives, or something that is no measure.
 #[derive(Clone, Copy)]
-pub enum Meaning {
+pub(super) enum Meaning {
     Value(usize),
     Rate(usize),
     Angle,
@@ -42,7 +42,7 @@ pub enum Meaning {
 }
 
 /// Places of the measures: h, s, α, e_x, e_y, e_z, α_x, α_y, e_n, s_mean.
-pub fn meaning(input: &str) -> Meaning {
+pub(super) fn meaning(input: &str) -> Meaning {
     match input {
         "h" => Meaning::Value(0),
         "h_dot" => Meaning::Rate(0),
@@ -66,13 +66,13 @@ pub fn meaning(input: &str) -> Meaning {
     }
 }
 
-pub fn measure_of(force: &str) -> usize {
+pub(super) fn measure_of(force: &str) -> usize {
     let forces = ["Q", "T", "M_z", "F_x", "F_y", "F_z", "M_x", "M_y", "F_n"];
     forces.iter().position(|own| *own == force).expect("known")
 }
 
 /// How large an input is.
-pub fn size(unit: &str) -> f64 {
+pub(super) fn size(unit: &str) -> f64 {
     match unit {
         "m" => SIZES[0],
         "m/s" => SIZES[1],
@@ -81,7 +81,7 @@ pub fn size(unit: &str) -> f64 {
     }
 }
 
-pub fn is_turn(motion: BoreMotion) -> bool {
+pub(super) fn is_turn(motion: BoreMotion) -> bool {
     use BoreMotion::{MeanTiltX, MeanTiltY, MeanTurn, SectionTiltX, SectionTiltY, SectionTurn};
     use BoreMotion::{SecondFrame, SecondTurn};
     let of_sections = matches!(motion, SectionTurn | SectionTiltX | SectionTiltY);
@@ -89,7 +89,7 @@ pub fn is_turn(motion: BoreMotion) -> bool {
 }
 
 impl Bench {
-    pub fn all() -> Vec<Bench> {
+    pub(super) fn all() -> Vec<Bench> {
         let kinds = CLEARANCES[0].contacts.iter();
         let benches: Vec<Bench> = kinds
             .map(|kind| {
@@ -104,27 +104,27 @@ impl Bench {
         benches
     }
 
-    pub fn motions(&self) -> usize {
+    pub(super) fn motions(&self) -> usize {
         self.kind.bore.len()
     }
 
-    pub fn coordinates(&self) -> usize {
+    pub(super) fn coordinates(&self) -> usize {
         3 + self.motions() * self.count
     }
 
-    pub fn place(&self, motion: usize, j: usize) -> usize {
+    pub(super) fn place(&self, motion: usize, j: usize) -> usize {
         3 + motion * self.count + j
     }
 
     /// Whether a coordinate is an angle.
-    pub fn is_angle(&self, place: usize) -> bool {
+    pub(super) fn is_angle(&self, place: usize) -> bool {
         match place.checked_sub(3) {
             None => place == 0,
             Some(own) => is_turn(self.kind.bore[own / self.count]),
         }
     }
 
-    pub fn random(&self, random: &mut Random) -> State {
+    pub(super) fn random(&self, random: &mut Random) -> State {
         let mut draw = |angle: f64, length: f64| -> Vec<f64> {
             let size = |place| if self.is_angle(place) { angle } else { length };
             (0..self.coordinates()).map(|place| size(place) * (random.unit() - 0.5)).collect()
@@ -134,12 +134,12 @@ impl Bench {
         State { q, rate }
     }
 
-    pub fn direction(&self, random: &mut Random) -> Vec<f64> {
+    pub(super) fn direction(&self, random: &mut Random) -> Vec<f64> {
         let size = |place| if self.is_angle(place) { 0.3 } else { 1e-5 };
         (0..self.coordinates()).map(|place| size(place) * (random.unit() - 0.5)).collect()
     }
 
-    pub fn with<T>(&self, state: &State, run: impl FnOnce(&ContactState) -> T) -> T {
+    pub(super) fn with<T>(&self, state: &State, run: impl FnOnce(&ContactState) -> T) -> T {
         let three = |values: &[f64]| [values[0], values[1], values[2]];
         let ring = Ring { position: three(&state.q), velocity: three(&state.rate), c: C };
         run(&ContactState {
@@ -152,14 +152,14 @@ impl Bench {
         })
     }
 
-    pub fn inputs(&self, state: &State) -> Vec<f64> {
+    pub(super) fn inputs(&self, state: &State) -> Vec<f64> {
         let mut inputs = vec![f64::NAN; self.kind.rows * self.count];
         self.with(state, |state| (self.kind.evaluate)(self.count, state, &mut inputs));
         inputs
     }
 
     /// A smooth law in which every force depends on every input: the force m of inputs z, and its slopes.
-    pub fn law(&self, m: usize, z: &[f64]) -> (f64, Vec<f64>) {
+    pub(super) fn law(&self, m: usize, z: &[f64]) -> (f64, Vec<f64>) {
         let n = z.len();
         let w: Vec<f64> =
             z.iter().zip(self.kind.inputs).map(|(z, own)| z / size(own.unit)).collect();
@@ -178,7 +178,7 @@ impl Bench {
     }
 
     /// Rows of forces and of slopes.
-    pub fn laws(&self, state: &State) -> (Vec<f64>, Vec<f64>) {
+    pub(super) fn laws(&self, state: &State) -> (Vec<f64>, Vec<f64>) {
         let (n, inputs) = (self.kind.inputs.len(), self.inputs(state));
         let mut forces = vec![0.0; self.kind.forces.len() * self.count];
         let mut slopes = vec![0.0; self.kind.forces.len() * n * self.count];
@@ -195,7 +195,7 @@ impl Bench {
         (forces, slopes)
     }
 
-    pub fn force(&self, state: &State) -> Vec<f64> {
+    pub(super) fn force(&self, state: &State) -> Vec<f64> {
         let (forces, _) = self.laws(state);
         let (mut ring, mut bore) = ([0.0; 3], vec![f64::NAN; self.motions() * self.count]);
         self.with(state, |state| {
@@ -205,7 +205,7 @@ impl Bench {
     }
 
     /// B + a1·P times a direction.
-    pub fn tangent(&self, state: &State, direction: &[f64]) -> Vec<f64> {
+    pub(super) fn tangent(&self, state: &State, direction: &[f64]) -> Vec<f64> {
         let (forces, slopes) = self.laws(state);
         let (n, motions) = (self.count, self.motions());
         let mut t = ContactTangent::new(n, motions);
@@ -235,7 +235,13 @@ impl Bench {
     }
 
     /// All measures of spring j in numbers that carry derivatives along two directions.
-    pub fn hyper(&self, state: &State, j: usize, first: &[f64], second: &[f64]) -> [Hyper; 10] {
+    pub(super) fn hyper(
+        &self,
+        state: &State,
+        j: usize,
+        first: &[f64],
+        second: &[f64],
+    ) -> [Hyper; 10] {
         let at = |i: usize| Hyper::new(state.q[i], first[i], second[i]);
         let constant = |value: f64| Hyper::new(value, 0.0, 0.0);
         let motion = |wanted: BoreMotion| {
@@ -266,12 +272,12 @@ impl Bench {
         )
     }
 
-    pub fn unit(&self, place: usize) -> Vec<f64> {
+    pub(super) fn unit(&self, place: usize) -> Vec<f64> {
         (0..self.coordinates()).map(|i| f64::from(u8::from(i == place))).collect()
     }
 
     /// Inputs of spring j and their changes along a direction, with the rates following.
-    pub fn exact_inputs(&self, state: &State, j: usize, direction: &[f64]) -> Vec<[f64; 2]> {
+    pub(super) fn exact_inputs(&self, state: &State, j: usize, direction: &[f64]) -> Vec<[f64; 2]> {
         let along = self.hyper(state, j, direction, &state.rate);
         let input = |name: &str| match meaning(name) {
             Meaning::Value(place) => [along[place].0.re, along[place].0.eps1],
@@ -286,7 +292,7 @@ impl Bench {
     }
 
     /// Generalised forces, and their change along a direction.
-    pub fn exact(&self, state: &State, direction: &[f64]) -> [Vec<f64>; 2] {
+    pub(super) fn exact(&self, state: &State, direction: &[f64]) -> [Vec<f64>; 2] {
         let mut all = [vec![0.0; self.coordinates()], vec![0.0; self.coordinates()]];
         for j in 0..self.count {
             let inputs = self.exact_inputs(state, j, direction);
@@ -307,7 +313,7 @@ impl Bench {
     }
 
     /// Largest difference, each over the largest value of its kind (angle or length).
-    pub fn difference(&self, a: &[f64], b: &[f64]) -> f64 {
+    pub(super) fn difference(&self, a: &[f64], b: &[f64]) -> f64 {
         let mut worst = 0.0_f64;
         for angle in [true, false] {
             let places: Vec<usize> =

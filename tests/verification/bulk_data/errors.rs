@@ -1,7 +1,6 @@
 //! Every error of a file, with its place and its remedy: the texts are in errors.txt, which WHIRL_RENEW_GOLDEN=1
 //! writes anew.
 
-use std::fs;
 use std::path::Path;
 
 use whirl_solver::mesh::bdf;
