@@ -3,7 +3,7 @@
 use super::halvings::HalvedSteps;
 use super::moving_part::MovingPart;
 use super::periods::FewestSteps;
-use super::ringing::Ringing;
+use super::rings::Ringing;
 use super::state_errors::StateError;
 
 /// What the steps of a march were worth.

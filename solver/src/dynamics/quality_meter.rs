@@ -11,7 +11,7 @@ use super::moving_part::{MovingPart, SMALLEST, StepLength, larger};
 use super::newmark::Integrator;
 use super::parts::{Part, Parts, largest_sensible};
 use super::quality::Quality;
-use super::ringing::Ringing;
+use super::rings::Ringing;
 use super::sampled::PartSums;
 use super::sampling::is_sampled;
 use super::stiffest::largest_eigenvalue;

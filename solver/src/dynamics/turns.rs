@@ -18,7 +18,7 @@ use super::histogram::Histogram;
 use super::moving_part::{StepLength, larger};
 use super::parts;
 use super::quality_meter::QualityMeter;
-use super::ringing::LASTS;
+use super::rings::LASTS;
 use super::sampling::{is_sampled, stands_for};
 use crate::equations::State;
 use crate::machine::Machine;

@@ -6,7 +6,7 @@ use super::halvings::{HalvedAt, HalvedSteps};
 use super::moving_part::MovingPart;
 use super::periods::{FewestSteps, LEAST_STEPS};
 use super::quality::Quality;
-use super::ringing::{RINGING, Ringing, RingingPart};
+use super::rings::{RINGING, Ringing, RingingPart};
 use super::state_errors::StateError;
 
 /// Something that was measured and is beyond its limit.

@@ -1,6 +1,7 @@
 //! The equations of the machine at one instant: the residual
 //! r = Q_v − M q̈ + Q_e + Q_s − C q̇ − K q and its derivatives.
 
+mod frames;
 mod joints;
 mod outputs;
 mod remembered;
@@ -13,7 +14,8 @@ use std::ops::Range;
 
 use whirl_specs::ContactTangent;
 
-pub(crate) use self::joints::{displaced, frame_of, turn};
+pub(crate) use self::frames::{frame_of, turn};
+pub(crate) use self::joints::displaced;
 pub(crate) use self::spring_tangent::SpringTangent;
 pub use self::state::{State, Weights};
 pub(crate) use self::turning::TurningBody;

@@ -1,7 +1,8 @@
 //! The values of outputs by request, at a state.
 
 use super::Equations;
-use super::joints::{across, deformation_rate, displaced, frame_of, rotation, turn};
+use super::frames::{across, frame_of, rotation, turn};
+use super::joints::{deformation_rate, displaced};
 use super::state::State;
 use crate::body::BodyNode;
 use crate::loads::{Frame, Position};
