@@ -96,7 +96,7 @@ impl Shaft {
         let twist: Vec<f64> = (0..turn.cols).map(|j| turn[(2, j)]).collect();
         add_square(&mut self.spin_net, -mass, &along);
         add_square(&mut self.spin_net, -mass * (x * x + y * y), &twist);
-        let [row_x, row_y, row_z] = [0, 1, 2].map(|i| row_of(node, i));
+        let [row_x, row_y, row_z] = [0, 1, 2].map(|i| node.shapes.row(i));
         self.j0 += mass * (x * x + y * y);
         self.add_mass(mass, &[&row_x, &row_y, &row_z]);
         self.add_lateral(mass, [&row_x, &row_y]);
@@ -118,7 +118,7 @@ impl Shaft {
     /// y0 and g0 by what is out of balance.
     fn add_moment(&mut self, unbalance: &Unbalance) {
         let &Unbalance { moment: [u_x, u_y], node } = unbalance;
-        let [row_x, row_y] = [0, 1].map(|i| row_of(node, i));
+        let [row_x, row_y] = [0, 1].map(|i| node.shapes.row(i));
         for (j, (x, y)) in row_x.iter().zip(&row_y).enumerate() {
             self.y0[j] += u_x * x + u_y * y;
             self.g0[j] += u_x * y - u_y * x;
@@ -139,10 +139,6 @@ impl Shaft {
         add_product(&mut self.spin_coupling, mass, x, y);
         add_product(&mut self.spin_coupling, -mass, y, x);
     }
-}
-
-fn row_of(node: &BodyNode, i: usize) -> Vec<f64> {
-    (0..node.shapes.cols).map(|j| node.shapes[(i, j)]).collect()
 }
 
 /// Adds factor · rowᵀrow.

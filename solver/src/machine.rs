@@ -3,16 +3,16 @@
 
 use std::sync::Arc;
 
-use whirl_specs::{BoreMotion, Clearance, Motion};
+use whirl_specs::{Clearance, Motion};
 
 pub use crate::bodies::{Body, BodyPlace, Rotation};
 
-use crate::bearing::{Bearing, MotionKind, Plane, SpringLaw, Springs, axis_motion};
+use crate::bearing::{Bearing, Plane, SpringLaw, Springs};
 use crate::bodies::{Layout, Owner};
 use crate::body::BodyNode;
 use crate::error::Error;
-use crate::linalg::dot;
 use crate::loads::Load;
+use crate::monitor::Monitor;
 use crate::output::Output;
 use crate::shaft::Shaft;
 use crate::trains::Trains;
@@ -62,38 +62,6 @@ pub struct Field {
     pub nodes: Vec<BodyNode>,
 }
 
-/// How the outputs of a bearing are computed.
-#[derive(Debug, Clone)]
-pub(crate) struct Monitor {
-    /// Its name in messages.
-    pub(crate) name: String,
-    /// What its columns are called by.
-    pub(crate) label: String,
-    /// Its planes of springs.
-    pub(crate) planes: Vec<usize>,
-    /// Turns of the sections of journal and bore against the frames of their bodies, as rows over the coordinates of the bodies.
-    pub(crate) sections: [Vec<f64>; 2],
-    /// The planes in which a law on tilts, or on the whole joint, gives moments about x and y, and in which one gives a force
-    /// along z.
-    pub(crate) tilts: Option<usize>,
-    pub(crate) along: Option<usize>,
-    /// Whether its laws turn or brake the journal.
-    pub(crate) torque: bool,
-    /// The bodies of journal and bore.
-    pub(crate) bodies: [usize; 2],
-    /// Displacement of the middle journal node along x and y (frame of its body), as rows over the body's
-    /// coordinates.
-    pub(crate) journal: [Vec<f64>; 2],
-    /// Displacement of the bore's axis in the middle ring, as the laws see it: rows over the coordinates of its
-    /// body.
-    pub(crate) bore: [Vec<f64>; 2],
-    /// Run-out of the journal, offset of the bore (m; each in the frame of its body) and how far the body of the
-    /// journal stands from the axis of the bore (m, in space).
-    pub(crate) run_out: [f64; 2],
-    pub(crate) offset: [f64; 2],
-    pub(crate) apart: [f64; 2],
-}
-
 impl Machine {
     /// Puts a machine together.
     ///
@@ -137,7 +105,7 @@ impl Machine {
         let monitors = bearings
             .iter()
             .enumerate()
-            .map(|(number, bearing)| monitor(number, bearing, &bodies, &springs))
+            .map(|(number, bearing)| Monitor::new(number, bearing, &bodies, &springs))
             .collect();
         Ok(Machine {
             bodies,
@@ -306,76 +274,4 @@ fn check_sides(bearing: &Bearing, bodies: &[Body]) -> Result<(), Error> {
         return wrong(format!("the bore is off the axis of {name}, which turns about it"));
     }
     Ok(())
-}
-
-fn monitor(number: usize, bearing: &Bearing, bodies: &[Body], springs: &Springs) -> Monitor {
-    let sides = &bearing.sides;
-    let [journal, bore] = sides.bodies.map(|body| &bodies[body]);
-    let node = &journal.nodes()[bearing.journal[1]];
-    let planes_of = |other: Option<MotionKind>| -> Vec<usize> {
-        let planes = springs.planes.iter().enumerate();
-        let own = planes.filter(|(_, plane)| plane.bearing == number && plane.other == other);
-        own.map(|(place, _)| place).collect()
-    };
-    let planes = planes_of(None);
-    let other = |kind: MotionKind, motions: &[BoreMotion]| {
-        let acts = |plane: &usize| motions.iter().any(|own| springs.acts_on(*plane, *own));
-        let whole = planes.iter().copied().find(acts);
-        planes_of(Some(kind)).first().copied().or(whole)
-    };
-    let (tilts, along) = (
-        other(MotionKind::Tilts, &[BoreMotion::SectionTiltX, BoreMotion::SectionTiltY]),
-        other(MotionKind::Along, &[BoreMotion::SectionZ]),
-    );
-    Monitor {
-        name: bearing.name.clone(),
-        label: bearing.label.clone().unwrap_or_else(|| (number + 1).to_string()),
-        torque: planes.iter().any(|&plane| springs.gives_torque(plane)),
-        planes,
-        sections: [(0, journal), (1, bore)].map(|(side, body)| {
-            let row = |section: usize| {
-                let rotation = &body.measures()[section].rotation;
-                (0..rotation.cols).map(|j| rotation[(2, j)]).collect()
-            };
-            sides.sections[side].map_or(Vec::new(), row)
-        }),
-        tilts,
-        along,
-        bodies: sides.bodies,
-        journal: [0, 1].map(|axis| (0..journal.size()).map(|j| node.shapes[(axis, j)]).collect()),
-        bore: match &sides.gear {
-            Some(gear) => {
-                let node = &bore.nodes()[gear.second];
-                [0, 1].map(|axis| (0..bore.size()).map(|j| node.shapes[(axis, j)]).collect())
-            }
-            None => axis_motion(bearing, bore),
-        },
-        run_out: sides.run_out[1],
-        offset: sides.offset[1],
-        apart: sides.apart,
-    }
-}
-
-impl Monitor {
-    /// The plane of a law of the whole joint.
-    pub(crate) fn whole(&self) -> Option<usize> {
-        let others = [self.tilts, self.along].into_iter().flatten();
-        others.into_iter().find(|plane| self.planes.contains(plane))
-    }
-
-    /// Its planes of all kinds.
-    pub(crate) fn all_planes(&self) -> impl Iterator<Item = usize> {
-        let others = self.tilts.into_iter().chain(self.along);
-        // A law of the whole joint does all in one plane.
-        let others = others.filter(|plane| !self.planes.contains(plane));
-        self.planes.iter().copied().chain(others)
-    }
-
-    /// Displacement of the journal in the frame of its body, and of the bore's axis in that of its own (m).
-    pub(crate) fn displacements(&self, journal: &[f64], bore: &[f64]) -> [[f64; 2]; 2] {
-        [
-            [0, 1].map(|axis| dot(&self.journal[axis], journal)),
-            [0, 1].map(|axis| dot(&self.bore[axis], bore)),
-        ]
-    }
 }

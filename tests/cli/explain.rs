@@ -273,11 +273,7 @@ fn figures_of_laws_are_as_committed() {
         let file = format!("{name}.svg");
         fine(&bench.whirl(&["explain", &name, "--plot", &file]));
         let found = fs::read_to_string(bench.path(&file)).expect("a figure");
-        if std::env::var_os("WHIRL_RENEW_GOLDEN").is_some() {
-            fs::write(&committed, &found).expect("written");
-        }
-        let expected = fs::read_to_string(&committed).expect("a text");
-        assert!(found == expected, "WHIRL_RENEW_GOLDEN=1 renews {}", committed.display());
+        whirl_tests::golden::is_as_committed(&committed, &found);
         drawn += 1;
     }
     assert!(drawn > 10, "{drawn} figures");

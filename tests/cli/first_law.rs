@@ -84,12 +84,6 @@ fn the_first_law_of_the_documents_is_a_session_that_runs() {
         errors += found.lines().filter(|line| line.starts_with("error[")).count();
         played += &format!("{found}{FENCE}\n");
     }
-    if std::env::var_os("WHIRL_RENEW_GOLDEN").is_some() {
-        fs::write(&path, &played).expect("the document can be written");
-    }
-    let document = fs::read_to_string(&path).expect("the document");
-    let first = played.lines().zip(document.lines()).find(|(found, stands)| found != stands);
-    assert_eq!(first, None, "WHIRL_RENEW_GOLDEN=1 renews {}", path.display());
-    assert_eq!(played.len(), document.len());
+    whirl_tests::golden::is_as_committed(&path, &played);
     assert!(commands >= 6 && errors >= 3, "{commands} commands with {errors} errors");
 }

@@ -49,10 +49,7 @@ fn every_message_of_a_case_reads_as_committed() {
         let code = name.split('-').next().expect("a code");
         assert!(outcome.stderr.contains(&format!("error[{code}]")), "{name}: {}", outcome.stderr);
         let path = folder().join(format!("{name}.txt"));
-        if std::env::var_os("WHIRL_RENEW_GOLDEN").is_some() {
-            fs::write(&path, &outcome.stderr).expect("written");
-        }
-        let expected = fs::read_to_string(&path).unwrap_or_default();
+        let expected = whirl_tests::golden::committed(&path, &outcome.stderr);
         if outcome.stderr != expected {
             wrong.push(format!("{name}: expected\n{expected}\nfound\n{}", outcome.stderr));
         }

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use whirl_codegen::generate::{GeneratedFile, SpecFile, folders, generate};
+use whirl_tests::golden;
 
 const LAW: &str = r#"kind = "law"
 name = "example"
@@ -88,14 +89,8 @@ fn text<'a>(files: &'a [GeneratedFile], name: &str) -> &'a str {
 
 /// Compares a text with the committed one, or writes it anew.
 fn is_as_committed(found: &str, name: &str) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden").join(name);
-    if std::env::var_os("WHIRL_RENEW_GOLDEN").is_some() {
-        fs::write(&path, found).expect("the golden file can be written");
-    }
-    let expected = fs::read_to_string(&path).expect("the golden file is there");
-    let first = found.lines().zip(expected.lines()).find(|(found, expected)| found != expected);
-    assert_eq!(first, None, "first difference; WHIRL_RENEW_GOLDEN=1 renews {}", path.display());
-    assert_eq!(found.len(), expected.len());
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden");
+    golden::is_as_committed(&folder.join(name), found);
 }
 
 /// A shipped spec.

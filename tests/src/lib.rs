@@ -1,5 +1,6 @@
 //! Verification, validation and golden tests across the crates.
 
+pub mod golden;
 mod history;
 pub mod matrices;
 pub mod validation;

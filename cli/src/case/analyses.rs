@@ -170,6 +170,23 @@ impl AnalysisKind {
         AnalysisKind::ALL.into_iter().find(|own| own.word() == word)
     }
 
+    /// What an analysis is called.
+    pub(crate) fn heading(self) -> &'static str {
+        match self {
+            AnalysisKind::Modes => "Modes at constant speed",
+            AnalysisKind::Campbell => "Campbell diagram and critical speeds",
+            AnalysisKind::Response => "Response to unbalance",
+            AnalysisKind::Coefficients => "Stiffness and damping of the joints",
+            AnalysisKind::Stability => "Stability",
+            AnalysisKind::Map => "Undamped critical speeds over the stiffness of the supports",
+            AnalysisKind::Matrices => "Matrices",
+            AnalysisKind::Torsion => "Torsion",
+            AnalysisKind::Forces => "Forces along the bodies",
+            AnalysisKind::Lateral => "Lateral analysis after API 617",
+            AnalysisKind::Periodic => "Motions that repeat themselves",
+        }
+    }
+
     /// Orders where none are asked for.
     pub(crate) fn orders(self) -> Vec<f64> {
         if self == AnalysisKind::Torsion { TORSION.to_vec() } else { ORDERS.to_vec() }

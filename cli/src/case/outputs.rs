@@ -39,6 +39,22 @@ pub(super) fn read(file: &Table, machine: Option<&JoinedMachine>) -> Vec<Output>
     tables.into_iter().filter_map(read).collect()
 }
 
+/// What can be asked for.
+pub(super) const QUANTITIES: [&str; 12] = [
+    "displacement",
+    "velocity",
+    "acceleration",
+    "force",
+    "deformation",
+    "rate",
+    "moment",
+    "tilt",
+    "axial_force",
+    "axial_deformation",
+    "energy",
+    "power",
+];
+
 /// Keys that some quantities have no use for.
 const OF_SOME: [&str; 4] = ["set", "z", "frame", "components"];
 

@@ -11,6 +11,7 @@ use super::analyses::{AnalysisKind, MatrixFormat};
 use super::joined::schema as joined;
 use super::lateral::STAGES;
 use super::march::{AUTOMATIC, ESTIMATE, GENERALIZED_ALPHA, MOST_STEPS, NEWMARK, ONE_CYCLE};
+use super::outputs::QUANTITIES;
 use super::periodic::{BEGINNINGS, METHODS, MOST_MARCHED, MOST_PERIODS, MOST_POINTS, STEPS};
 use super::shapes::{
     ANGLE, CLEARANCE, CROSS_STIFFNESS, DAMPING, DAMPING_TIME, DENSITY, DURATION, FORCE, FREQUENCY,
@@ -309,20 +310,7 @@ const REDUCTION: &[Key] =
 const OUTPUT: &[Key] = &[
     merged(
         "quantity",
-        Words(&[
-            "displacement",
-            "velocity",
-            "acceleration",
-            "force",
-            "deformation",
-            "rate",
-            "moment",
-            "tilt",
-            "axial_force",
-            "axial_deformation",
-            "energy",
-            "power",
-        ]),
+        Words(&QUANTITIES),
         "of a body: motion of a point, energy, power; of a joint: force, deformation and its rate, power; moment and tilt, or force and deformation along z, of one that acts so",
     ),
     key("body", Text, "the name of a body; \"shaft\", \"support\" or \"mass\" in a short form")

@@ -36,13 +36,7 @@ pub(crate) fn mesh(arguments: &MeshArguments) -> Result<String, Failure> {
     let (units, merge) = (arguments.units.as_deref(), arguments.merge.as_deref());
     let Opened { mesh, format, units } = open(&arguments.file, units, merge)?;
     let mut text = String::new();
-    let called = match format {
-        Format::Inp => "Abaqus or CalculiX input",
-        Format::Msh => "Gmsh",
-        Format::Bdf => "Nastran bulk data",
-        Format::Unv => "universal file",
-    };
-    line!(text, "{path}: {called}");
+    line!(text, "{path}: {}", format.called());
     match (&units, &arguments.units) {
         (Some(units), None) => {
             line!(text, "units: taken for \"{units}\", by its size; else give `--units`")

@@ -6,7 +6,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::about::{LAYOUT, Section};
-use crate::case::{Analysis, AnalysisKind, Case};
+use crate::case::{Analysis, Case};
 use crate::results::ANALYSES;
 use crate::version;
 
@@ -42,28 +42,11 @@ impl AnalysisFacts {
         AnalysisFacts {
             name: own.name.clone(),
             kind: own.kind.word().to_owned(),
-            heading: heading(own.kind).to_owned(),
+            heading: own.kind.heading().to_owned(),
             text: text.to_owned(),
             files,
             interrupted,
         }
-    }
-}
-
-/// What an analysis is called.
-fn heading(kind: AnalysisKind) -> &'static str {
-    match kind {
-        AnalysisKind::Modes => "Modes at constant speed",
-        AnalysisKind::Campbell => "Campbell diagram and critical speeds",
-        AnalysisKind::Response => "Response to unbalance",
-        AnalysisKind::Coefficients => "Stiffness and damping of the joints",
-        AnalysisKind::Stability => "Stability",
-        AnalysisKind::Map => "Undamped critical speeds over the stiffness of the supports",
-        AnalysisKind::Matrices => "Matrices",
-        AnalysisKind::Torsion => "Torsion",
-        AnalysisKind::Forces => "Forces along the bodies",
-        AnalysisKind::Lateral => "Lateral analysis after API 617",
-        AnalysisKind::Periodic => "Motions that repeat themselves",
     }
 }
 

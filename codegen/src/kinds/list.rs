@@ -10,7 +10,7 @@ use super::kind::{About, ByKind, Kind};
 use super::law::{self, LawSpec};
 use super::motion::{self, MotionSpec};
 use super::page::Page;
-use super::read::Beside;
+use super::read::FindFile;
 use crate::diagnostic::{Diagnostics, Source};
 use crate::document::Document;
 
@@ -25,7 +25,7 @@ pub const KINDS: ByKind<Kind> = ByKind {
 };
 
 /// How a file of each kind is read.
-const READERS: ByKind<fn(&Arc<Source>, &Beside<'_>) -> Result<Spec, Diagnostics>> = ByKind {
+const READERS: ByKind<fn(&Arc<Source>, &FindFile<'_>) -> Result<Spec, Diagnostics>> = ByKind {
     forms: |file, _| FormSpec::read(file).map(Box::new).map(Spec::Form),
     elements: |file, _| ElementSpec::read(file).map(Box::new).map(Spec::Element),
     laws: |file, beside| LawSpec::read_with(file, beside).map(Box::new).map(Spec::Law),
@@ -97,7 +97,7 @@ impl Spec {
     pub fn read(
         file: &Arc<Source>,
         kinds: &[&'static str],
-        beside: &Beside<'_>,
+        beside: &FindFile<'_>,
     ) -> Result<Spec, Diagnostics> {
         let document = Document::parse(file);
         let kind = if document.is_toml() { document.kind(kinds) } else { None };

@@ -9,7 +9,7 @@ use crate::formula;
 use crate::units::{Unit, UnitError};
 
 /// Finds the file of a name beside a spec, or says why there is none.
-pub(crate) type Beside<'a> = dyn Fn(&str) -> Result<Arc<Source>, String> + 'a;
+pub(crate) type FindFile<'a> = dyn Fn(&str) -> Result<Arc<Source>, String> + 'a;
 
 /// What a spec says of itself, as far as it does.
 pub(super) struct Head {

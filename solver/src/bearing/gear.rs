@@ -64,7 +64,7 @@ impl GearRow {
         motion: BoreMotion,
     ) -> Self {
         let node = &bodies[1].nodes()[gear.second];
-        let shape = |axis: usize| (0..bodies[1].size()).map(|j| node.shapes[(axis, j)]).collect();
+        let shape = |axis: usize| node.shapes.row(axis);
         let turn = |side: usize, factor: f64| {
             let Some(section) = sections[side] else { return Vec::new() };
             let rotation = &bodies[side].measures()[section].rotation;

@@ -10,7 +10,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::quality::{MovingPart, SMALLEST, larger};
+use super::moving_part::{MovingPart, SMALLEST, larger};
 use super::turns::TurnRange;
 use crate::bearing::work::{Flow, MOTIONS};
 

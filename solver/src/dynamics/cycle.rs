@@ -1,8 +1,9 @@
 //! A march over one stretch of time again and again, each time from another state: the cycle of periodic motions.
 
+use super::accelerate::accelerate;
 use super::checkpoint::Clock;
 use super::linear_steps::LinearSteps;
-use super::march::{March, MarchOptions, accelerate};
+use super::march::{March, MarchOptions};
 use crate::equations::State;
 use crate::error::Error;
 use crate::machine::Machine;

@@ -4,7 +4,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::quality::QualityMeter;
+use super::quality_meter::QualityMeter;
 use crate::equations::Equations;
 use crate::equations::State;
 

@@ -17,18 +17,10 @@ const HELD: f64 = 1e-12;
 pub(super) struct Extrapolation {
     /// Step length (s) of the corrections; others have corrections of another size.
     dt: f64,
-    order: Order,
     kept: KeptColumns,
-    /// Shares in the sum, that of the last correction first.
-    shares: Shares,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-enum Order {
-    None,
-    Constant,
-    Linear,
-    Sum,
+    /// Shares in the sum of all that came nearest to the last correction, its own first, and in what is taken.
+    nearest: Shares,
+    taken: Option<Shares>,
 }
 
 /// The last correction, and the straight line through the last two.
@@ -45,40 +37,37 @@ impl Extrapolation {
     /// Of steps that were not made, for so many unknowns.
     pub(super) fn new(unknowns: usize) -> Self {
         let kept = KeptColumns::new(unknowns, [LEAST, MOST], HELD);
-        Extrapolation { dt: 0.0, order: Order::None, kept, shares: [0.0; MOST] }
+        Extrapolation { dt: 0.0, kept, nearest: [0.0; MOST], taken: None }
     }
 
     /// Writes a correction with which a step of `dt` s may begin.
     pub(super) fn begin(&mut self, dt: f64, correction: &mut [f64]) {
         if self.dt != dt {
-            (self.dt, self.order, self.shares) = (dt, Order::None, [0.0; MOST]);
+            (self.dt, self.nearest, self.taken) = (dt, [0.0; MOST], None);
             self.kept.clear();
         }
         correction.fill(0.0);
-        let shares = match self.order {
-            Order::None => return,
-            Order::Constant => CONSTANT,
-            Order::Linear => LINEAR,
-            Order::Sum => self.shares,
-        };
-        self.kept.add(&self.kept.turned(&shares), correction);
+        if let Some(shares) = &self.taken {
+            self.kept.add(&self.kept.turned(shares), correction);
+        }
     }
 
     /// Takes the correction of a step that was solved; `weights`: 1/s of the unknowns.
     pub(super) fn learn(&mut self, correction: &[f64], weights: &[f64], memory: &mut [f64]) {
         let products = self.kept.products_with(correction, weights, memory);
         let error = |shares: &Shares| self.kept.distance(products, &self.kept.turned(shares));
-        let ways = [
-            (Order::None, products.0),
-            (Order::Constant, error(&CONSTANT)),
-            (Order::Linear, error(&LINEAR)),
-            (Order::Sum, error(&self.shares)),
-        ];
-        // What is no number is no reason to leave the prediction.
-        self.order =
-            ways.iter().fold(ways[0], |best, way| if way.1 < best.1 { *way } else { best }).0;
         let nearest = self.kept.nearest(&products.1).map(|shares| self.kept.turned(&shares));
-        self.shares = nearest.unwrap_or(CONSTANT);
+        let nearest = nearest.unwrap_or(CONSTANT);
+        let mut best = (None, products.0);
+        // What would have been taken, and what of that kind is taken next.
+        for (judged, next) in [(CONSTANT, CONSTANT), (LINEAR, LINEAR), (self.nearest, nearest)] {
+            let error = error(&judged);
+            // What is no number is no reason to leave the prediction.
+            if error < best.1 {
+                best = (Some(next), error);
+            }
+        }
+        (self.nearest, self.taken) = (nearest, best.0);
         self.kept.push(correction, products);
     }
 }

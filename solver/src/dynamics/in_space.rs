@@ -9,8 +9,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::histogram::Histogram;
+use super::moving_part::larger;
 use super::newmark::Integrator;
-use super::quality::{QualityMeter, larger};
+use super::quality_meter::QualityMeter;
 use super::sampling::{is_sampled, stands_for};
 use crate::bodies::Rotation;
 use crate::equations::Equations;

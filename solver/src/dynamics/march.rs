@@ -2,9 +2,9 @@
 
 use std::ops::ControlFlow;
 
+use super::accelerate::accelerate;
 use super::checkpoint::{Checkpoint, Clock, Tally};
 use super::control::{AutomaticStep, PartsTaken};
-use super::cuts::{Watched, watched};
 use super::energy::EnergyBalance;
 use super::halvings::Halvings;
 use super::jumps::jumps;
@@ -12,19 +12,17 @@ use super::linear_steps::LinearSteps;
 use super::meters::Meters;
 use super::newmark::Integrator;
 use super::newton::{Newton, NewtonOptions, NewtonState, StepReport};
-use super::outputs::write_outputs;
 use super::quality::Quality;
-use super::restart::LastState;
 use super::row::{displacements, write_row};
 use super::settled::settled_from;
+use super::splits::{MOST_SPLITS, SPARE_FACTORS, most_halvings};
 use super::steady::{SteadyRule, SteadyState, SteadyTest};
-use super::strides::{MOST_SPLITS, SHELVES, most_halvings};
+use super::watched::{Watched, watched};
 use crate::bearing::{Hold, LawStates, Worst};
 use crate::equations::Equations;
 use crate::equations::State;
 use crate::error::Error;
 use crate::history::History;
-use crate::linalg::Lu;
 use crate::machine::{BodyPlace, Machine};
 use crate::told::ToldTurn;
 
@@ -257,13 +255,13 @@ impl<'m> March<'m> {
         // Of parts that may be long or short, or end at rows of tables, factors are kept for the lengths of which there are most.
         let watched = watched(machine);
         let cut = options.automatic.is_some() || !watched.is_empty();
-        let shelves = if cut { SHELVES } else { 0 };
-        let halvings = most_halvings(options);
+        let spare = if cut { SPARE_FACTORS } else { 0 };
+        let halvings = most_halvings(options.automatic.is_some(), &options.newton);
         let columns = History::for_machine(machine).names().len();
         let asked: usize = machine.outputs.iter().map(|own| own.columns().len()).sum();
         Ok(March {
             machine,
-            newton: Newton::new(options.newton, &equations, shelves),
+            newton: Newton::new(options.newton, &equations, spare),
             meters,
             equations,
             // Steps are halved, and split where loads end or rows are hidden.
@@ -351,8 +349,8 @@ impl<'m> March<'m> {
         }
         self.last_iterations = 0;
         match self.options.automatic {
-            Some(_) => self.stride(start, dt)?,
-            None => self.leap(start, dt, 0)?,
+            Some(_) => self.step_in_parts(start, dt)?,
+            None => self.step(start, dt, 0)?,
         }
         self.meters.end_row();
         self.tally.step += 1;
@@ -372,7 +370,7 @@ impl<'m> March<'m> {
         let time = self.time();
         let (usual, asked) = self.row.split_at_mut(self.usual);
         write_row(&self.equations, &self.state, time, self.last_iterations, usual);
-        write_outputs(&mut self.equations, &self.state, time, asked);
+        self.equations.write_outputs(&self.state, time, asked);
     }
 
     /// Whether no drive is on its way to its target speed.
@@ -429,11 +427,6 @@ impl<'m> March<'m> {
         &self.equations.released
     }
 
-    /// What another run can start from: the state after the last step.
-    pub fn last_state(&self) -> LastState {
-        LastState::new(self.machine, self.options.time_step, self.time(), self.checkpoint())
-    }
-
     /// The energy balance from t = 0 to the end of the last step.
     pub fn energy(&mut self) -> EnergyBalance {
         self.meters.balance(&mut self.equations, &self.state)
@@ -478,34 +471,4 @@ impl<'m> March<'m> {
     pub fn residuals(&self) -> &[f64] {
         &self.newton.residuals
     }
-}
-
-/// Sets the accelerations of the unknowns at time `t` (s) from M q̈ = r at q̈ = 0, all loads included.
-pub(super) fn accelerate(
-    equations: &mut Equations,
-    t: f64,
-    state: &mut State,
-) -> Result<(), Error> {
-    let first = equations.machine.first_unknown();
-    state.a[first..].fill(0.0);
-    state.lag.fill(0.0);
-    equations.evaluate(t, state);
-    state.a[first..].copy_from_slice(&equations.residual[first..]);
-    for body in 0..equations.turning.len() {
-        let own = &mut equations.turning[body];
-        let (theta, flexible) = (own.theta(), own.place.flexible.clone());
-        let given = theta < first;
-        let block = own.unknown_mass(state, given);
-        let mut mass = Lu::new(block.rows);
-        mass.factor(&block.data)?;
-        let mut own: Vec<f64> = own.of(&state.a).skip(usize::from(given)).collect();
-        mass.solve_in_place(&mut own);
-        state.a[flexible].copy_from_slice(&own[usize::from(!given)..]);
-        if !given {
-            state.a[theta] = own[0];
-        }
-    }
-    equations.evaluate(t, state);
-    equations.springs.keep_states(&mut state.laws);
-    Ok(())
 }

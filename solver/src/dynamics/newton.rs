@@ -138,14 +138,14 @@ pub(crate) struct Newton {
 
 impl Newton {
     /// With factors kept for so many step lengths beside the one in use.
-    pub(crate) fn new(options: NewtonOptions, equations: &Equations, shelves: usize) -> Self {
+    pub(crate) fn new(options: NewtonOptions, equations: &Equations, spare: usize) -> Self {
         let machine = equations.machine;
         let (size, first) = (machine.size(), machine.first_unknown());
         let unknowns = size - first;
         Newton {
             options,
             first,
-            factors: KeptFactors::new(equations, shelves),
+            factors: KeptFactors::new(equations, spare),
             merit: Merit::new(first, unknowns),
             extrapolation: Extrapolation::new(unknowns),
             largest_force: 0.0,

@@ -1,7 +1,8 @@
 //! What is measured of a part of a step before it is accepted, by the parts of the machine; it leaves no trace in the sums.
 
+use super::moving_part::{MovingPart, larger};
 use super::parts::Part;
-use super::quality::{MovingPart, QualityMeter, larger};
+use super::quality_meter::QualityMeter;
 use crate::equations::State;
 use crate::machine::Machine;
 

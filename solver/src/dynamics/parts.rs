@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use super::quality::MovingPart;
+use super::moving_part::MovingPart;
 use super::turns::FreeTurn;
 use crate::bearing::Tied;
 use crate::equations::Equations;

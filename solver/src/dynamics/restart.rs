@@ -69,6 +69,13 @@ struct LastBody {
     flexible: State,
 }
 
+impl March<'_> {
+    /// What another run can start from: the state after the last step.
+    pub fn last_state(&self) -> LastState {
+        LastState::new(self.machine, self.options.time_step, self.time(), self.checkpoint())
+    }
+}
+
 impl LastState {
     pub(super) fn new(machine: &Machine, time_step: f64, time: f64, from: Checkpoint) -> Self {
         let Checkpoint {

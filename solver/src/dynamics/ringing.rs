@@ -12,42 +12,13 @@ use std::ops::Range;
 use serde::{Deserialize, Serialize};
 
 use super::histogram::Histogram;
+use super::moving_part::{SMALLEST, larger};
 use super::parts::Parts;
-use super::quality::{SMALLEST, larger};
-use super::verdict::RINGING;
+use super::rings::{LASTS, RINGING, Ringing, RingingPart};
 use crate::equations::Equations;
 use crate::equations::State;
 use crate::linalg::widely;
 
-/// What of a machine rings, and how much.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Ringing {
-    /// Largest amplitude of an alternation that lasts, of velocities that which one step in twenty exceeds, as a fraction of the
-    /// range of the same quantity, of the one where it is largest. What alternates alone does so by half of its range.
-    pub share: f64,
-    /// Where it is that.
-    pub of: Option<RingingPart>,
-    /// Whether the integrator damps what rings.
-    pub damped: bool,
-}
-
-/// A quantity that may ring.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum RingingPart {
-    /// The force at a bearing, counted from 0.
-    Force(usize),
-    /// A moment there.
-    Moment(usize),
-    /// The couple of all loads and drives on the rotation of a body.
-    Couple(usize),
-    /// The speed of rotation of a body.
-    Speed(usize),
-    /// The velocities of a body in its frame, root mean square over its mass.
-    Velocity(usize),
-}
-
-/// Second differences in a row that have to alternate: with a spectral radius of 0.9 what rings has fallen to 1.5 % then.
-pub(super) const LASTS: f64 = 40.0;
 /// How much more velocities have to ring than what is named before them.
 const NAMED_BEFORE: f64 = 1.1;
 /// Second differences of velocities in a window.
@@ -278,7 +249,7 @@ impl RingingMeter {
 
     /// Takes the signals of a state just evaluated, in the order of the groups.
     fn take(&mut self, equations: &Equations, end: &State) {
-        let (machine, springs) = (equations.machine, &equations.springs);
+        let machine = equations.machine;
         let mut signals = self.now.iter_mut();
         let mut put = |value: f64| {
             if let Some(signal) = signals.next() {
@@ -286,26 +257,12 @@ impl RingingMeter {
             }
         };
         for monitor in &machine.monitors {
-            let mut force = [0.0; 2];
-            for [_, x, y] in monitor.planes.iter().map(|&plane| springs.plane_force(plane)) {
-                force[0] += x;
-                force[1] += y;
-            }
-            force.into_iter().for_each(&mut put);
+            equations.joint_force(monitor).into_iter().for_each(&mut put);
             if monitor.torque {
-                put(monitor
-                    .planes
-                    .iter()
-                    .map(|&plane| springs.plane_torque(&machine.springs, plane))
-                    .sum());
+                put(equations.joint_torque(monitor));
             }
-            if let Some(plane) = monitor.tilts {
-                let moment = springs.tilting_moment(&machine.springs, plane);
-                moment.into_iter().for_each(&mut put);
-            }
-            if let Some(plane) = monitor.along {
-                put(springs.axial_force(&machine.springs, plane));
-            }
+            equations.joint_moment(monitor).into_iter().flatten().for_each(&mut put);
+            equations.axial_force(monitor).into_iter().for_each(&mut put);
         }
         for body in machine.turning() {
             let theta = machine.places()[body].rotation.expect("it turns");

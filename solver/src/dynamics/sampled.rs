@@ -5,8 +5,9 @@ use serde::{Deserialize, Serialize};
 
 use super::histogram::Histogram;
 use super::linearised::{Kind, Linearised, Place};
+use super::moving_part::larger;
 use super::parts::Part;
-use super::quality::{QualityMeter, larger};
+use super::quality_meter::QualityMeter;
 use super::sampling::{scattered, stands_for};
 use crate::equations::Equations;
 use crate::equations::State;

@@ -15,9 +15,10 @@
 use serde::{Deserialize, Serialize};
 
 use super::histogram::Histogram;
+use super::moving_part::{StepLength, larger};
 use super::parts;
-use super::quality::{QualityMeter, StepLength, larger};
-use super::ringing::LASTS;
+use super::quality_meter::QualityMeter;
+use super::rings::LASTS;
 use super::sampling::{is_sampled, stands_for};
 use crate::equations::State;
 use crate::machine::Machine;

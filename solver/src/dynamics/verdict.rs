@@ -3,9 +3,10 @@
 use super::control::AutomaticStep;
 use super::energy::EnergyBalance;
 use super::halvings::{HalvedAt, HalvedSteps};
+use super::moving_part::MovingPart;
 use super::periods::{FewestSteps, LEAST_STEPS};
-use super::quality::{MovingPart, Quality};
-use super::ringing::{Ringing, RingingPart};
+use super::quality::Quality;
+use super::rings::{RINGING, Ringing, RingingPart};
 use super::state_errors::StateError;
 
 /// Something that was measured and is beyond its limit.
@@ -42,8 +43,6 @@ const UNRESOLVED_MOTION: f64 = 0.3;
 /// False inertia forces of bodies that turn, as a fraction of their largest elastic force. In motion at ω of a body that does not
 /// turn they are (ωΔt)²/6 of it: 2 % where the period is wrong by 1 %.
 const INERTIA_ERROR: f64 = 0.02;
-/// Amplitude of what alternates from step to step, as a fraction of the range of the same quantity: peaks are off by so much.
-pub(super) const RINGING: f64 = 0.02;
 /// A rate times the step in which a state that comes to rest by it is followed.
 const FOLLOWED: f64 = 0.3;
 /// What does not balance, as a fraction of the energy in play.

@@ -1,6 +1,9 @@
 //! The equations of the machine at one instant: the residual
 //! r = Q_v − M q̈ + Q_e + Q_s − C q̇ − K q and its derivatives.
 
+mod frames;
+mod joints;
+mod outputs;
 mod remembered;
 mod spring_tangent;
 mod state;
@@ -11,6 +14,8 @@ use std::ops::Range;
 
 use whirl_specs::ContactTangent;
 
+pub(crate) use self::frames::{frame_of, turn};
+pub(crate) use self::joints::displaced;
 pub(crate) use self::spring_tangent::SpringTangent;
 pub use self::state::{State, Weights};
 pub(crate) use self::turning::TurningBody;
@@ -62,7 +67,7 @@ pub struct Equations<'m> {
     pub(crate) told: Vec<Option<ToldLoad>>,
     /// What every load had as its amplitude.
     pub(crate) amplitudes: Vec<[f64; 3]>,
-    /// Whether what begins at the instant of an evaluation does not act yet: see `dynamics::jumps`.
+    /// Whether what begins at the instant of an evaluation does not act yet: see `dynamics::step`.
     pub(crate) before: bool,
     /// What the loads were multiplied by.
     pub(crate) load_factors: Vec<f64>,
@@ -397,5 +402,5 @@ pub(crate) fn placed<'m>(
     q: &[f64],
 ) -> (&'m BodyPlace, Position) {
     let place = &machine.places()[load.body];
-    (place, Position::new(place.rotation.map_or(0.0, |theta| q[theta])))
+    (place, frame_of(machine, load.body, q))
 }

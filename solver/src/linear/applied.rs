@@ -7,7 +7,7 @@ use super::modes::Mode;
 use super::response::{Point, Vibration};
 use super::round::LinearMachine;
 use crate::error::Error;
-use crate::linalg::{dot, solve_complex};
+use crate::linalg::dot;
 
 /// Unbalance in the plane of a point of a body that turns.
 #[derive(Debug, Clone, Copy)]
@@ -38,9 +38,7 @@ impl LinearMachine {
     ) -> Result<Vec<Vibration>, Error> {
         assert!(equations.stands_in_space(), "the equations are constant in space");
         let speed = at.speeds[body];
-        let held = equations.at_frequency(speed);
-        let Linearised { mass, damping, stiffness, .. } = &*held;
-        let mut force = vec![Complex64::ZERO; mass.rows];
+        let mut force = vec![Complex64::ZERO; equations.mass.rows];
         for own in unbalance {
             // (cos, sin)(Ωt + φ) is Re((1, −i) e^{iφ} e^{iΩt}).
             let along = Complex64::from_polar(own.moment * speed * speed, own.angle);
@@ -49,10 +47,7 @@ impl LinearMachine {
                 force.iter_mut().zip(row).for_each(|(sum, own)| *sum += part * own);
             }
         }
-        let entry = |m: f64, c: f64, k: f64| Complex64::new(k - speed * speed * m, speed * c);
-        let entries = mass.data.iter().zip(&damping.data).zip(&stiffness.data);
-        let matrix: Vec<Complex64> = entries.map(|((m, c), k)| entry(*m, *c, *k)).collect();
-        let moved = solve_complex(mass.rows, &matrix, &force)?;
+        let moved = equations.moved_by(speed, &force)?;
         Ok(points.iter().map(|point| self.vibration(at, point, &moved)).collect())
     }
 
@@ -106,17 +101,12 @@ impl LinearMachine {
         acceleration: [f64; 2],
     ) -> Result<Vec<f64>, Error> {
         let centre = self.machine.bodies[body].centre_of_mass();
-        let size = equations.mass.rows;
-        let mut force = vec![Complex64::ZERO; size];
+        let mut force = vec![Complex64::ZERO; equations.mass.rows];
         let block = self.block(equations.angles, body);
-        for (place, sum) in force[block].iter_mut().enumerate() {
-            let own = [0, 1].map(|axis| centre.node.shapes[(axis, place)]);
-            *sum += centre.mass * dot(&own, &acceleration);
+        for (sum, moved) in force[block].iter_mut().zip(centre.node.shapes.data.chunks_exact(3)) {
+            *sum += centre.mass * dot(&moved[..2], &acceleration);
         }
-        let held = equations.at_frequency(0.0);
-        let matrix: Vec<Complex64> =
-            held.stiffness.data.iter().map(|own| Complex64::from(*own)).collect();
-        let moved = solve_complex(size, &matrix, &force)?;
+        let moved = equations.moved_by(0.0, &force)?;
         let joints = self.coefficients(at);
         let points = self.points();
         let loads = joints.iter().zip(&points).map(|(joint, point)| {

@@ -2,12 +2,14 @@
 
 use std::borrow::Cow;
 
+use num_complex::Complex64;
+
 use super::dependent::Dependent;
 use super::first_order;
 use super::round::LinearMachine;
 use crate::dynamics::{Standing, standing_at};
 use crate::error::Error;
-use crate::linalg::{FirstOrder, Matrix, Periodic};
+use crate::linalg::{FirstOrder, Matrix, Periodic, solve_complex};
 use crate::machine::Machine;
 
 /// A state in which the machine stands at constant speeds, with the equations of small motions about it.
@@ -72,6 +74,24 @@ impl Linearised {
             first_order::add(states, frequency, &mut own.damping, &mut own.stiffness);
         }
         Cow::Owned(own)
+    }
+
+    /// The motion z of Re(z e^{iωt}) by a force, (K′ + iωC′ − ω²M′) z = f.
+    ///
+    /// # Errors
+    /// A matrix that is singular.
+    pub(super) fn moved_by(
+        &self,
+        frequency: f64,
+        force: &[Complex64],
+    ) -> Result<Vec<Complex64>, Error> {
+        let held = self.at_frequency(frequency);
+        let Linearised { mass, damping, stiffness, .. } = &*held;
+        let square = frequency * frequency;
+        let entry = |m: f64, c: f64, k: f64| Complex64::new(k - square * m, frequency * c);
+        let entries = mass.data.iter().zip(&damping.data).zip(&stiffness.data);
+        let matrix: Vec<Complex64> = entries.map(|((m, c), k)| entry(*m, *c, *k)).collect();
+        Ok(solve_complex(mass.rows, &matrix, force)?)
     }
 
     /// Whether they are constant as space sees them.
@@ -179,20 +199,8 @@ impl LinearMachine {
             let tangents = machine.map(|own| self.tangents(own, at, &|_| 0.0));
             let tangents = tangents.as_ref().unwrap_or(&at.found.tangents);
             let seen = self.seen(at, &|_| 0.0, (0.0, 0.0));
-            let [mass, damping, stiffness] = self.in_frame((&at.angles, tangents), &seen);
-            let (angles, turning) = (at.angles.len(), self.turning_by(at));
-            let varying = None;
-            return Ok(Linearised {
-                angles,
-                turning,
-                mass,
-                damping,
-                stiffness,
-                frame: 0.0,
-                varying,
-                dependent,
-                remembered: self.remembered(at),
-            });
+            let constant = self.constant(at, self.in_frame((&at.angles, tangents), &seen));
+            return Ok(Linearised { dependent, remembered: self.remembered(at), ..constant });
         };
         if let Some(plane) = self.machine.springs.remembering(|_| true) {
             let (joint, law) = self.machine.names_of(plane);
@@ -205,6 +213,25 @@ impl LinearMachine {
                 body: self.machine.bodies[body].name().to_owned(),
             });
         }
-        self.varying(at, uneven, body)
+        Ok(self.varying(at, uneven, body))
+    }
+
+    /// M′, C′ and K′ about a state as equations that nothing varies, seen from space.
+    pub(super) fn constant(
+        &self,
+        at: &Standstill,
+        [mass, damping, stiffness]: [Matrix; 3],
+    ) -> Linearised {
+        Linearised {
+            angles: at.angles.len(),
+            turning: self.turning_by(at),
+            mass,
+            damping,
+            stiffness,
+            frame: 0.0,
+            varying: None,
+            dependent: Vec::new(),
+            remembered: None,
+        }
     }
 }

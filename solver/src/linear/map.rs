@@ -102,18 +102,8 @@ impl LinearMachine {
         });
         let inertia = entries.collect();
         let joints = self.machine.monitors.iter();
-        let rows = joints.flat_map(|joint| {
-            [0, 1].map(|axis| {
-                let mut row = vec![0.0; mass.rows];
-                let sides = [(joint.bodies[0], &joint.journal[axis], 1.0)];
-                let sides = sides.into_iter().chain([(joint.bodies[1], &joint.bore[axis], -1.0)]);
-                for (body, own, sign) in sides {
-                    let block = self.block(0, body);
-                    row[block].iter_mut().zip(own).for_each(|(sum, own)| *sum += sign * own);
-                }
-                row
-            })
-        });
+        let rows = joints
+            .flat_map(|joint| joint.rows().over(mass.rows, |body| self.block(0, body), |_| None));
         Unsupported { stiffness: stiffness.symmetric_part(), inertia, rows: rows.collect(), mass }
     }
 

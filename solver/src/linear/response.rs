@@ -10,9 +10,10 @@ use super::round::LinearMachine;
 use super::standing_loads::mean;
 use crate::equations::{Equations, instant, placed};
 use crate::error::Error;
-use crate::linalg::{dot, solve_complex};
+use crate::linalg::dot;
 use crate::loads::Load;
 use crate::output::{Motion, Wanted};
+use crate::plane_rows::PlaneRows;
 
 /// Turns over which forces are sampled, as those of engines come again after two.
 const HALVES: f64 = 2.0;
@@ -30,8 +31,7 @@ const ROUNDING: f64 = 1e-9;
 pub struct Point {
     /// Its name, as the tables of a case have it: `joint.NAME` or `output.NAME`.
     pub name: String,
-    /// Rows over the coordinates of bodies: motion along x and y of space.
-    rows: Vec<(usize, [Vec<f64>; 2])>,
+    rows: PlaneRows,
 }
 
 /// How a point moves: Re(w e^{iωt}).
@@ -76,10 +76,7 @@ impl LinearMachine {
         let joints = (0..self.machine.monitors.len()).map(|joint| self.journal(joint));
         let outputs = self.machine.outputs.iter().filter_map(|output| match &output.what {
             Wanted::Motion { body, point, motion: Motion::Displacement, .. } => {
-                let row = |axis: usize| {
-                    (0..point.shapes.cols).map(|j| point.shapes[(axis, j)]).collect::<Vec<f64>>()
-                };
-                let rows = vec![(*body, [row(0), row(1)])];
+                let rows = PlaneRows(vec![(*body, [0, 1].map(|axis| point.shapes.row(axis)))]);
                 Some(Point { name: format!("output.{}", output.name), rows })
             }
             _ => None,
@@ -90,10 +87,8 @@ impl LinearMachine {
     /// The journal of a joint in its bore.
     pub(super) fn journal(&self, joint: usize) -> Point {
         let joint = &self.machine.monitors[joint];
-        let minus = joint.bore.each_ref().map(|row| row.iter().map(|own| -own).collect());
-        let rows = vec![(joint.bodies[0], joint.journal.clone()), (joint.bodies[1], minus)];
         let label = joint.label.trim_start_matches('_');
-        Point { name: format!("joint.{label}"), rows }
+        Point { name: format!("joint.{label}"), rows: joint.rows() }
     }
 
     /// How points move by what turns with a body: its unbalance, loads that are fixed to it or go by its angle; and, of one
@@ -179,13 +174,7 @@ impl LinearMachine {
         } else {
             for (order, force) in &forces {
                 let omega = f64::from(*order) / HALVES * speed;
-                let held = equations.at_frequency(omega);
-                let Linearised { mass, damping, stiffness, .. } = &*held;
-                let entry =
-                    |m: f64, c: f64, k: f64| Complex64::new(k - omega * omega * m, omega * c);
-                let entries = mass.data.iter().zip(&damping.data).zip(&stiffness.data);
-                let matrix: Vec<Complex64> = entries.map(|((m, c), k)| entry(*m, *c, *k)).collect();
-                add(*order, solve_complex(mass.rows, &matrix, force)?);
+                add(*order, equations.moved_by(omega, force)?);
             }
         }
         moved.sort_by_key(|own| own.0);
@@ -354,21 +343,12 @@ impl LinearMachine {
     /// Motion of a point along x and y of space by a unit of each coordinate of [`Linearised`]. An angle turns the displacement
     /// in which its body stands.
     pub(super) fn rows(&self, at: &Standstill, point: &Point) -> [Vec<f64>; 2] {
-        let mut all = [0, 1].map(|_| vec![0.0; self.kept(at).len()]);
-        for (body, rows) in &point.rows {
-            let place = &self.machine.places()[*body];
-            let block = self.block(at.angles.len(), *body);
-            for (all, row) in all.iter_mut().zip(rows) {
-                all[block.clone()].iter_mut().zip(row).for_each(|(sum, own)| *sum += own);
-            }
-            let angle = at.angles.iter().position(|own| Some(*own) == place.rotation);
-            if let Some(angle) = angle {
-                let stands = self.in_space(at, *body, &at.found.state.q[place.flexible.clone()]);
-                let [x, y] = rows.each_ref().map(|row| dot(row, &stands));
-                all[0][angle] -= y;
-                all[1][angle] += x;
-            }
-        }
-        all
+        let angles = &at.angles;
+        let turned = |body: usize| {
+            let place = &self.machine.places()[body];
+            let angle = angles.iter().position(|own| Some(*own) == place.rotation)?;
+            Some((angle, self.in_space(at, body, &at.found.state.q[place.flexible.clone()])))
+        };
+        point.rows.over(self.kept(at).len(), |body| self.block(angles.len(), body), turned)
     }
 }

@@ -59,11 +59,8 @@ pub struct Torque {
 pub(super) fn along_axis(body: &Body, square: &Matrix) -> Result<Vec<Vec<f64>>, Error> {
     let Some(shaft) = body.shaft().filter(|own| own.size() > 0) else { return Ok(Vec::new()) };
     let n = shaft.size();
-    let of_node = |node: &BodyNode| -> Vec<f64> { (0..n).map(|j| node.shapes[(2, j)]).collect() };
-    let of_mean = body
-        .measures()
-        .iter()
-        .map(|own| -> Vec<f64> { (0..n).map(|j| own.displacement[(2, j)]).collect() });
+    let of_node = |node: &BodyNode| node.shapes.row(2);
+    let of_mean = body.measures().iter().map(|own| own.displacement.row(2));
     let centre = std::iter::once(of_node(&shaft.centre_of_mass.node));
     let rows = centre.chain(of_mean).chain(body.nodes().iter().map(of_node));
     let mut mass = Cholesky::new(n);

@@ -132,50 +132,19 @@ impl LinearMachine {
     }
 
     /// The equations about a state at which a body turns that is not round.
-    pub(super) fn varying(
-        &self,
-        at: &Standstill,
-        machine: &Machine,
-        body: usize,
-    ) -> Result<Linearised, Error> {
+    pub(super) fn varying(&self, at: &Standstill, machine: &Machine, body: usize) -> Linearised {
         let speed = at.speeds[body];
-        let (angles, turning) = (at.angles.len(), self.turning_by(at));
         let first = self.sample((at, machine, body), [0.0, 0.0], true);
         let is_constant = ANGLES.iter().all(|angle| {
             let own = self.sample((at, machine, body), [*angle, OTHERS * angle], true);
             apart(&first, &own, speed) <= SAME
         });
         if is_constant {
-            let [mass, damping, stiffness] = first;
-            let (frame, varying) = (speed, None);
-            let dependent = Vec::new();
-            return Ok(Linearised {
-                angles,
-                turning,
-                mass,
-                damping,
-                stiffness,
-                frame,
-                varying,
-                dependent,
-                remembered: None,
-            });
+            return Linearised { frame: speed, ..self.constant(at, first) };
         }
         let periodic = self.over_a_turn(at, machine, body);
-        let [mass, damping, stiffness] = periodic.means.clone();
-        let varying = Some(periodic);
-        let dependent = Vec::new();
-        Ok(Linearised {
-            angles,
-            turning,
-            mass,
-            damping,
-            stiffness,
-            frame: 0.0,
-            varying,
-            dependent,
-            remembered: None,
-        })
+        let means = periodic.means.clone();
+        Linearised { varying: Some(periodic), ..self.constant(at, means) }
     }
 }
 

@@ -48,6 +48,16 @@ impl Format {
         }
     }
 
+    /// What a file of it is called.
+    pub fn called(self) -> &'static str {
+        match self {
+            Format::Inp => "Abaqus or CalculiX input",
+            Format::Msh => "Gmsh",
+            Format::Bdf => "Nastran bulk data",
+            Format::Unv => "universal file",
+        }
+    }
+
     /// The line of a text, from 1, in which a cell has its label; the cell may go on in the next lines.
     pub fn line_of_cell(self, text: &str, label: u64) -> Option<usize> {
         match self {

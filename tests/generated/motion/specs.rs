@@ -85,12 +85,5 @@ fn the_text_of_the_residual_kernel_is_as_committed() {
     let start = text.find("    /// Q_v − M q̈.").expect("the kernel is there");
     let end = text[start..].find("\n    }\n").expect("it ends") + start;
     let found = format!("{}\n    }}\n", &text[start..end]);
-    let path = folder("golden/motion-residual.rs");
-    if std::env::var_os("WHIRL_RENEW_GOLDEN").is_some() {
-        fs::write(&path, &found).expect("the golden file can be written");
-    }
-    let expected = fs::read_to_string(&path).expect("the golden file is there");
-    let first = found.lines().zip(expected.lines()).find(|(found, expected)| found != expected);
-    assert_eq!(first, None, "first difference; WHIRL_RENEW_GOLDEN=1 renews {}", path.display());
-    assert_eq!(found.len(), expected.len());
+    whirl_tests::golden::is_as_committed(&folder("golden/motion-residual.rs"), &found);
 }

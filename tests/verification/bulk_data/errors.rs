@@ -1,7 +1,6 @@
 //! Every error of a file, with its place and its remedy: the texts are in errors.txt, which WHIRL_RENEW_GOLDEN=1
 //! writes anew.
 
-use std::fs;
 use std::path::Path;
 
 use whirl_solver::mesh::bdf;
@@ -108,11 +107,7 @@ fn every_error_says_where_what_and_how_to_fix_it() {
         found += &format!("--- {}\n{errors}\n\n", by.trim_end().replace('\n', "\n    "));
     }
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("verification/bulk_data/errors.txt");
-    if std::env::var_os("WHIRL_RENEW_GOLDEN").is_some() {
-        fs::write(&path, &found).unwrap();
-    }
-    let known = fs::read_to_string(&path).unwrap_or_default();
-    assert!(known == found, "errors.txt differs; WHIRL_RENEW_GOLDEN=1 writes it anew:\n{found}");
+    whirl_tests::golden::is_as_committed(&path, &found);
 }
 
 #[test]

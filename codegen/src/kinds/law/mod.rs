@@ -78,7 +78,7 @@ use spec::{NameCode, Named, PieceCode, in_si};
 pub use table::{Column, Columns, Extend, LawTable, Wanted, Which};
 pub use valid::Validity;
 
-use super::read::Beside;
+use super::read::FindFile;
 use crate::diagnostic::{Diagnostics, Source};
 
 impl LawSpec {
@@ -94,7 +94,7 @@ impl LawSpec {
     ///
     /// # Errors
     /// Everything that is wrong with them, each with its place.
-    pub fn read_with(file: &Arc<Source>, beside: &Beside<'_>) -> Result<Self, Diagnostics> {
+    pub fn read_with(file: &Arc<Source>, beside: &FindFile<'_>) -> Result<Self, Diagnostics> {
         Self::read_given(file, beside, &[])
     }
 
@@ -106,7 +106,7 @@ impl LawSpec {
     /// these values.
     pub fn read_given(
         file: &Arc<Source>,
-        beside: &Beside<'_>,
+        beside: &FindFile<'_>,
         given: &[Given],
     ) -> Result<Self, Diagnostics> {
         let mut draft = draft::read(file, beside)?;
@@ -136,7 +136,7 @@ impl LawSpec {
     /// Everything that is wrong with keys, names, units and the grammar of formulas.
     pub fn parameters_of(
         file: &Arc<Source>,
-        beside: &Beside<'_>,
+        beside: &FindFile<'_>,
     ) -> Result<Vec<Parameter>, Diagnostics> {
         build::parameters_of(draft::read(file, beside)?)
     }

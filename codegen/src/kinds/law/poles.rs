@@ -8,7 +8,7 @@ use crate::operation::{Function, Number};
 /// Of (h − c)² the factor h − c counts, which changes its sign where the square does not: so that poles of
 /// even order are found, too.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Signed {
+pub(super) struct WithSigns {
     pub(super) value: f64,
     /// Of the divisors.
     pub(super) signs: Signs,
@@ -46,61 +46,65 @@ impl Signs {
     }
 }
 
-impl Signed {
+impl WithSigns {
     pub(super) fn new(value: f64) -> Self {
-        Signed { value, signs: Signs::NONE, factors: Signs::of(value) }
+        WithSigns { value, signs: Signs::NONE, factors: Signs::of(value) }
     }
 
     /// A value of its own sign, from others.
     fn from(value: f64, signs: Signs) -> Self {
-        Signed { value, signs, factors: Signs::of(value) }
+        WithSigns { value, signs, factors: Signs::of(value) }
     }
 }
 
-impl Number for Signed {
+impl Number for WithSigns {
     fn near(value: f64) -> Self {
-        Signed::new(value)
+        WithSigns::new(value)
     }
     fn value(&self) -> f64 {
         self.value
     }
     fn add(&self, other: &Self) -> Self {
-        Signed::from(self.value + other.value, self.signs.then(other.signs))
+        WithSigns::from(self.value + other.value, self.signs.then(other.signs))
     }
     fn sub(&self, other: &Self) -> Self {
-        Signed::from(self.value - other.value, self.signs.then(other.signs))
+        WithSigns::from(self.value - other.value, self.signs.then(other.signs))
     }
     fn mul(&self, other: &Self) -> Self {
         let (signs, factors) = (self.signs.then(other.signs), self.factors.then(other.factors));
-        Signed { value: self.value * other.value, signs, factors }
+        WithSigns { value: self.value * other.value, signs, factors }
     }
     fn div(&self, other: &Self) -> Self {
         let signs = self.signs.then(other.signs).then(other.factors);
-        Signed { value: self.value / other.value, signs, factors: self.factors.then(other.factors) }
+        WithSigns {
+            value: self.value / other.value,
+            signs,
+            factors: self.factors.then(other.factors),
+        }
     }
     fn power(&self, exponent: &Self) -> Self {
         // 2^(h/l) divides by 2 below zero, which changes no sign.
         let below = self.factors.if_so(exponent.value < 0.0);
         let signs = self.signs.then(exponent.signs).then(below);
         let factors = self.factors.if_so(exponent.value != 0.0);
-        Signed { value: Number::power(&self.value, &exponent.value), signs, factors }
+        WithSigns { value: Number::power(&self.value, &exponent.value), signs, factors }
     }
     fn sqrt(&self) -> Self {
-        Signed { value: Number::sqrt(&self.value), ..*self }
+        WithSigns { value: Number::sqrt(&self.value), ..*self }
     }
     fn function(&self, function: Function) -> Self {
         let value = function.value(self.value);
         match (function, function.divisor(self.value)) {
             // It is zero where its argument is.
-            (Function::Abs, _) => Signed { value, ..*self },
-            (_, Some(divisor)) => Signed::from(value, self.signs.then(Signs::of(divisor))),
-            (_, None) => Signed::from(value, self.signs),
+            (Function::Abs, _) => WithSigns { value, ..*self },
+            (_, Some(divisor)) => WithSigns::from(value, self.signs.then(Signs::of(divisor))),
+            (_, None) => WithSigns::from(value, self.signs),
         }
     }
     /// With the divisors of both, whichever is chosen: a choice between values with and without a divisor is
     /// no pole.
     fn chosen(first: bool, a: Self, b: Self) -> Self {
-        Signed::from(if first { a.value } else { b.value }, a.signs.then(b.signs))
+        WithSigns::from(if first { a.value } else { b.value }, a.signs.then(b.signs))
     }
 }
 
@@ -116,7 +120,7 @@ mod tests {
     fn crosses_pole(text: &str, [low, high]: [f64; 2]) -> bool {
         let formula = parse(&Located::alone("f", text)).expect("a formula");
         let signs = |h: f64| {
-            let names = BTreeMap::from([("h".to_owned(), Value::Scalar(Signed::new(h)))]);
+            let names = BTreeMap::from([("h".to_owned(), Value::Scalar(WithSigns::new(h)))]);
             evaluate(&formula, &names).expect("a value").scalar().expect("a number").signs
         };
         signs(low) != signs(high)

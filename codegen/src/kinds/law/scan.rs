@@ -4,7 +4,7 @@ use std::cell::OnceCell;
 
 use num_traits::ToPrimitive;
 
-use super::poles::Signed;
+use super::poles::WithSigns;
 use super::{Condition, LawSpec, Named, Piece};
 use crate::diagnostic::Located;
 use crate::expression::Node;
@@ -69,13 +69,13 @@ pub(super) struct Point {
     pub(super) x: f64,
     pub(super) inputs: Vec<Rounded>,
     pub(super) names: Named<Rounded>,
-    signed: OnceCell<Named<Signed>>,
+    signed: OnceCell<Named<WithSigns>>,
 }
 
 impl Point {
     /// The names with the signs of divisors.
-    pub(super) fn signed(&self, law: &LawSpec, line: &Line) -> &Named<Signed> {
-        self.signed.get_or_init(|| names_at(law, line, self.x, Signed::new))
+    pub(super) fn signed(&self, law: &LawSpec, line: &Line) -> &Named<WithSigns> {
+        self.signed.get_or_init(|| names_at(law, line, self.x, WithSigns::new))
     }
 }
 

@@ -9,11 +9,13 @@
 
 mod bodies;
 mod compliance;
+mod kept;
 
 use whirl_specs::ContactTangent;
 
 use self::bodies::BodyInverse;
 use self::compliance::Compliance;
+pub(super) use self::kept::KeptBodies;
 use super::newmark::Coefficients;
 use crate::bearing::Springs;
 use crate::equations::Equations;

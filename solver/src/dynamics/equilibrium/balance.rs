@@ -11,13 +11,12 @@ mod tangent;
 use self::memory::Memory;
 use super::rotations::{Rotations, Turn, Twisting};
 use super::turning::TurningStart;
-use crate::equations::SpringTangent;
-use crate::equations::State;
-use crate::equations::{Equations, instant, placed};
+use crate::equations::{Equations, SpringTangent, State, frame_of, instant, placed};
 use crate::error::Error;
 use crate::linalg::{add_product, dot, multiply};
-use crate::loads::{Frame, Load, Position};
-use crate::machine::{Body, BodyPlace, Machine};
+use crate::loads::{Frame, Load};
+use crate::machine::{Body, Machine};
+use crate::monitor::Turned;
 use crate::shaft::Shaft;
 
 /// Shares at which a row is solved: of its largest term, and of the largest force projected on it (PHYSICS.md, 10).
@@ -450,17 +449,11 @@ impl<'m> Balance<'m> {
 
     /// Eccentricity of the journal in each bearing (m, along x and y of space), bodies being turned as in the state.
     pub(super) fn eccentricities(&self, q: &[f64]) -> Vec<[f64; 2]> {
+        let (places, own) = (self.machine.places(), &self.state.q);
         let monitors = self.machine.monitors.iter().map(|monitor| {
-            let places = monitor.bodies.map(|body| &self.machine.places()[body]);
-            let [journal, bore] = places.map(|place| &q[place.flexible.clone()]);
-            let [journal, bore] = monitor.displacements(journal, bore);
-            let in_space = |place: &BodyPlace, own: [f64; 2], more: [f64; 2]| {
-                let angle = place.rotation.map_or(0.0, |theta| self.state.q[theta]);
-                Position::new(angle).to_space([own[0] + more[0], own[1] + more[1]])
-            };
-            let journal = in_space(places[0], journal, monitor.run_out);
-            let bore = in_space(places[1], bore, monitor.offset);
-            [0, 1].map(|axis| journal[axis] + monitor.apart[axis] - bore[axis])
+            let [journal, bore] = monitor.bodies.map(|body| frame_of(self.machine, body, own));
+            let turned = Turned { journal, run_out: journal, bore };
+            monitor.displaced(places, q, &turned).deformation
         });
         monitors.collect()
     }

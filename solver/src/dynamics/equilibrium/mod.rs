@@ -26,10 +26,9 @@ use super::march::BodyStart;
 #[cfg(doc)]
 use super::march::MarchOptions;
 use crate::bearing::Plane;
-use crate::equations::{Equations, State, Tangents};
+use crate::equations::{Equations, State, Tangents, frame_of};
 use crate::error::Error;
 use crate::linalg::{FirstOrder, Matrix};
-use crate::loads::Position;
 use crate::machine::Machine;
 
 /// A state that stands in space at speeds that stay.
@@ -92,7 +91,8 @@ pub(crate) fn standing_at(
     balance.equations.release(&released);
     balance.equations.evaluate(0.0, &state);
     let forces = forces(&balance.equations, &state);
-    let torques = torques(&balance.equations);
+    let joints = machine.monitors.iter();
+    let torques = joints.map(|joint| balance.equations.joint_torque(joint)).collect();
     let mut tangents = balance.equations.tangents(&state);
     let mut remembered = None;
     if machine.springs.states() > 0 {
@@ -136,20 +136,9 @@ fn refuse_turning(machine: &Machine) -> Result<(), Error> {
 fn forces(equations: &Equations, state: &State) -> Vec<[f64; 2]> {
     let machine = equations.machine;
     let joints = machine.monitors.iter().map(|joint| {
-        let planes = joint.planes.iter().map(|&plane| equations.springs.plane_force(plane));
-        let force = planes.fold([0.0; 2], |sum, [_, x, y]| [sum[0] + x, sum[1] + y]);
-        let theta = machine.places()[joint.bodies[0]].rotation;
-        // Forces of planes are in the frame of the journal's body.
-        Position::new(theta.map_or(0.0, |theta| state.q[theta])).to_space(force)
+        frame_of(machine, joint.bodies[0], &state.q).to_space(equations.joint_force(joint))
     });
     joints.collect()
-}
-
-/// Torques of all joints on their journals at the state that was evaluated last (N·m).
-fn torques(equations: &Equations) -> Vec<f64> {
-    let (machine, springs) = (equations.machine, &equations.springs);
-    let of = |plane: &usize| springs.plane_torque(&machine.springs, *plane);
-    machine.monitors.iter().map(|joint| joint.planes.iter().map(of).sum()).collect()
 }
 
 /// The rows that an error names.

@@ -136,8 +136,7 @@ fn quarter_turn(shaft: &Shaft) -> Result<Matrix, Error> {
         shaft.nodes.iter().filter(|node| node.position[0].hypot(node.position[1]) <= near);
     let largest = (0..n).map(|i| m[(i, i)]).fold(0.0, f64::max);
     for node in on_axis {
-        let [row_x, row_y] =
-            [0, 1].map(|axis| (0..n).map(|j| node.shapes[(axis, j)]).collect::<Vec<f64>>());
+        let [row_x, row_y] = [0, 1].map(|axis| node.shapes.row(axis));
         let reach = row_x.iter().chain(&row_y).fold(0.0, |most: f64, own| most.max(own.abs()));
         let mass = if reach > 0.0 { largest / (reach * reach) } else { 0.0 };
         for j in 0..n {

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::SteadyState;
 use super::samples::Samples;
-use crate::dynamics::quality::larger;
+use crate::dynamics::moving_part::larger;
 use crate::linalg::widely;
 
 /// What may be left in a steady state.

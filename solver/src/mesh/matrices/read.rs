@@ -337,12 +337,12 @@ impl Reader<'_> {
         let mut nodes = match Format::of(text.as_bytes(), &path) {
             Format::Inp => inp::placed_nodes(text, &path, &mut self.report),
             Format::Bdf => bdf::grid_points(text, &include, &mut self.report),
-            other @ (Format::Msh | Format::Unv) => {
+            other => {
                 let file = self.report.files.len() - 1;
-                let what = match other {
-                    Format::Msh => "nodes of matrices are not read from meshes of Gmsh",
-                    _ => "nodes of matrices are not read from universal files",
-                };
+                let what = format!(
+                    "nodes of matrices are not read from this kind of file ({})",
+                    other.called()
+                );
                 let help = "name the input file of CalculiX or Abaqus, or bulk data of Nastran";
                 self.report.error(LinePosition { file, line: 0, column: 0 }, what, help);
                 PlacedNodes::default()

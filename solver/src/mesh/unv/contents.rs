@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::raw::{LinePosition, MeshReport, NodeTable};
 use super::kinds::has_orientation;
-use super::lines::{Dataset, Stop, expected, three};
+use super::lines::{Dataset, Stop, expected, three, whole_numbers};
 
 /// An element as it is written.
 pub(super) struct Listed {
@@ -120,8 +120,7 @@ impl Contents {
         report: &mut MeshReport,
     ) -> Result<(), Stop> {
         while let Some((place, line)) = data.line() {
-            let head: Option<Vec<i64>> =
-                line.split_whitespace().map(|own| own.parse().ok()).collect();
+            let head = whole_numbers(line);
             let head = head.filter(|own| own.len() >= 2 && own[0] > 0);
             let Some(head) = head else { return Err(expected(place, "the label of a node", line)) };
             let at = data.reals("the coordinates of a node")?;
@@ -183,8 +182,7 @@ impl Contents {
 
     fn elements(&mut self, data: &mut Dataset) -> Result<(), Stop> {
         while let Some((place, line)) = data.line() {
-            let head: Option<Vec<i64>> =
-                line.split_whitespace().map(|own| own.parse().ok()).collect();
+            let head = whole_numbers(line);
             let head = head.filter(|own| own.len() >= 6 && own[0] > 0 && own[1] >= 0);
             let Some(head) = head else { return Err(expected(place, "an element", line)) };
             let (label, descriptor) = (head[0].unsigned_abs(), head[1].unsigned_abs());
@@ -215,8 +213,7 @@ impl Contents {
     /// Groups, whose members have so many numbers each.
     fn groups(&mut self, data: &mut Dataset, width: usize) -> Result<(), Stop> {
         while let Some((place, line)) = data.line() {
-            let head: Option<Vec<i64>> =
-                line.split_whitespace().map(|own| own.parse().ok()).collect();
+            let head = whole_numbers(line);
             let count = head
                 .as_ref()
                 .filter(|own| own.len() >= 2)

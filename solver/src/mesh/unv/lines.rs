@@ -100,9 +100,7 @@ impl<'t> Dataset<'t> {
         least: usize,
     ) -> Result<(LinePosition, Vec<i64>), Stop> {
         let (place, line) = self.demand(what)?;
-        let numbers: Option<Vec<i64>> =
-            line.split_whitespace().map(|own| own.parse().ok()).collect();
-        match numbers.filter(|own| own.len() >= least) {
+        match whole_numbers(line).filter(|own| own.len() >= least) {
             Some(numbers) => Ok((place, numbers)),
             None => Err(expected(place, what, line)),
         }
@@ -120,6 +118,11 @@ pub(super) fn expected(place: LinePosition, what: &str, line: &str) -> Stop {
     let shown: String = line.trim().chars().take(40).collect();
     let what = format!("{what} should stand here, not `{}`", shown.escape_debug());
     Stop { place, what, help: DAMAGED }
+}
+
+/// The numbers of a line, if all are whole.
+pub(super) fn whole_numbers(line: &str) -> Option<Vec<i64>> {
+    line.split_whitespace().map(|own| own.parse().ok()).collect()
 }
 
 /// Three numbers with exponents of E or D, all finite.

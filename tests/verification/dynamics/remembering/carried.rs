@@ -8,7 +8,7 @@ use whirl_solver::loads::TimeFunction;
 use whirl_solver::machine::Rotation;
 
 use super::super::options;
-use super::{RELAXING, SLOW, mass_on, on_mount, shipped, taped};
+use super::{RELAXING, SLOW, Taped, mass_on, on_mount, shipped};
 
 const PUSH: f64 = 500.0;
 const STEPS: usize = 400;
@@ -70,7 +70,7 @@ fn another_march_goes_on_with_the_states() {
     assert_eq!(second.state().laws, first.state().laws);
     assert!(finish(&mut second, None).0 == rows[133..]);
     // With another law the states begin anew.
-    let other = mass_on(taped(ONE), shaken(), Rotation::Held);
+    let other = mass_on(Box::new(Taped::new(ONE)), shaken(), Rotation::Held);
     let march = March::from_last(&other, &rest, &last).expect("goes on");
     assert_eq!(march.state().laws.known, [2e-5]);
 }
@@ -103,7 +103,7 @@ fn states_begin_as_the_law_says() {
     };
     // The mass begins in the middle.
     assert_eq!(march(shipped("zener-mount")), (vec![0.0; 2], PUSH / super::MASS));
-    let (known, acceleration) = march(taped(ONE));
+    let (known, acceleration) = march(Box::new(Taped::new(ONE)));
     assert_eq!(known, [2e-5]);
     let exact = (PUSH - 1e4 * 2e-5) / super::MASS;
     assert!((acceleration - exact).abs() < 1e-12 * exact, "{acceleration}");
@@ -139,7 +139,8 @@ fn a_start_at_equilibrium_has_relaxed() {
 /// Of a state that no rest determines there is no equilibrium.
 #[test]
 fn an_integral_has_no_rest() {
-    let machine = mass_on(taped(ONE), (PUSH, TimeFunction::Constant), Rotation::Held);
+    let machine =
+        mass_on(Box::new(Taped::new(ONE)), (PUSH, TimeFunction::Constant), Rotation::Held);
     let error = equilibrium(&machine, &[], None).expect_err("an integral has no rest");
     assert!(
         error.to_string().contains("mount") || error.to_string().contains("bearing 1"),

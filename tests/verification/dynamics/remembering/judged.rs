@@ -5,7 +5,7 @@ use whirl_solver::loads::TimeFunction;
 use whirl_solver::machine::Rotation;
 
 use super::super::options;
-use super::{mass_on, on_mount, taped};
+use super::{Taped, mass_on, on_mount};
 
 fn sine(frequency: f64) -> (f64, TimeFunction) {
     (500.0, TimeFunction::Sine { frequency, phase: 0.0 })
@@ -58,7 +58,7 @@ z = '(e_x - z)/tau'
 F_x = { unit = \"N\", value = '-k*(e_x + z/10)' }
 F_y = { unit = \"N\", value = '-k*e_y' }
 ";
-    let machine = mass_on(taped(fast), sine(20.0), Rotation::Held);
+    let machine = mass_on(Box::new(Taped::new(fast)), sine(20.0), Rotation::Held);
     let (share, found) = judged(&machine, &options(1e-3, 100));
     assert!(share > 0.1, "{share}");
     let own = found.iter().find(|own| own.contains("state of a law")).expect("found");

@@ -1,14 +1,11 @@
 //! Small motions with states, against state spaces of their own.
 
 use nalgebra::{Complex, DMatrix};
-use whirl_codegen::diagnostic::Source;
-use whirl_codegen::kinds::law::LawSpec;
-use whirl_codegen::tape::Tape;
 use whirl_solver::linear::{LinearMachine, Linearised};
 use whirl_solver::loads::TimeFunction;
 use whirl_solver::machine::Rotation;
 
-use super::{MASS, RELAXING, SLOW, TAU, mass_on, shipped, taped};
+use super::{MASS, ON_MOUNT, RELAXING, SLOW, TAU, Taped, mass_on, shipped, with_states};
 
 /// The mass turns, which a point does not feel: motions are those of a mass that does not.
 fn turning(law: Box<dyn whirl_solver::bearing::SpringLaw>) -> LinearMachine {
@@ -48,12 +45,7 @@ fn agree(found: &[Complex<f64>], exact: &[Complex<f64>]) {
 #[test]
 fn modes_on_a_mount_that_relaxes_are_those_of_its_state_space() {
     let machine = turning(shipped("zener-mount"));
-    #[rustfmt::skip]
-    let one = DMatrix::from_row_slice(3, 3, &[
-        0.0, 1.0, 0.0,
-        -(SLOW + RELAXING) / MASS, 0.0, RELAXING / MASS,
-        1.0 / TAU, 0.0, -1.0 / TAU,
-    ]);
+    let one = DMatrix::from_row_slice(3, 3, &ON_MOUNT);
     let exact = exact(&one);
     let both: Vec<Complex<f64>> = exact.iter().chain(&exact).copied().collect();
     for speed in [0.0, 300.0, -1000.0] {
@@ -86,25 +78,7 @@ fn at_a_frequency_the_equations_have_the_dynamic_stiffness() {
 
 /// States that hang on each other and on rates, unlike in both directions, about a state off the middle: a law's own derivatives,
 /// put together here.
-const CROSSED: &str = "[inputs]
-e_x = { unit = \"mm\", range = [-1, 1] }
-e_y = { unit = \"mm\", range = [-1, 1] }
-e_x_dot = { unit = \"mm/s\", range = [-100, 100] }
-e_y_dot = { unit = \"mm/s\", range = [-100, 100] }
-[states.z]
-unit = \"mm\"
-start = \"rest\"
-range = [-1, 1]
-[states.w]
-unit = \"N\"
-start = \"rest\"
-range = [-100, 100]
-[parameters]
-a = { value = 0.5, unit = \"mm\" }
-tau = { value = 3, unit = \"ms\" }
-k = { value = 900, unit = \"N/mm\" }
-c = { value = 0.2, unit = \"N*s/mm\" }
-[rates]
+const CROSSED: &str = "[rates]
 z = '(e_x - z*(1 + z/a))/tau + 0.3*e_y_dot'
 w = '(k*(e_y + z) - w - c*e_x_dot)/tau'
 [outputs]
@@ -114,10 +88,9 @@ F_y = { unit = \"N\", value = '-k*(e_y + z) - w*0.2 - c*e_y_dot' }
 
 #[test]
 fn modes_with_crossed_states_are_those_of_a_state_space_of_ones_own() {
-    let machine = turning(taped(CROSSED));
-    let head = "kind = \"law\"\nname = \"taped\"\ntitle = \"t\"\nsource = \"s\"\n";
-    let spec = LawSpec::read(&Source::new("law.toml", format!("{head}{CROSSED}"))).expect("a law");
-    let tape = Tape::new(&spec.program().expect("a program"));
+    let law = Taped::new(&with_states("\"rest\"", CROSSED));
+    let tape = law.tape.clone();
+    let machine = turning(Box::new(law));
     let mut rows = vec![0.0; tape.outputs()];
     // Unloaded it stands in the middle, its states at rest: rows of e, ė, z, w behind each value.
     tape.evaluate(1, &[0.0; 6], &mut rows, &mut vec![0.0; tape.workspace()]);

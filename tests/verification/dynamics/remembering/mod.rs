@@ -55,13 +55,48 @@ struct Taped {
     tape: Tape,
 }
 
-fn taped(body: &str) -> Box<dyn SpringLaw> {
-    let head = "kind = \"law\"\nname = \"taped\"\ntitle = \"t\"\nsource = \"s\"\n";
-    let spec = LawSpec::read(&Source::new("law.toml", format!("{head}{body}")));
-    let spec = spec.unwrap_or_else(|errors| panic!("{errors}"));
-    let tape = Tape::new(&spec.program().expect("a program"));
-    Box::new(Taped { spec, tape })
+impl Taped {
+    fn new(body: &str) -> Self {
+        let head = "kind = \"law\"\nname = \"taped\"\ntitle = \"t\"\nsource = \"s\"\n";
+        let spec = LawSpec::read(&Source::new("law.toml", format!("{head}{body}")));
+        let spec = spec.unwrap_or_else(|errors| panic!("{errors}"));
+        let tape = Tape::new(&spec.program().expect("a program"));
+        Taped { spec, tape }
+    }
 }
+
+/// A law of displacements and their rates in the plane with states z, which begins at `start`, and w.
+fn with_states(start: &str, rates_and_outputs: &str) -> String {
+    format!(
+        "[inputs]
+e_x = {{ unit = \"mm\", range = [-1, 1] }}
+e_y = {{ unit = \"mm\", range = [-1, 1] }}
+e_x_dot = {{ unit = \"mm/s\", range = [-100, 100] }}
+e_y_dot = {{ unit = \"mm/s\", range = [-100, 100] }}
+[states.z]
+unit = \"mm\"
+start = {start}
+range = [-1, 1]
+[states.w]
+unit = \"N\"
+start = \"rest\"
+range = [-100, 100]
+[parameters]
+a = {{ value = 0.5, unit = \"mm\" }}
+tau = {{ value = 3, unit = \"ms\" }}
+k = {{ value = 900, unit = \"N/mm\" }}
+c = {{ value = 0.2, unit = \"N*s/mm\" }}
+{rates_and_outputs}"
+    )
+}
+
+/// Rates of (q, q̇, z) of the mass on the shipped mount, row after row.
+#[rustfmt::skip]
+const ON_MOUNT: [f64; 9] = [
+    0.0, 1.0, 0.0,
+    -(SLOW + RELAXING) / MASS, 0.0, RELAXING / MASS,
+    1.0 / TAU, 0.0, -1.0 / TAU,
+];
 
 impl SpringLaw for Taped {
     fn name(&self) -> &str {

@@ -1,7 +1,7 @@
 //! Poles along a line: where a factor of something that a formula divides by changes its sign.
 
 use super::super::Named;
-use super::super::poles::Signed;
+use super::super::poles::WithSigns;
 use super::super::scan::{self, Line, Point, names_at};
 use super::{Analysis, NEAR, in_file};
 
@@ -11,7 +11,7 @@ const MOST_POLES: usize = 16;
 impl Analysis<'_> {
     /// Records where a divisor of a piece changes its sign between two points.
     pub(super) fn poles(&mut self, line: &Line, piece: usize, low: &Point, high: &Point) {
-        let signs = |names: &Named<Signed>| self.output.value_of(piece, names).signs;
+        let signs = |names: &Named<WithSigns>| self.output.value_of(piece, names).signs;
         // Of several inputs, where the pole of one lies depends on the others: one is an example.
         let name = &self.law.inputs[line.input].name;
         let known = self.findings.report.poles.iter().any(|(input, _)| input == name);
@@ -28,8 +28,9 @@ impl Analysis<'_> {
             return;
         }
         let (low, high) = (low.x, high.x);
-        let (below, at) =
-            scan::bisect(low, high, |x| signs(&names_at(self.law, line, x, Signed::new)) == first);
+        let (below, at) = scan::bisect(low, high, |x| {
+            signs(&names_at(self.law, line, x, WithSigns::new)) == first
+        });
         // A choice between formulas changes what is divided by; that is no pole. Formulas and graph round
         // differently, so that the choice is also evaluated a little below and above.
         let around = NEAR * (high - low);

@@ -21,7 +21,7 @@ use super::{BearingValue, Given, KIND};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source};
 use crate::document::{Document, Table};
 use crate::formula::Formula;
-use crate::kinds::read::Beside;
+use crate::kinds::read::FindFile;
 use crate::kinds::read::{self, Head};
 use crate::units::Unit;
 use variable::{parse, variable};
@@ -82,7 +82,7 @@ impl Draft {
 }
 
 /// Reads the file; formulas are parsed but their names are not looked up yet.
-pub(super) fn read(file: &Arc<Source>, beside: &Beside<'_>) -> Result<Draft, Diagnostics> {
+pub(super) fn read(file: &Arc<Source>, beside: &FindFile<'_>) -> Result<Draft, Diagnostics> {
     if file.text.len() > LONGEST {
         let message = format!("a law file is at most {LONGEST} bytes long");
         return Err(Diagnostic::new(file, Code::LIMIT, None, message).into());
@@ -95,7 +95,7 @@ fn draft<'d>(
     file: &Arc<Source>,
     root: Table<'d>,
     head: Head,
-    beside: &Beside<'_>,
+    beside: &FindFile<'_>,
 ) -> Option<Draft> {
     let fine = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
     head.check(document, fine, "a law's name is made of letters, digits, `-`, `_` and `.`");

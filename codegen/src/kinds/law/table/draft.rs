@@ -9,7 +9,7 @@ use crate::document::{Table, Value};
 use crate::formula::{Formula, parse};
 use crate::kinds::law::system::System;
 use crate::kinds::read;
-use crate::kinds::read::Beside;
+use crate::kinds::read::FindFile;
 use crate::units::Unit;
 
 /// A table as the law file and the file of its columns give it.
@@ -54,7 +54,7 @@ pub(in crate::kinds::law) fn read(
     section: &Table<'_>,
     key: &Located,
     name: Option<String>,
-    beside: &Beside<'_>,
+    beside: &FindFile<'_>,
 ) -> Option<TableDraft> {
     let document = section.document();
     let file = section.string("file");

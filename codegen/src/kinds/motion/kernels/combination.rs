@@ -25,7 +25,7 @@ impl Text {
 }
 
 /// A text with a sign in front.
-struct Signed {
+struct Addend {
     negative: bool,
     text: Text,
     /// Whether the text is a sum, which needs parentheses in most places.
@@ -39,7 +39,7 @@ pub(super) fn combination(
     entry: impl Fn(crate::expression::Id) -> Text,
 ) -> Text {
     let parts = groups.iter().map(|group| {
-        let terms = group.terms.iter().map(|term| Signed {
+        let terms = group.terms.iter().map(|term| Addend {
             negative: term.negative,
             text: entry(term.id),
             sum: false,
@@ -47,7 +47,7 @@ pub(super) fn combination(
         times(scalars, group.coefficient, sum(terms.collect()))
     });
     let total = sum(parts.collect());
-    let Signed { negative, text, sum } = total;
+    let Addend { negative, text, sum } = total;
     match (negative, sum) {
         (false, _) => text,
         (true, _) => {
@@ -58,7 +58,7 @@ pub(super) fn combination(
 }
 
 /// coefficient · value.
-fn times(scalars: &Program, coefficient: Operand, value: Signed) -> Signed {
+fn times(scalars: &Program, coefficient: Operand, value: Addend) -> Addend {
     let inner = in_parentheses(&value.text, value.sum);
     let (tokens, lane) = match coefficient {
         Operand::Constant(1.0) => return value,
@@ -71,15 +71,15 @@ fn times(scalars: &Program, coefficient: Operand, value: Signed) -> Signed {
             (quote!(#name * #inner), true)
         }
     };
-    Signed { negative: value.negative, text: Text { tokens, lane }, sum: false }
+    Addend { negative: value.negative, text: Text { tokens, lane }, sum: false }
 }
 
 /// Σ ± parts, lanes first, of those a positive one.
-fn sum(mut parts: Vec<Signed>) -> Signed {
+fn sum(mut parts: Vec<Addend>) -> Addend {
     parts.sort_by_key(|part| (!part.text.lane, part.negative));
     let mut rest = parts.into_iter();
     let Some(first) = rest.next() else {
-        return Signed {
+        return Addend {
             negative: false,
             text: Text { tokens: quote!(0.0), lane: false },
             sum: false,
@@ -94,7 +94,7 @@ fn sum(mut parts: Vec<Signed>) -> Signed {
         let right = in_parentheses(&part.text, part.sum && minus);
         let tokens = if minus { quote!(#left - #right) } else { quote!(#left + #right) };
         let lane = total.text.lane || part.text.lane;
-        total = Signed { negative: flip, text: Text { tokens, lane }, sum: true };
+        total = Addend { negative: flip, text: Text { tokens, lane }, sum: true };
     }
     total
 }

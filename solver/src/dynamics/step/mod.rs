@@ -1,30 +1,27 @@
+//! A step. It is split where something jumps within it (`jumps`), where it would miss rows of tables (`cuts`), and where couples
+//! end that act until a speed is reached (`release`).
+//!
 //! The parts in which a step is taken: one where steps are fixed and nothing happens within them; those that the control of
 //! the step chooses; halves of what is not solved, or is beyond the tolerance.
 
+mod cuts;
+mod jumps;
+mod release;
+
 use super::control::{FORESEEN, MOST_HALVINGS};
-use super::march::{March, MarchOptions};
+use super::march::March;
 use super::newmark::Coefficients;
 use super::newton::Ending;
+use super::splits::{MOST_SPLITS, most_halvings};
 use crate::equations::State;
 use crate::error::Error;
 
-/// Lengths of parts for which factors are kept beside those in use.
-pub(super) const SHELVES: usize = 4;
-
-/// How often a part may be split, in parts of parts, that would pass rows of tables unseen: down to a millionth of it.
-pub(super) const MOST_SPLITS: usize = 20;
-
-/// How often a step may be halved.
-pub(super) fn most_halvings(options: &MarchOptions) -> u32 {
-    match options.automatic {
-        Some(_) => MOST_HALVINGS,
-        None => options.newton.max_halvings as u32,
-    }
-}
+/// Parts of a step shorter than this part of it are none.
+const SHORTEST: f64 = 1e-6;
 
 impl March<'_> {
     /// Takes a step of `dt` from time `t` in parts of lengths that are chosen on the way.
-    pub(super) fn stride(&mut self, t: f64, dt: f64) -> Result<(), Error> {
+    pub(super) fn step_in_parts(&mut self, t: f64, dt: f64) -> Result<(), Error> {
         if self.meters.begins() {
             self.foresee(t, dt);
         }
@@ -34,7 +31,7 @@ impl March<'_> {
             let halvings = self.meters.halvings();
             let length = 1_u32 << (MOST_HALVINGS - halvings);
             let span = (t + f64::from(at) * shortest, f64::from(length) * shortest);
-            self.leap(span.0, span.1, halvings)?;
+            self.step(span.0, span.1, halvings)?;
             at += length;
             self.meters.lengthen(at);
         }
@@ -62,12 +59,7 @@ impl March<'_> {
 
     /// Takes a step of `dt` from time `t`: in two parts if a load ends within it, in halves if it does not converge, is beyond
     /// the tolerance, or passes rows of a table over an angle or a speed unseen. `depth`: of such parts in parts; `halvings`: of a step, which led to `dt`.
-    pub(super) fn part(
-        &mut self,
-        (t, dt): (f64, f64),
-        depth: usize,
-        halvings: u32,
-    ) -> Result<(), Error> {
+    fn part(&mut self, (t, dt): (f64, f64), depth: usize, halvings: u32) -> Result<(), Error> {
         let mut start = std::mem::replace(&mut self.starts[depth], State::new(0));
         start.copy_from(&self.state);
         let most_force = self.newton.largest_force();
@@ -78,7 +70,8 @@ impl March<'_> {
         let hides = report.ending == Ending::Converged
             && depth < MOST_SPLITS
             && self.hides_rows(taken, &start);
-        let may_halve = hides || halvings < most_halvings(&self.options);
+        let may_halve = hides
+            || halvings < most_halvings(self.options.automatic.is_some(), &self.options.newton);
         let ending = match report.ending {
             Ending::Converged if hides => None,
             Ending::Converged => {

@@ -4,23 +4,23 @@
 //! makes θ wrong by O(Δt). So the step is split where the speed is reached: the time is found by a secant that keeps its
 //! bracket, on speeds that are solved. The accelerations jump there, and start anew from the forces that are left.
 
-use super::march::{March, accelerate};
-use super::newmark::Coefficients;
-use super::newton::{Ending, StepReport};
+use super::SHORTEST;
+use crate::dynamics::accelerate::accelerate;
+use crate::dynamics::march::March;
+use crate::dynamics::newmark::Coefficients;
+use crate::dynamics::newton::{Ending, StepReport};
 use crate::equations::State;
 use crate::error::Error;
 use crate::loads::{Load, Release};
 
 /// Speeds are the target's to this part of what a step changes them by; far below the error of the step.
 const AT_TARGET: f64 = 1e-9;
-/// Parts of a step shorter than this part of it are none.
-const SHORTEST: f64 = 1e-6;
 /// Trials of a split; the secant takes three or four.
 const TRIALS: usize = 40;
 
 impl March<'_> {
     /// Ends the loads for which a step starts at their target or beyond it.
-    pub(super) fn release_at_step(&mut self) {
+    pub(in crate::dynamics) fn release_at_step(&mut self) {
         for (load, released) in self.machine.loads.iter().zip(&mut self.equations.released) {
             if load.target().is_some_and(|target| target.release == Release::AtStep) {
                 let theta = self.machine.places()[load.body].rotation;
@@ -30,7 +30,7 @@ impl March<'_> {
     }
 
     /// Solves a step of `dt` from `start` at time `t`.
-    pub(super) fn attempt(&mut self, t: f64, dt: f64, start: &State) -> StepReport {
+    pub(in crate::dynamics) fn attempt(&mut self, t: f64, dt: f64, start: &State) -> StepReport {
         let step = Coefficients::new(self.integrator, dt);
         step.predict(start, &mut self.state);
         self.set_given(t + dt, self.equations.before);
@@ -60,7 +60,7 @@ impl March<'_> {
     }
 
     /// Whether the state is at the target of a load that is to end there, or beyond it.
-    pub(super) fn overshoots(&self) -> bool {
+    pub(in crate::dynamics) fn overshoots(&self) -> bool {
         self.beyond(&self.state).is_some_and(|beyond| beyond >= 0.0)
     }
 
@@ -115,7 +115,7 @@ impl March<'_> {
 
     /// Ends the loads whose speeds are reached at time `t` (s), where a part of a step has just ended, and starts the
     /// accelerations anew.
-    pub(super) fn release(&mut self, t: f64) -> Result<(), Error> {
+    pub(in crate::dynamics) fn release(&mut self, t: f64) -> Result<(), Error> {
         for place in 0..self.machine.loads.len() {
             let beyond = self.beyond_target(&self.machine.loads[place], &self.state);
             self.equations.released[place] |= beyond.is_some_and(|beyond| beyond >= 0.0);

@@ -1,12 +1,16 @@
 //! `whirl schema`: the copies under schemas/ are what the command prints (WHIRL_RENEW_GOLDEN=1 writes them
 //! anew), and every key that they show is read.
 
+mod variants;
+
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use serde_json::{Map, Value, json};
+use whirl_tests::golden::is_as_committed;
 
+use self::variants::variants;
 use crate::workbench::Workbench;
 
 const KINDS: [&str; 8] = ["law", "element", "form", "motion", "clearance", "film", "case", "sweep"];
@@ -27,11 +31,7 @@ fn the_committed_schemas_are_those_of_the_program() {
     for kind in KINDS {
         let found = bench.whirl(&["schema", kind]).stdout;
         let path = root().join(format!("schemas/{kind}.json"));
-        if std::env::var_os("WHIRL_RENEW_GOLDEN").is_some() {
-            fs::write(&path, &found).expect("the schema can be written");
-        }
-        let committed = fs::read_to_string(&path).expect("the schema is there");
-        assert!(committed == found, "{kind}: WHIRL_RENEW_GOLDEN=1 renews {}", path.display());
+        is_as_committed(&path, &found);
     }
     let files = fs::read_dir(root().join("schemas")).expect("the folder").count();
     assert_eq!(files, KINDS.len());
@@ -47,17 +47,13 @@ fn the_pages_of_keys_are_those_of_the_program() {
         let found = bench.whirl(&["schema", kind, "--page"]);
         assert_eq!((found.status, found.stderr.as_str()), (0, ""), "{kind}");
         let path = root().join(format!("docs/{page}.md"));
-        if std::env::var_os("WHIRL_RENEW_GOLDEN").is_some() {
-            fs::write(&path, &found.stdout).expect("the page can be written");
-        }
-        let committed = fs::read_to_string(&path).expect("the page is there");
-        assert!(committed == found.stdout, "WHIRL_RENEW_GOLDEN=1 renews {}", path.display());
+        is_as_committed(&path, &found.stdout);
         // Every key of the schema has a line.
         let mut keys = BTreeSet::new();
         names(&schema(kind), &mut keys);
         assert!(keys.len() > 5, "{keys:?}");
         for key in keys {
-            assert!(committed.contains(&format!("| `{key}`")), "{kind}: `{key}`");
+            assert!(found.stdout.contains(&format!("| `{key}`")), "{kind}: `{key}`");
         }
     }
 }
@@ -288,158 +284,6 @@ fn unknown(bench: &Workbench, value: &Value) -> Vec<String> {
         Some(key.split('`').next()?.to_string())
     };
     outcome.stderr.lines().filter_map(said).collect()
-}
-
-/// What files of named bodies have not, and keys whose errors would take the place of others.
-const SHORT: &str = "include /start/kind /march/duration /march/stop_when_steady /march/step_tolerance /march/spectral_radius \
-    /figures/laws /fields/bodies /shaft /support /springs /bearing /drive /load /mass /stop";
-
-/// Keys of lateral analyses, which others refuse.
-const LATERAL: &str = "/analysis/chosen/edition /analysis/chosen/minimum_speed /analysis/chosen/maximum_speed \
-    /analysis/chosen/trip_speed /analysis/chosen/probes /analysis/chosen/probe_angle \
-    /analysis/chosen/clearances /analysis/chosen/scale_limit /analysis/chosen/unbalance_modes \
-    /analysis/chosen/unbalance /analysis/chosen/journal_loads /analysis/chosen/stages \
-    /analysis/chosen/cross_coupling_z /analysis/chosen/gas_density /analysis/chosen/seals \
-    /analysis/chosen/variants";
-
-/// Of a file with such an analysis, what other files show.
-const FOR_LATERAL: [&str; 7] = [
-    "/analysis/chosen/kind=lateral",
-    "/march/step_tolerance",
-    "/march/spectral_radius",
-    "/march/stop_when_steady",
-    "/march/duration",
-    "/shaft/sets",
-    "/support/sets",
-];
-
-/// Keys of periodic analyses, which others refuse.
-const PERIODIC: &str = "/analysis/chosen/steps /analysis/chosen/method /analysis/chosen/marched /analysis/chosen/periods \
-    /analysis/chosen/begin /analysis/chosen/cycles /analysis/chosen/vary /analysis/chosen/points";
-
-/// Of files of named bodies: each of the ways in which one turns, with each kind of joint.
-const NAMED: [&str; 8] = [
-    "/body/chosen/turns=free /output/chosen/joint /fields/bodies matrices rigid moves_along_z static_correction dimensions /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z \
-     /body/chosen/stiffness /body/chosen/damping /body/chosen/speed /body/chosen/table acceleration held ground_spring \
-     /joint/chosen/kind=bearing first second side gap /joint/chosen/stiffness /joint/chosen/damping \
-     /joint/chosen/table tilting_stiffness tilting_damping axial_stiffness axial_damping \
-     teeth pitch_radii internal pressure_angle mesh_stiffness mesh_damping backlash",
-    "/body/chosen/turns=prescribed /output/chosen/joint /fields/bodies mesh matrices units merge dimensions rigid /body/chosen/material regions /body/chosen/sets modes \
-     /body/chosen/stiffness /body/chosen/damping initial_speed held ground_spring axial_restraint section \
-     stiffening /joint/chosen/kind=stop first second /joint/chosen/springs radial_clearance stations \
-     /joint/chosen/stiffness /joint/chosen/damping /joint/chosen/table tilting_stiffness tilting_damping \
-     axial_stiffness axial_damping \
-     teeth pitch_radii internal pressure_angle mesh_stiffness mesh_damping backlash",
-    "/body/chosen/turns=no /output/chosen/joint /fields/bodies mesh matrices units merge rigid moves_along_z diameter throw pin_diameter pin_length web_width web_thickness supports support_length layers_in_support \
-     /body/chosen/dimensions/loads sectors /body/chosen/dimensions/cells/rings tolerance /body/chosen/mass \
-     polar_inertia transverse_inertia /body/chosen/z /body/chosen/stiffness /body/chosen/damping \
-     /body/chosen/speed /body/chosen/table acceleration initial_speed section stiffening /joint/chosen/kind=bushing journal bore /joint/chosen/table \
-     /joint/chosen/law parameters /joint/chosen/springs radial_clearance journal_radius \
-     /joint/chosen/length stations run_out offset side gap /march/duration /loads/chosen/couple /loads/chosen/order \
-     teeth pitch_radii internal pressure_angle mesh_stiffness mesh_damping backlash",
-    "/body/chosen/turns=prescribed /output/chosen/joint /fields/bodies mesh merge dimensions rigid moves_along_z static_correction /body/chosen/material regions /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z \
-     dmig calculix nodes drives loads /body/chosen/damping /body/chosen/stiffness initial_speed ground_spring /body/chosen/table /joint/chosen/kind=stop first second /joint/chosen/springs radial_clearance stations \
-     /joint/chosen/stiffness /joint/chosen/damping /joint/chosen/table tilting_stiffness tilting_damping \
-     axial_stiffness axial_damping \
-     teeth pitch_radii internal pressure_angle mesh_stiffness mesh_damping backlash",
-    "/body/chosen/turns=prescribed /output/chosen/joint /fields/bodies mesh merge dimensions rigid moves_along_z static_correction /body/chosen/material regions /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z \
-     /body/chosen/matrices/dofs calculix drives loads /body/chosen/damping /body/chosen/stiffness initial_speed ground_spring /body/chosen/table /joint/chosen/kind=stop first second /joint/chosen/springs radial_clearance stations \
-     /joint/chosen/stiffness /joint/chosen/damping /joint/chosen/table tilting_stiffness tilting_damping \
-     axial_stiffness axial_damping \
-     teeth pitch_radii internal pressure_angle mesh_stiffness mesh_damping backlash",
-    "/body/chosen/turns=prescribed /output/chosen/joint /fields/bodies mesh merge dimensions rigid moves_along_z static_correction /body/chosen/material regions /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z \
-     /body/chosen/matrices/dofs /body/chosen/matrices/stiffness /body/chosen/matrices/mass dmig drives loads /body/chosen/damping /body/chosen/stiffness initial_speed ground_spring /body/chosen/table /joint/chosen/kind=stop first second /joint/chosen/springs radial_clearance stations \
-     /joint/chosen/stiffness /joint/chosen/damping /joint/chosen/table tilting_stiffness tilting_damping \
-     axial_stiffness axial_damping \
-     teeth pitch_radii internal pressure_angle mesh_stiffness mesh_damping backlash",
-    "/body/chosen/turns=no /output/chosen/joint /fields/bodies mesh matrices units merge dimensions rigid /body/chosen/material regions /body/chosen/sets modes static_correction held ground_spring \
-     axial_restraint section stiffening polar_inertia /body/chosen/speed /body/chosen/table acceleration initial_speed \
-     /joint/chosen/kind=coupling journal bore /joint/chosen/law parameters /joint/chosen/springs \
-     radial_clearance journal_radius /joint/chosen/length stations run_out offset side gap \
-     /joint/chosen/stiffness /joint/chosen/damping /joint/chosen/table tilting_stiffness tilting_damping \
-     axial_stiffness axial_damping \
-     teeth pitch_radii internal pressure_angle mesh_stiffness mesh_damping backlash",
-    "/body/chosen/turns=no /output/chosen/joint /fields/bodies mesh matrices units merge dimensions rigid /body/chosen/material regions /body/chosen/sets modes static_correction held ground_spring \
-     axial_restraint section stiffening polar_inertia /body/chosen/speed /body/chosen/table acceleration initial_speed \
-     /joint/chosen/kind=gear journal bore /joint/chosen/law parameters /joint/chosen/springs \
-     radial_clearance journal_radius /joint/chosen/length stations run_out offset side gap \
-     /joint/chosen/stiffness /joint/chosen/damping /joint/chosen/table tilting_stiffness tilting_damping \
-     axial_stiffness axial_damping",
-];
-
-/// Of files of named bodies, too: one that is made from sections.
-const SECTIONS: &str = "/body/chosen/turns=prescribed /output/chosen/joint /fields/bodies mesh matrices units merge dimensions rigid moves_along_z static_correction \
-     outer_left outer_right inner_left inner_right mass_outer \
-     /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z /body/chosen/sets /body/chosen/regions material drives loads disc added \
-     /body/chosen/stiffness /body/chosen/damping initial_speed held ground_spring /body/chosen/table \
-     /joint/chosen/kind=stop first second /joint/chosen/springs radial_clearance stations \
-     /joint/chosen/stiffness /joint/chosen/damping /joint/chosen/table tilting_stiffness tilting_damping \
-     axial_stiffness axial_damping \
-     teeth pitch_radii internal pressure_angle mesh_stiffness mesh_damping backlash";
-
-/// Keys that exclude each other, so that a file with both would leave tables of one unread.
-fn variants(kind: &str) -> Vec<Vec<&'static str>> {
-    let plain: &[&[&str]] = match kind {
-        "law" => &[&["value"], &["pieces"]],
-        "element" => &[&["points"], &["rule"]],
-        "motion" => &[&["kinetic_energy"], &["mass", "quadratic_velocity", "PF", "B", "P"]],
-        "case" => &[
-            &[
-                "include",
-                "mass",
-                "stop",
-                "/fields/bodies",
-                "/drive/table",
-                "/load/0/table",
-                "mesh",
-                "units",
-                "merge",
-                "body",
-                "/output/chosen/joint",
-                "joint",
-                "drives",
-                "loads",
-            ],
-            &[
-                "include",
-                "mass",
-                "stop",
-                "/fields/bodies",
-                "/drive/table",
-                "/load/0/table",
-                "dimensions",
-                "body",
-                "/output/chosen/joint",
-                "joint",
-                "drives",
-                "loads",
-            ],
-            &[
-                "include", "shaft", "support", "springs", "bearing", "drive", "load", "material",
-                "body", "joint", "drives", "loads",
-            ],
-        ],
-        _ => &[&[]],
-    };
-    let named = if kind == "case" { NAMED.as_slice() } else { &[] };
-    let words = |text: &'static str| SHORT.split(' ').chain(text.split_whitespace());
-    let named = named
-        .iter()
-        .map(|text| words(text).chain(["/body/chosen/sections", "/body/chosen/cells"]).collect());
-    let mut all: Vec<Vec<&'static str>> =
-        plain.iter().map(|keys| keys.to_vec()).chain(named).collect();
-    if kind == "case" {
-        all.push(words(SECTIONS).collect());
-        let lateral = all.first().map(|keys| [&keys[..], &FOR_LATERAL].concat());
-        all.iter_mut().for_each(|keys| keys.extend(LATERAL.split_whitespace()));
-        let periodic = all.first().map(|keys| {
-            [&keys[..], &["/analysis/chosen/kind=periodic"], &FOR_LATERAL[1..]].concat()
-        });
-        all.extend(lateral);
-        all.iter_mut().for_each(|keys| keys.extend(PERIODIC.split_whitespace()));
-        all.extend(periodic);
-    }
-    all
 }
 
 /// Files with every key of a schema, one for each of its variants.
