@@ -6,6 +6,7 @@ mod cycle;
 mod dimensions;
 mod embedded;
 mod fields;
+mod film;
 mod files;
 mod gears;
 mod gravity;

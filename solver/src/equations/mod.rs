@@ -225,6 +225,7 @@ impl<'m> Equations<'m> {
     pub fn tangent(&mut self, t: f64, state: &State, weights: Weights, out: &mut [f64]) {
         self.tangent_of_bodies(t, state, weights, out);
         let (machine, size) = (self.machine, self.machine.size());
+        self.springs.slope_films(&machine.springs);
         self.spring_tangent.subtract(&machine.springs, &self.springs, weights.rate, size, out);
     }
 

@@ -128,6 +128,11 @@ impl Balance {
         }
     }
 
+    /// Nodes that hold oil by the gap itself, as it changes too fast within a step.
+    pub fn fast(&self) -> usize {
+        self.motion.shifted.iter().filter(|shifted| !**shifted).count()
+    }
+
     /// What every node holds per area now (m).
     pub fn held(&self) -> &[f64] {
         &self.stored[..self.before.len()]

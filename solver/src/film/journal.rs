@@ -91,6 +91,16 @@ impl Journal {
         }
     }
 
+    /// Whether the film has numbers, and a pressure that is one, where its journal is centred.
+    pub fn flows(&self) -> bool {
+        let (mut oil, mut balance) = (Oil::full(&self.film), Balance::new(&self.film));
+        let motion = JournalMotion { omega: 1.0, ..JournalMotion::default() };
+        let found = self.settle(&motion, &mut oil, &mut balance);
+        let mut outputs = vec![0.0; self.film.outputs()];
+        let forces = self.forces(&mut balance, &mut outputs);
+        found.is_ok() && forces.iter().all(|own| own.is_finite())
+    }
+
     /// Puts gaps and speeds to the nodes. The number of nodes whose gap changes so fast within a step that they hold oil by the
     /// gap itself: by more than itself.
     pub fn place(&self, motion: &JournalMotion, balance: &mut Balance) -> usize {
@@ -121,25 +131,51 @@ impl Journal {
         fast
     }
 
-    /// Solves the film where `motion` says, from the state given on, and what it does to the journal; `outputs` are the
-    /// integrals of the film's spec.
+    /// Solves the film where `motion` says, from the state given on. The number of changes.
     ///
     /// # Errors
     /// A balance that is not reached.
-    pub fn react(
+    pub fn settle(
         &self,
         motion: &JournalMotion,
         oil: &mut Oil,
         balance: &mut Balance,
-        outputs: &mut [f64],
-    ) -> Result<Reaction, Unsolved> {
+    ) -> Result<usize, Unsolved> {
         self.place(motion, balance);
-        balance.solve(&self.film, oil)?;
-        let forces = balance.forces(&self.film, &self.gradients, outputs);
+        balance.solve(&self.film, oil)
+    }
+
+    /// Takes the film as it is where `motion` says.
+    pub fn take(&self, motion: &JournalMotion, oil: &Oil, balance: &mut Balance) {
+        self.place(motion, balance);
+        balance.evaluate(&self.film, oil);
+    }
+
+    /// Takes what nodes hold of a film at the beginning of a step, as its end will count it.
+    pub fn begin(&self, motion: &JournalMotion, oil: &Oil, balance: &mut Balance) {
+        self.take(motion, oil, balance);
+        let Balance { before, stored, .. } = balance;
+        let nodes = before.len();
+        before.copy_from_slice(&stored[..nodes]);
+    }
+
+    /// What a film does to its journal as it was last solved or taken; `outputs` are the integrals of the film's spec.
+    pub fn forces(&self, balance: &mut Balance, outputs: &mut [f64]) -> [f64; OUTPUTS] {
+        balance.forces(&self.film, &self.gradients, outputs)
+    }
+
+    /// Slopes of the forces by displacements, tilts, their rates and the speed, after [`Journal::forces`]; of a step of this
+    /// length (s), or of a steady film.
+    pub fn slopes(
+        &self,
+        step: Option<f64>,
+        oil: &Oil,
+        balance: &mut Balance,
+    ) -> [[f64; INPUTS]; OUTPUTS] {
         let by_speed = balance.slopes(&self.film, oil, &self.gradients);
         let mut slopes = [[0.0; INPUTS]; OUTPUTS];
         let grid = &self.film.grid;
-        let half = motion.step.map(|step| 0.5 * step);
+        let half = step.map(|step| 0.5 * step);
         for j in 0..grid.along {
             let z = grid.z(j);
             for (i, gradient) in self.gap.iter().enumerate() {
@@ -165,6 +201,22 @@ impl Journal {
         for n in 0..OUTPUTS {
             slopes[n][INPUTS - 1] = by_speed[n] * self.speed;
         }
-        Ok(Reaction { forces, slopes })
+        slopes
+    }
+
+    /// All of that.
+    ///
+    /// # Errors
+    /// A balance that is not reached.
+    pub fn react(
+        &self,
+        motion: &JournalMotion,
+        oil: &mut Oil,
+        balance: &mut Balance,
+        outputs: &mut [f64],
+    ) -> Result<Reaction, Unsolved> {
+        self.settle(motion, oil, balance)?;
+        let forces = self.forces(balance, outputs);
+        Ok(Reaction { forces, slopes: self.slopes(motion.step, oil, balance) })
     }
 }

@@ -214,6 +214,16 @@ impl OilFilm {
         self.openings.push(opening);
     }
 
+    /// Name of its spec.
+    pub fn name(&self) -> &'static str {
+        self.kernel.origin.name
+    }
+
+    /// Number of the integrals of its spec.
+    pub fn outputs(&self) -> usize {
+        self.kernel.outputs.len()
+    }
+
     /// Part of the developed bore that an opening covers by its nodes (m²).
     pub fn area(&self, opening: usize) -> f64 {
         self.openings[opening].nodes.iter().map(|node| self.areas[*node]).sum()

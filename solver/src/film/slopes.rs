@@ -48,8 +48,7 @@ impl Balance {
         total
     }
 
-    /// Slopes of forces and moments by the gap and by the gap that holds oil at every node, to `by_node`, and by the speed. The
-    /// matrix must be that of the state.
+    /// Slopes of forces and moments by the gap and by the gap that holds oil at every node, to `by_node`, and by the speed.
     #[inline(never)]
     pub(super) fn slopes(
         &mut self,
@@ -61,6 +60,7 @@ impl Balance {
         let nodes = grid.nodes();
         let [across, up] = grid.cells();
         let count = kernel.nodes[0] * kernel.nodes[1];
+        self.factor(film, oil);
         self.factors(film, oil, 1);
         let mut by_speed = [0.0; WIDE];
         let Balance { surface, flow, places, order, by_active, by_gap, adjoint, by_node, .. } =

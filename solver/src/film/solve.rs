@@ -19,8 +19,7 @@ pub enum Unsolved {
 }
 
 impl Balance {
-    /// Solves the film for the motion of the surfaces, from the state given on; the matrix is that of the solution then.
-    /// The number of changes.
+    /// Solves the film for the motion of the surfaces, from the state given on. The number of changes.
     ///
     /// # Errors
     /// A balance that is not reached.
@@ -36,10 +35,10 @@ impl Balance {
             // Where it has stopped to fall, rounding rules.
             let rounded = lacking <= ROUNDED && lacking >= 0.5 * best;
             best = best.min(lacking);
-            self.factor(film, oil);
             if lacking <= self.tolerance || rounded {
                 return Ok(changes);
             }
+            self.factor(film, oil);
             self.advance(film, oil);
             self.evaluate(film, oil);
         }

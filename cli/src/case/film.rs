@@ -1,0 +1,320 @@
+//! Films in joints: their nodes, ends and openings, as cases say them, and the film that they make.
+
+use std::f64::consts::PI;
+
+use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
+use whirl_codegen::document::Table;
+use whirl_codegen::document::schema::Shape::{Either, List, Named, Number, Words};
+use whirl_codegen::document::schema::{Key, Shape, key, merged};
+use whirl_codegen::kinds::law::{BearingValue, Given, Parameter};
+use whirl_codegen::rational::{Rational, nearest};
+use whirl_codegen::units::Unit;
+use whirl_solver::bearing::FilmLaw;
+use whirl_solver::cache;
+use whirl_solver::film::{Journal, OilFilm, WrongFilm};
+use whirl_specs::{CLEARANCES, FILMS, Film};
+
+use super::joined_machine::JoinedMachine;
+use super::joint::Joint;
+use super::names;
+use super::parameters::rounded;
+use super::shapes::{ANGLE, ARC, LENGTH, POSITION, SUPPLY};
+use super::values::listed;
+
+/// The table `film` of a joint.
+pub(super) const FILM: &[Key] = &[
+    key("grid", List(&Number), "nodes around and along; 72 and 7 if left out").like("[72, 7]"),
+    key("left", Either(&[SUPPLY, Words(&ENDS)]), LEFT).like("\"open\""),
+    key("right", Either(&[SUPPLY, Words(&ENDS)]), "the same of the end at greater z").like("\"2 bar\""),
+    key("opening", Named(&Shape::Table(&[OPENING])), "holes and grooves in the bore, by name"),
+];
+
+const LEFT: &str =
+    "the end at smaller z: open to air at the pressure of the cavity, closed, or flooded with this pressure; open if left out";
+
+const OPENING: &[Key] = &[
+    merged("angle", ANGLE, "of its middle, from x of the bore towards y"),
+    key("arc", ARC, "around the bore"),
+    key("width", LENGTH, "around the bore, in place of `arc`"),
+    key("z", POSITION, "of its middle, from the middle of the film; 0 if left out"),
+    merged("length", LENGTH, "along z"),
+    merged("pressure", SUPPLY, "of the oil in it, above that of the cavity"),
+];
+
+/// Nodes around and along where a case says none.
+const GRID: [usize; 2] = [72, 7];
+/// Words for ends without a pressure.
+const ENDS: [&str; 2] = ["open", "closed"];
+/// Values that a film takes from its joint.
+const OF_JOINT: [(&str, &str, BearingValue, &str); 3] = [
+    ("R", "mm", BearingValue::JournalRadius, "radius of the journal"),
+    ("L", "mm", BearingValue::Length, "length of the film"),
+    ("c", "um", BearingValue::RadialClearance, "radial clearance"),
+];
+
+/// A film as the law of a joint.
+#[derive(Debug, Clone)]
+pub(crate) struct FilmSource {
+    kernel: &'static Film,
+    /// What the joint says of it.
+    told: FilmTable,
+    /// Values of its parameters, and of the joint.
+    given: Vec<Given>,
+}
+
+/// The table `film` of a joint.
+#[derive(Debug, Clone)]
+struct FilmTable {
+    grid: [usize; 2],
+    grid_place: Located,
+    ends: [(End, Located); 2],
+    openings: Vec<Opening>,
+    /// Where the joint names the film.
+    place: Located,
+}
+
+/// An end of a film.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum End {
+    Open,
+    Closed,
+    /// With this pressure above that of the cavity (Pa).
+    Flooded(f64),
+}
+
+/// A hole or a groove in the bore.
+#[derive(Debug, Clone)]
+struct Opening {
+    name: Located,
+    /// Its middle, from x (rad), and from the middle of the film (m).
+    angle: f64,
+    z: f64,
+    size: Around,
+    /// Along z (m).
+    length: f64,
+    /// Above that of the cavity (Pa).
+    pressure: f64,
+}
+
+/// Size of an opening around the bore: rad or m.
+#[derive(Debug, Clone, Copy)]
+enum Around {
+    Arc(f64),
+    Width(f64),
+}
+
+impl Opening {
+    fn read(table: &Table, name: Located) -> Option<Self> {
+        let (arc, width) = (table.quantity("arc"), table.quantity("width"));
+        if table.gives("arc") && table.gives("width") {
+            table.conflict("arc", "width");
+        }
+        if !table.has("arc") && !table.has("width") {
+            let help = "add `width = \"5 mm\"`, its size around the bore; or `arc = \"20 deg\"`";
+            table.absent("width", help);
+        }
+        let size = arc.map(Around::Arc).or(width.map(Around::Width));
+        Some(Opening {
+            name,
+            angle: table.quantity("angle")?,
+            z: table.quantity("z").unwrap_or(0.0),
+            size: size?,
+            length: table.quantity("length")?,
+            pressure: table.quantity("pressure")?,
+        })
+    }
+}
+
+/// The shipped film of this name.
+pub(super) fn shipped(name: &str) -> Option<&'static Film> {
+    FILMS.iter().find(|film| film.origin.name == name)
+}
+
+/// Names of the shipped films.
+pub(super) fn names() -> Vec<&'static str> {
+    FILMS.iter().map(|film| film.origin.name).collect()
+}
+
+/// Notes generalized-α in the table of a march of a machine with films.
+pub(super) fn refuse_alpha(march: &Table, machine: &JoinedMachine) {
+    let film = |joint: &&Joint| joint.bearing.law.source.film().is_some();
+    let Some(joint) = machine.joints.iter().find(film) else { return };
+    let message = format!(
+        "the joint `{}` has a film, which goes with Newmark's method: what its nodes hold follows from the rates of that",
+        joint.name.text()
+    );
+    let help = "leave `integrator` out, or give the joint a law in place of the film";
+    march.push(march.written("integrator").error_here(Code::BAD_VALUE, message).help(help));
+}
+
+impl FilmSource {
+    /// A film that the table of a joint names, with what its table `film` says.
+    pub(super) fn read(joint: &Table, kernel: &'static Film, name: &Located) -> Self {
+        let own = joint.optional_table("film");
+        let told = match own {
+            Some(own) => own.read(|own| FilmTable::read(own, name)),
+            None => FilmTable {
+                grid: GRID,
+                grid_place: name.clone(),
+                ends: [(); 2].map(|()| (End::Open, name.clone())),
+                openings: Vec::new(),
+                place: name.clone(),
+            },
+        };
+        FilmSource { kernel, told, given: Vec::new() }
+    }
+
+    /// With these values.
+    ///
+    /// # Errors
+    /// What does not fit: nodes, openings, numbers with which nothing flows.
+    pub(super) fn with(&self, given: Vec<Given>) -> Result<Self, Diagnostics> {
+        let own = FilmSource { given, ..self.clone() };
+        own.built().map(|_| own)
+    }
+
+    /// How results call it.
+    pub(super) fn name(&self) -> String {
+        let name = self.kernel.origin.name;
+        match self.given.as_slice() {
+            [] => name.to_owned(),
+            given => format!("{name} ({})", listed(given)),
+        }
+    }
+
+    /// Its parameters, those of the joint last.
+    pub(super) fn parameters(&self) -> Vec<Parameter> {
+        let unit = |text: &str| Unit::parse(text).expect("units of a shipped film are units");
+        let own = self.kernel.parameters.iter().map(|own| {
+            let written = rounded(own.value / own.per_unit).unwrap_or_else(|| Rational::from(0));
+            Parameter {
+                name: own.name.to_owned(),
+                title: own.title.to_owned(),
+                unit: unit(own.unit),
+                value: written.clone(),
+                written,
+                bearing: None,
+            }
+        });
+        let of_joint = OF_JOINT.iter().map(|(name, own, bearing, title)| Parameter {
+            name: (*name).to_owned(),
+            title: (*title).to_owned(),
+            unit: unit(own),
+            written: Rational::from(0),
+            value: Rational::from(0),
+            bearing: Some(*bearing),
+        });
+        own.chain(of_joint).collect()
+    }
+
+    /// The film with its values.
+    ///
+    /// # Errors
+    /// As [`FilmSource::with`].
+    pub(crate) fn built(&self) -> Result<FilmLaw, Diagnostics> {
+        let FilmTable { grid, grid_place, ends, openings, place } = &self.told;
+        let mut errors = Diagnostics::new();
+        let mut note = |at: &Located, wrong: WrongFilm| {
+            errors.push(at.error_here(Code::BAD_VALUE, wrong.what).help(wrong.help));
+        };
+        let value = |name: &str| {
+            let own = self.given.iter().find(|own| own.name == name);
+            own.map(|own| own.unit.to_si(nearest(&own.value)))
+        };
+        let [radius, length, clearance] =
+            OF_JOINT.map(|(name, ..)| value(name).unwrap_or_default());
+        let mut film = match OilFilm::new(self.kernel, *grid, [radius, length], 0.0) {
+            Ok(film) => film,
+            Err(wrong) => {
+                note(grid_place, wrong);
+                return Err(errors);
+            }
+        };
+        for own in self.kernel.parameters {
+            let set = value(own.name).map_or(Ok(()), |value| film.set(own.name, value));
+            let _ = set.map_err(|wrong| note(place, wrong));
+        }
+        for (end, (own, at)) in ends.iter().enumerate() {
+            match own {
+                End::Open => {}
+                End::Closed => film.close(end),
+                End::Flooded(pressure) => {
+                    let _ = film.flood(end, *pressure).map_err(|wrong| note(at, wrong));
+                }
+            }
+        }
+        for own in openings {
+            let half = match own.size {
+                Around::Arc(angle) => 0.5 * angle,
+                Around::Width(width) => 0.5 * width / radius,
+            };
+            if half > PI * (1.0 + 1e-12) {
+                let what = format!("the opening `{}` reaches around the bore more than once", own.name.text());
+                let help = "write `arc = \"360 deg\"` for a groove all around".to_owned();
+                note(&own.name, WrongFilm { what, help });
+                continue;
+            }
+            let added = film.supply(
+                own.name.text(),
+                own.angle - half..own.angle + half,
+                own.z - 0.5 * own.length..own.z + 0.5 * own.length,
+                own.pressure,
+            );
+            let _ = added.map_err(|wrong| note(&own.name, wrong));
+        }
+        let hash = cache::Key::of(&format!("{}\0{:?}\0{:?}", self.kernel.origin.hash, self.given, film));
+        let journal = match Journal::new(film, &CLEARANCES[0], clearance) {
+            Ok(journal) => journal,
+            Err(wrong) => {
+                note(place, wrong);
+                return Err(errors);
+            }
+        };
+        if !journal.flows() {
+            let what = format!("with these numbers the film `{}` has no pressure where its journal is centred", self.name());
+            let help = "give it a viscosity and a roughness above zero, and an end or an opening through which oil comes or goes";
+            note(place, WrongFilm { what, help: help.to_owned() });
+        }
+        errors.into_result(FilmLaw { name: self.name(), hash: hash.hex(), journal })
+    }
+}
+
+impl FilmTable {
+    fn read(table: &Table, name: &Located) -> Self {
+        let counts = table.positive_numbers("grid");
+        let (grid, grid_place) = match counts.as_slice() {
+            [around, along] if [around, along].iter().all(|own| own.fract() == 0.0) => {
+                ([*around as usize, *along as usize], table.written("grid"))
+            }
+            _ => {
+                if table.gives("grid") {
+                    let message = "`grid` is two whole numbers: nodes around and along";
+                    let help = "such as `grid = [72, 7]`";
+                    let at = table.written("grid");
+                    table.push(at.error_here(Code::BAD_VALUE, message).help(help));
+                }
+                (GRID, name.clone())
+            }
+        };
+        let end = |key: &'static str| {
+            let said = table.gives(key).then(|| table.written(key));
+            let word = said.as_ref().map(|own| own.text().trim_matches(['"', '\'']).to_owned());
+            let end = match word.as_deref() {
+                None => End::Open,
+                Some("open") => End::Open,
+                Some("closed") => End::Closed,
+                Some(_) => table.quantity(key).map_or(End::Open, End::Flooded),
+            };
+            if word.is_some_and(|own| ENDS.contains(&own.as_str())) {
+                table.pass_over(key);
+            }
+            (end, said.unwrap_or_else(|| name.clone()))
+        };
+        let ends = [end("left"), end("right")];
+        let all = names::in_order(table, "opening");
+        names::plain(table, "opening", all.iter().map(|(name, _)| name));
+        let openings =
+            all.into_iter().filter_map(|(name, own)| own.read(|own| Opening::read(own, name)));
+        FilmTable { grid, grid_place, ends, openings: openings.collect(), place: name.clone() }
+    }
+}
