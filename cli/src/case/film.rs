@@ -12,6 +12,7 @@ use whirl_codegen::units::Unit;
 use whirl_solver::bearing::FilmLaw;
 use whirl_solver::cache;
 use whirl_solver::film::{Journal, OilFilm, WrongFilm};
+use whirl_solver::output::Integral;
 use whirl_specs::{CLEARANCES, FILMS, Film};
 
 use super::joined_machine::JoinedMachine;
@@ -25,12 +26,12 @@ use super::values::listed;
 pub(super) const FILM: &[Key] = &[
     key("grid", List(&Number), "nodes around and along; 72 and 7 if left out").like("[72, 7]"),
     key("left", Either(&[SUPPLY, Words(&ENDS)]), LEFT).like("\"open\""),
-    key("right", Either(&[SUPPLY, Words(&ENDS)]), "the same of the end at greater z").like("\"2 bar\""),
+    key("right", Either(&[SUPPLY, Words(&ENDS)]), "the same of the end at greater z")
+        .like("\"2 bar\""),
     key("opening", Named(&Shape::Table(&[OPENING])), "holes and grooves in the bore, by name"),
 ];
 
-const LEFT: &str =
-    "the end at smaller z: open to air at the pressure of the cavity, closed, or flooded with this pressure; open if left out";
+const LEFT: &str = "the end at smaller z: open to air at the pressure of the cavity, closed, or flooded with this pressure; open if left out";
 
 const OPENING: &[Key] = &[
     merged("angle", ANGLE, "of its middle, from x of the bore towards y"),
@@ -43,6 +44,8 @@ const OPENING: &[Key] = &[
 
 /// Nodes around and along where a case says none.
 const GRID: [usize; 2] = [72, 7];
+/// Keys of both ends, and what results call these.
+const ENDS_CALLED: [&str; 2] = ["left", "right"];
 /// Words for ends without a pressure.
 const ENDS: [&str; 2] = ["open", "closed"];
 /// Values that a film takes from its joint.
@@ -173,6 +176,17 @@ impl FilmSource {
         own.built().map(|_| own)
     }
 
+    /// What its history calls its openings, both ends first, and its integrals: name, unit and what it is.
+    pub(super) fn columns(&self) -> (Vec<String>, Vec<Integral>) {
+        let openings = self.told.openings.iter().map(|own| own.name.text());
+        let integrals = self.kernel.outputs.iter().map(|own| Integral {
+            name: own.name.to_owned(),
+            unit: own.unit,
+            meaning: own.title.to_owned(),
+        });
+        (ENDS_CALLED.into_iter().chain(openings).map(str::to_owned).collect(), integrals.collect())
+    }
+
     /// How results call it.
     pub(super) fn name(&self) -> String {
         let name = self.kernel.origin.name;
@@ -180,6 +194,24 @@ impl FilmSource {
             [] => name.to_owned(),
             given => format!("{name} ({})", listed(given)),
         }
+    }
+
+    /// Its nodes, and what its openings have of them, for people.
+    pub(crate) fn described(&self) -> Vec<String> {
+        let Ok(FilmLaw { journal, .. }) = self.built() else { return Vec::new() };
+        let film = &journal.film;
+        let [dx, dz] = film.grid.spacing().map(|own| whirl_text::rounded(1e3 * own, 4));
+        let FilmTable { grid: [around, along], openings, .. } = &self.told;
+        let mut lines = vec![format!("film of {around} × {along} nodes, {dx} × {dz} mm apart")];
+        for (place, own) in openings.iter().enumerate() {
+            let ([i, j], size) = film.covered(ENDS_CALLED.len() + place);
+            let [width, length] = size.map(|own| whirl_text::rounded(1e3 * own, 4));
+            lines.push(format!(
+                "opening {}: {i} × {j} nodes, {width} × {length} mm by them",
+                own.name.text()
+            ));
+        }
+        lines
     }
 
     /// Its parameters, those of the joint last.
@@ -249,7 +281,10 @@ impl FilmSource {
                 Around::Width(width) => 0.5 * width / radius,
             };
             if half > PI * (1.0 + 1e-12) {
-                let what = format!("the opening `{}` reaches around the bore more than once", own.name.text());
+                let what = format!(
+                    "the opening `{}` reaches around the bore more than once",
+                    own.name.text()
+                );
                 let help = "write `arc = \"360 deg\"` for a groove all around".to_owned();
                 note(&own.name, WrongFilm { what, help });
                 continue;
@@ -262,7 +297,8 @@ impl FilmSource {
             );
             let _ = added.map_err(|wrong| note(&own.name, wrong));
         }
-        let hash = cache::Key::of(&format!("{}\0{:?}\0{:?}", self.kernel.origin.hash, self.given, film));
+        let hash =
+            cache::Key::of(&format!("{}\0{:?}\0{:?}", self.kernel.origin.hash, self.given, film));
         let journal = match Journal::new(film, &CLEARANCES[0], clearance) {
             Ok(journal) => journal,
             Err(wrong) => {
@@ -270,10 +306,24 @@ impl FilmSource {
                 return Err(errors);
             }
         };
-        if !journal.flows() {
-            let what = format!("with these numbers the film `{}` has no pressure where its journal is centred", self.name());
-            let help = "give it a viscosity and a roughness above zero, and an end or an opening through which oil comes or goes";
-            note(place, WrongFilm { what, help: help.to_owned() });
+        let (name, what) = (self.kernel.origin.name, journal.pressure());
+        match what {
+            Some(pressure) if pressure > 0.0 => {}
+            Some(_) => {
+                let what = format!(
+                    "nothing feeds the film `{name}`: its oil leaves at the ends, and it runs dry"
+                );
+                let help = "add an opening to the table `film` of the joint, or the pressure of an end that is flooded; or take a \
+                            film that carries no fill, such as `reynolds`";
+                note(place, WrongFilm { what, help: help.to_owned() });
+            }
+            None => {
+                let what = format!(
+                    "with these parameters the film `{name}` has no pressure that is a number"
+                );
+                let help = "its viscosity and its roughness are above zero, and an end is open, or an opening";
+                note(place, WrongFilm { what, help: help.to_owned() });
+            }
         }
         errors.into_result(FilmLaw { name: self.name(), hash: hash.hex(), journal })
     }
@@ -310,8 +360,13 @@ impl FilmTable {
             }
             (end, said.unwrap_or_else(|| name.clone()))
         };
-        let ends = [end("left"), end("right")];
+        let ends = ENDS_CALLED.map(end);
         let all = names::in_order(table, "opening");
+        for (name, _) in all.iter().filter(|(name, _)| ENDS_CALLED.contains(&name.text())) {
+            let message =
+                format!("an opening cannot be called `{}`, as an end of the film is", name.text());
+            table.push(name.error_here(Code::BAD_VALUE, message).help("give it another name"));
+        }
         names::plain(table, "opening", all.iter().map(|(name, _)| name));
         let openings =
             all.into_iter().filter_map(|(name, own)| own.read(|own| Opening::read(own, name)));

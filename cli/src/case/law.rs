@@ -260,7 +260,8 @@ pub(super) fn read_of_joint(store: FileStore, table: &Table) -> Option<NamedLaw>
         if table.gives("film") {
             table.pass_over("film");
             let message = format!("`{}` is no film: it has no use for a table `film`", name.text());
-            let help = format!("leave the table out, or name a film: `{}`", film::names().join("`, `"));
+            let help =
+                format!("leave the table out, or name a film: `{}`", film::names().join("`, `"));
             table.push(table.written("film").error_here(Code::BAD_VALUE, message).help(help));
         }
         return find(store, table, &name).map(|source| NamedLaw { source, name });
@@ -296,7 +297,8 @@ pub(super) fn find(store: FileStore, table: &Table, name: &Located) -> Option<La
     let law = LAWS.iter().find(|law| law.origin.name == name.text());
     if law.is_none() && film::shipped(name.text()).is_some() {
         let message = format!("`{}` is a film, which is between a journal and a bore", name.text());
-        let help = "name it in a table `[joint.NAME]` with `kind = \"bearing\"`, or take a law here";
+        let help =
+            "name it in a table `[joint.NAME]` with `kind = \"bearing\"`, or take a law here";
         table.push(name.error_here(Code::BAD_VALUE, message).help(help));
     } else if law.is_none() {
         let known: Vec<&str> = LAWS.iter().map(|law| law.origin.name).collect();

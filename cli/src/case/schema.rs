@@ -322,8 +322,9 @@ const OUTPUT: &[Key] = &[
             "axial_deformation",
             "energy",
             "power",
+            "film",
         ]),
-        "of a body: motion of a point, energy, power; of a joint: force, deformation and its rate, power; moment and tilt, or force and deformation along z, of one that acts so",
+        "of a body: motion of a point, energy, power; of a joint: force, deformation and its rate, power; moment and tilt, or force and deformation along z, of one that acts so; what is in its film",
     ),
     key("body", Text, "the name of a body; \"shaft\", \"support\" or \"mass\" in a short form")
         .like("\"rotor\""),

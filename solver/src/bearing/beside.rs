@@ -22,7 +22,9 @@ impl SpringState {
             plane.position = moved(pose[0], step[0]);
             plane.velocity = moved(pose[1], step[1]);
         }
+        self.films.squeezed = true;
         self.respond(springs);
+        self.films.squeezed = false;
     }
 
     /// −∂F/∂ε and −∂F/∂ε̇ of the force of a plane on its journal, along both axes of ε; as [`SpringState::tangent`] has them.

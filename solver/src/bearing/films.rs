@@ -7,12 +7,15 @@
 use super::film_law::motion;
 use super::hold::{Hold, LawStates};
 use super::placed_law::PlacedLaw;
+use super::plane::Plane;
 use super::springs::Springs;
 use super::state::{LawState, SpringState};
 use crate::film::{Balance, INPUTS, Journal, JournalMotion, OUTPUTS, Oil};
 
 /// A step so short (s) that a film only follows the rates of its gap.
 const INSTANT: f64 = 1e-7;
+/// What may be lacking at a node, of the largest sum of flows at one: oil of a march is kept to 1e-10.
+const BALANCED: f64 = 1e-13;
 
 /// Places of what is known of a film among what is known of all: the oil, the motion, and what is shown.
 struct Known {
@@ -63,10 +66,12 @@ pub(super) struct FilmAt {
     /// The oil at the beginning of the step.
     begun: Oil,
     /// What it takes, and the length of its step (s).
-    taken: [f64; INPUTS],
+    pub(super) taken: [f64; INPUTS],
     step: Option<f64>,
     /// What enters at its openings (m³/s), then the outputs of its spec.
     pub(super) shown: Vec<f64>,
+    /// Oil between the surfaces (m³).
+    pub(super) volume: f64,
     /// Whether its forces are found, and whether their slopes are.
     pub(super) solved: bool,
     sloped: bool,
@@ -77,6 +82,9 @@ pub(super) struct FilmAt {
 /// All films, and what is known of them.
 pub(super) struct Films {
     given: LawStates,
+    /// Whether films at rest are squeezed by the rates of their gaps. A march that stands still has rates of its rule for time,
+    /// which move no surface.
+    pub(super) squeezed: bool,
     pub(super) all: Vec<FilmAt>,
 }
 
@@ -90,6 +98,8 @@ impl Films {
                 let known = Known::of(journal, first);
                 first += known.count();
                 let oil = Oil::full(&journal.film);
+                let mut balance = Balance::new(&journal.film);
+                balance.tolerance = BALANCED;
                 all.push(FilmAt {
                     law,
                     spring,
@@ -97,16 +107,17 @@ impl Films {
                     known,
                     begun: oil.clone(),
                     oil,
-                    balance: Balance::new(&journal.film),
+                    balance,
                     taken: [0.0; INPUTS],
                     step: None,
+                    volume: 0.0,
                     solved: false,
                     sloped: false,
                     fast: 0,
                 });
             }
         }
-        Films { given: LawStates::default(), all }
+        Films { given: LawStates::default(), squeezed: false, all }
     }
 
     /// Takes over what is known.
@@ -145,6 +156,11 @@ impl Springs {
 }
 
 impl FilmAt {
+    /// Whether it is that of a law at a spring.
+    pub(super) fn is_at(&self, law: usize, spring: usize) -> bool {
+        (self.law, self.spring) == (law, spring)
+    }
+
     /// Begins a step from what is known.
     fn begin(&mut self, journal: &Journal, given: &LawStates) {
         self.begun.read(self.known.oil(&given.films));
@@ -157,16 +173,17 @@ impl FilmAt {
     }
 
     /// Solves the film where it stands; its forces, which are no numbers where that fails.
-    fn solve(&mut self, journal: &Journal, given: &LawStates) -> [f64; OUTPUTS] {
+    fn solve(&mut self, journal: &Journal, given: &LawStates, squeezed: bool) -> [f64; OUTPUTS] {
         self.sloped = false;
         self.step = None;
         let steady = motion(&self.taken, None);
+        let still = JournalMotion { velocity: [0.0; 2], tilting: [0.0; 2], ..steady };
         self.solved = match given.hold {
             Hold::Rest => {
                 self.oil = Oil::full(&journal.film);
-                self.settle(journal, &steady)
+                self.settle(journal, if squeezed { &steady } else { &still })
             }
-            Hold::Start => self.start(journal, &steady),
+            Hold::Start => self.start(journal, [&still, &steady]),
             Hold::Implicit(weight) if weight > 0.0 => {
                 self.oil.clone_from(&self.begun);
                 self.step = Some(given.step);
@@ -181,6 +198,7 @@ impl FilmAt {
         let openings = journal.film.openings.len();
         let (flows, outputs) = self.shown.split_at_mut(openings);
         let forces = journal.forces(&mut self.balance, outputs);
+        self.volume = self.balance.oil(&journal.film);
         if given.hold == Hold::Implicit(0.0) {
             flows.copy_from_slice(&self.known.shown(&given.films)[..openings]);
         } else {
@@ -198,16 +216,23 @@ impl FilmAt {
     }
 
     /// As a machine begins: full as if it had been there for long, then with the rates of its gap.
-    fn start(&mut self, journal: &Journal, steady: &JournalMotion) -> bool {
-        let still = JournalMotion { velocity: [0.0; 2], tilting: [0.0; 2], ..*steady };
+    fn start(&mut self, journal: &Journal, [still, steady]: [&JournalMotion; 2]) -> bool {
         self.oil = Oil::full(&journal.film);
-        let found = self.settle(journal, &still);
-        if !found || still == *steady {
+        let found = self.settle(journal, still);
+        if !found || still == steady {
             return found;
         }
         self.step = Some(INSTANT);
-        journal.begin(&JournalMotion { step: self.step, ..still }, &self.oil, &mut self.balance);
+        journal.begin(&JournalMotion { step: self.step, ..*still }, &self.oil, &mut self.balance);
         self.settle(journal, &JournalMotion { step: self.step, ..*steady })
+    }
+}
+
+impl Springs {
+    /// Bearings of all films.
+    pub(crate) fn bearings_of_films(&self) -> Vec<usize> {
+        let with_film = |plane: &&Plane| self.laws[plane.law].bound.law.film().is_some();
+        self.planes.iter().filter(with_film).map(|plane| plane.bearing).collect()
     }
 }
 
@@ -222,10 +247,10 @@ impl SpringState {
     /// Solves the film of a law at all its joints.
     pub(super) fn evaluate_films(&mut self, law: &PlacedLaw, place: usize, journal: &Journal) {
         let own = &mut self.laws[place];
-        let Films { given, all } = &mut self.films;
+        let Films { given, squeezed, all } = &mut self.films;
         for film in all.iter_mut().filter(|film| film.law == place) {
             film.taken = own.taken(law, film.spring);
-            let (forces, n) = (film.solve(journal, given), law.springs);
+            let (forces, n) = (film.solve(journal, given, *squeezed), law.springs);
             for (&force, value) in law.bound.forces.iter().zip(forces) {
                 own.forces[force * n + film.spring] = value;
             }
@@ -247,6 +272,11 @@ impl SpringState {
                 }
             }
         }
+    }
+
+    /// Of all films the nodes whose gap changes too fast for the step.
+    pub(crate) fn fast_nodes(&self) -> impl Iterator<Item = usize> {
+        self.films.all.iter().map(|film| film.fast)
     }
 
     /// Keeps films where they were solved last, as known.

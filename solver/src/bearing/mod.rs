@@ -5,6 +5,7 @@ mod beside;
 mod bore;
 mod bores;
 mod film_law;
+mod film_shown;
 mod films;
 mod frequency_law;
 mod gear;

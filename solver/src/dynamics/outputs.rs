@@ -37,6 +37,11 @@ pub(super) fn write_outputs(equations: &mut Equations, state: &State, time: f64,
                 power(equations, *body, state).into_iter().for_each(&mut write)
             }
             Wanted::JointPower { joint } => write(joint_power(equations, *joint, state)),
+            Wanted::Film { joint, .. } => {
+                let planes = &machine.monitors[*joint].planes;
+                let film = planes.first().map(|own| equations.springs.film(&machine.springs, *own));
+                film.into_iter().for_each(|own| own.write(&mut write));
+            }
         }
     }
 }

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::early::EarlyStep;
+use super::film_rates::FilmRates;
 use super::halvings::HalvedSteps;
 use super::in_space::InSpace;
 use super::linearised::{Linearised, PartMotion, Place};
@@ -65,6 +66,8 @@ pub struct Quality {
     pub ringing: Ringing,
     /// The worst local error of the states of laws; none without states.
     pub states: Option<StateError>,
+    /// Whether steps follow the gaps of films; none without films.
+    pub films: Option<FilmRates>,
     /// Largest residual of a row over what it may have; see `Equations::row_error`.
     pub row_error: f64,
     /// Steps that had to be halved, as they could not be solved.
@@ -391,6 +394,7 @@ impl QualityMeter {
             sensible_displacement: largest_sensible(equations.machine),
             ringing: Ringing::default(),
             states: None,
+            films: None,
             row_error: sums.row_error,
             halved: HalvedSteps::default(),
             resolving_step: largest.map(|value| IMPACT / value.sqrt()),

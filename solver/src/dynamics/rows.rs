@@ -317,7 +317,11 @@ mod tests {
         let (projected, reach) = (projected(&equations, &state), reach());
         let products = products(&mut equations, &state, &predicted);
         // What the measures of springs round to is a test of the command.
-        equations.spring_rounding.take(&machine.springs, &mut equations.springs, [&state.q, &state.v]);
+        equations.spring_rounding.take(
+            &machine.springs,
+            &mut equations.springs,
+            [&state.q, &state.v],
+        );
         let measured = equations.spring_rounding.forces.clone();
         for (residual_tolerance, force_tolerance) in
             [(1e-2, 0.0), (0.0, 3.0), (0.0, 0.0), (1e-2, 3.0)]

@@ -124,6 +124,11 @@ impl<'m> Equations<'m> {
         &self.residual
     }
 
+    /// Generalised forces of the joints at the state that was last evaluated, one value a coordinate.
+    pub fn spring_forces(&self) -> &[f64] {
+        &self.spring
+    }
+
     /// Computes r and its parts at time `t` (s).
     // A phase of its own in tables of where the time goes.
     #[inline(never)]

@@ -91,14 +91,18 @@ impl Journal {
         }
     }
 
-    /// Whether the film has numbers, and a pressure that is one, where its journal is centred.
-    pub fn flows(&self) -> bool {
+    /// The largest pressure in a steady film whose journal turns out of the middle; none where it has no solution that is a
+    /// number.
+    pub fn pressure(&self) -> Option<f64> {
         let (mut oil, mut balance) = (Oil::full(&self.film), Balance::new(&self.film));
-        let motion = JournalMotion { omega: 1.0, ..JournalMotion::default() };
-        let found = self.settle(&motion, &mut oil, &mut balance);
+        let gap = self.centred.iter().copied().fold(f64::INFINITY, f64::min);
+        let displacement = [0.5 * gap, 0.0];
+        let motion = JournalMotion { displacement, omega: 1.0, ..JournalMotion::default() };
+        self.settle(&motion, &mut oil, &mut balance).ok()?;
         let mut outputs = vec![0.0; self.film.outputs()];
         let forces = self.forces(&mut balance, &mut outputs);
-        found.is_ok() && forces.iter().all(|own| own.is_finite())
+        let is_number = forces.iter().all(|own| own.is_finite());
+        is_number.then(|| oil.unknowns[0].iter().copied().fold(0.0, f64::max))
     }
 
     /// Puts gaps and speeds to the nodes. The number of nodes whose gap changes so fast within a step that they hold oil by the

@@ -115,9 +115,14 @@ impl Balance {
                 }
             }
         });
-        // Of a step by what nodes hold, of a steady film by the rate of that: the same slope of it by the gap.
-        let rate = if self.motion.per_step > 0.0 { self.motion.per_step } else { 1.0 };
+        // Of a step by what nodes hold, of a steady film by the rate of that: the same slope of it by the gap. What a cavity of a
+        // steady film holds stays, so that its fill follows the gap there and nothing else.
+        let steady = self.motion.per_step == 0.0;
         for a in 0..nodes {
+            let rate = match (steady, oil.second[a]) {
+                (false, _) => self.motion.per_step,
+                (true, held) => f64::from(u8::from(!held)),
+            };
             let factor = self.stored[3 * nodes + a] * film.areas[a] * rate;
             by_stored[a] = adjoint[order[a]].map(|value| -factor * value);
         }
