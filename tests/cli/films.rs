@@ -15,6 +15,7 @@ fn rotor(joint: &str, force: [f64; 2], rest: &str) -> String {
 turns = "prescribed"
 speed = "3000 rpm"
 mass = "5 kg"
+polar_inertia = "0.01 kg*m^2"
 
 [joint.b]
 kind = "bearing"
@@ -162,11 +163,13 @@ initial_speed = "3000 rpm"
 mass = "20 kg"
 polar_inertia = "0.05 kg*m^2"
 transverse_inertia = "0.4 kg*m^2"
+z = "0 mm"
 unbalance.u = { mass = "1 g", radius = "50 mm", z = "30 mm" }
 [body.block]
 turns = "no"
 mass = "10 kg"
 transverse_inertia = "0.3 kg*m^2"
+z = "0 mm"
 [joint.front]
 kind = "bearing"
 journal = { body = "rotor", z = "-100 mm" }

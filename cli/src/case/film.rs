@@ -117,14 +117,11 @@ impl Opening {
             table.absent("width", help);
         }
         let size = arc.map(Around::Arc).or(width.map(Around::Width));
-        Some(Opening {
-            name,
-            angle: table.quantity("angle")?,
-            z: table.quantity("z").unwrap_or(0.0),
-            size: size?,
-            length: table.quantity("length")?,
-            pressure: table.quantity("pressure")?,
-        })
+        let z = table.quantity("z").unwrap_or(0.0);
+        let [angle, length, pressure] =
+            ["angle", "length", "pressure"].map(|key| table.quantity(key));
+        let (angle, size, length, pressure) = (angle?, size?, length?, pressure?);
+        Some(Opening { name, angle, z, size, length, pressure })
     }
 }
 
@@ -136,6 +133,12 @@ pub(super) fn shipped(name: &str) -> Option<&'static Film> {
 /// Names of the shipped films.
 pub(super) fn names() -> Vec<&'static str> {
     FILMS.iter().map(|film| film.origin.name).collect()
+}
+
+/// Reads the table of a joint whose law is no film, whether there is one.
+pub(super) fn pass(joint: &Table, law: &Located) -> bool {
+    let own = joint.optional_table("film");
+    own.map(|own| own.read(|own| FilmTable::read(own, law))).is_some()
 }
 
 /// Notes generalized-α in the table of a march of a machine with films.
@@ -297,8 +300,17 @@ impl FilmSource {
             );
             let _ = added.map_err(|wrong| note(&own.name, wrong));
         }
-        let hash =
-            cache::Key::of(&format!("{}\0{:?}\0{:?}", self.kernel.origin.hash, self.given, film));
+        let numbers = openings.iter().map(|own| {
+            let Opening { name, angle, z, size, length, pressure } = own;
+            format!("{} {angle:?} {z:?} {size:?} {length:?} {pressure:?}", name.text())
+        });
+        let numbers: Vec<String> = numbers.collect();
+        let hash = cache::Key::of(&format!(
+            "{} {} {grid:?} {:?} {numbers:?}",
+            self.kernel.origin.hash,
+            self.name(),
+            ends.each_ref().map(|(end, _)| *end)
+        ));
         let journal = match Journal::new(film, &CLEARANCES[0], clearance) {
             Ok(journal) => journal,
             Err(wrong) => {
@@ -306,8 +318,22 @@ impl FilmSource {
                 return Err(errors);
             }
         };
-        let (name, what) = (self.kernel.origin.name, journal.pressure());
-        match what {
+        // What is wrong with its openings is not what it lacks.
+        let sound = errors.is_empty();
+        let mut note = |at: &Located, wrong: WrongFilm| {
+            errors.push(at.error_here(Code::BAD_VALUE, wrong.what).help(wrong.help));
+        };
+        let name = self.kernel.origin.name;
+        let closed = ends.iter().all(|(end, _)| *end == End::Closed) && openings.is_empty();
+        match journal.pressure() {
+            _ if !sound => {}
+            _ if closed => {
+                let what = format!(
+                    "the film `{name}` has neither an end nor an opening through which oil comes or goes"
+                );
+                let help = "open an end, flood it, or add an opening";
+                note(&ends[0].1, WrongFilm { what, help: help.to_owned() });
+            }
             Some(pressure) if pressure > 0.0 => {}
             Some(_) => {
                 let what = format!(

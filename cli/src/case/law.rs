@@ -257,8 +257,7 @@ pub(super) fn read(store: FileStore, table: &Table) -> Option<NamedLaw> {
 pub(super) fn read_of_joint(store: FileStore, table: &Table) -> Option<NamedLaw> {
     let name = table.optional_string("law")?;
     let Some(kernel) = film::shipped(name.text()) else {
-        if table.gives("film") {
-            table.pass_over("film");
+        if film::pass(table, &name) {
             let message = format!("`{}` is no film: it has no use for a table `film`", name.text());
             let help =
                 format!("leave the table out, or name a film: `{}`", film::names().join("`, `"));

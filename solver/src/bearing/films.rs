@@ -122,9 +122,11 @@ impl Films {
 
     /// Takes over what is known.
     pub(super) fn take(&mut self, springs: &Springs, laws: &LawStates) {
-        let same = self.given.films == laws.films
-            && (self.given.hold, self.given.step) == (laws.hold, laws.step);
-        if self.all.is_empty() || same {
+        let same = || {
+            (self.given.hold, self.given.step) == (laws.hold, laws.step)
+                && self.given.films == laws.films
+        };
+        if self.all.is_empty() || same() {
             return;
         }
         self.given.films.clone_from(&laws.films);

@@ -71,7 +71,10 @@ impl OilFilm {
         if around < 8 || !around.is_multiple_of(x) {
             return wrong(
                 format!("{around} nodes around are too few, or do not close"),
-                format!("take at least 8, a multiple of {x}"),
+                match x {
+                    1 => "take at least 8".to_owned(),
+                    _ => format!("take at least 8, a multiple of {x}"),
+                },
             );
         }
         if along <= z || !(along - 1).is_multiple_of(z) {
