@@ -6,8 +6,8 @@ use whirl_tests::validation::Section;
 
 use crate::workbench::Workbench;
 
-/// A rotor that does not tilt in one film, under a force (N).
-fn rotor(joint: &str, force: [f64; 2], rest: &str) -> String {
+/// A rotor that does not tilt in one film of this clearance (µm), under a force (N).
+fn rotor((clearance, joint): (f64, &str), force: [f64; 2], rest: &str) -> String {
     let [x, y] = force;
     format!(
         r#"title = "a rotor in a film"
@@ -20,7 +20,7 @@ polar_inertia = "0.01 kg*m^2"
 [joint.b]
 kind = "bearing"
 journal = {{ body = "rotor" }}
-radial_clearance = "25 um"
+radial_clearance = "{clearance} um"
 journal_radius = "25 mm"
 {joint}
 
@@ -61,31 +61,32 @@ fn films_of_cases_carry_what_the_tables_say() {
     );
     for [ratio, eps, s, attitude, p] in RAIMONDI_BOYD {
         let (radius, length) = (0.025, 0.05 * ratio);
-        // S = μ N D L/W (R/c)²; the load at such an angle that the widest gap is where the groove is, at 180°.
-        let load = 0.02 * 50.0 * 2.0 * radius * length / s * 1e6;
+        // S = μ N D L/W (R/c)², with so small a clearance that shear, which tables leave out of the load, does not count; the load at
+        // such an angle that the widest gap is where the groove is, at 180°.
+        let load = 0.02 * 50.0 * 2.0 * radius * length / s * 1e8;
         let (sin, cos) = (-attitude).to_radians().sin_cos();
         let joint = format!(
             "law = \"jfo\"\nlength = \"{length} m\"\nparameters.sigma = \"1e-6 um\"\n\
              film.opening.groove = {{ angle = \"180 deg\", arc = \"4 deg\", length = \"{length} m\", pressure = \"0 bar\" }}"
         );
-        let case = rotor(&joint, [load * cos, load * sin], OUTPUT);
+        let case = rotor((2.5, &joint), [load * cos, load * sin], OUTPUT);
         let bench = Workbench::new().file("case.toml", &case);
         let outcome = bench.whirl(&["run", "case.toml", "--out", "out"]);
         assert_eq!(outcome.status, 0, "{}", outcome.stderr);
         let history = bench.history("out");
-        let [x, y] = ["EX_b_um", "EY_b_um"].map(|own| history.last(own) / 25.0);
+        let [x, y] = ["EX_b_um", "EY_b_um"].map(|own| history.last(own) / 2.5);
         let what = format!("L/D {ratio}, S {s:.4}");
-        section.compare(&format!("{what}: ε"), eps, x.hypot(y), 0.015);
+        section.compare(&format!("{what}: ε"), eps, x.hypot(y), 0.004);
         // Of the load to the line of centres.
         let found = y.atan2(x).to_degrees() + attitude;
-        section.compare(&format!("{what}: attitude angle (deg)"), attitude, found, 0.02);
+        section.compare(&format!("{what}: attitude angle (deg)"), attitude, found, 0.004);
         let [pressure, gap] = FILM.map(|own| history.last(own));
         let mean = 1e-6 * load / (2.0 * radius * length);
-        section.compare(&format!("{what}: P/p_max"), p, mean / pressure, 0.02);
-        assert!((gap - 25.0 * (1.0 - x.hypot(y))).abs() < 0.2, "{gap} µm");
+        section.compare(&format!("{what}: P/p_max"), p, mean / pressure, 0.004);
+        assert!((gap - 2.5 * (1.0 - x.hypot(y))).abs() < 0.02, "{gap} µm");
         // It stands still from the first step on.
         let still = history.column("EX_b_um");
-        assert!(still.iter().all(|own| (own - still[0]).abs() < 1e-5), "{what}");
+        assert!(still.iter().all(|own| (own - still[0]).abs() < 1e-6 * 2.5), "{what}");
     }
     section.finish();
 }
@@ -95,8 +96,8 @@ fn films_of_cases_carry_what_the_tables_say() {
 fn a_short_film_is_that_of_ocvirk() {
     let coefficients = |law: &str| -> Vec<f64> {
         let analysis = "[analysis.k]\nkind = \"coefficients\"\nspeeds = \"3000 rpm\"\n";
-        let joint = format!("length = \"1.25 mm\"\n{law}");
-        let case = rotor(&joint, [-0.2, 0.0], analysis);
+        let joint = format!("length = \"2.5 mm\"\n{law}");
+        let case = rotor((0.25, &joint), [-16_000.0, 0.0], analysis);
         let bench = Workbench::new().file("case.toml", &case);
         let outcome = bench.whirl(&["coefficients", "case.toml", "--out", "out"]);
         assert_eq!(outcome.status, 0, "{}", outcome.stderr);
@@ -105,20 +106,21 @@ fn a_short_film_is_that_of_ocvirk() {
         let names: Vec<&str> = rows.next().expect("names").split(',').collect();
         let values: Vec<&str> = rows.next().expect("a row").split(',').collect();
         let numbers = names.iter().zip(&values).filter(|(name, _)| {
-            ["e_over_c", "attitude", "k_", "c_"].iter().any(|own| name.starts_with(own))
+            ["eccentricity_ratio", "attitude", "k_", "c_"].iter().any(|own| name.starts_with(own))
         });
         numbers.map(|(_, value)| value.parse().expect("a number")).collect()
     };
     let closed = coefficients("law = \"ocvirk\"\nparameters.mu = \"20 mPa*s\"");
-    let film = coefficients("law = \"reynolds\"\nparameters.sigma = \"1e-6 um\"");
+    let film =
+        coefficients("law = \"reynolds\"\nparameters.sigma = \"1e-7 um\"\nfilm.grid = [144, 7]");
     assert_eq!((closed.len(), film.len()), (10, 10), "{closed:?} {film:?}");
     let size = closed[2..6].iter().fold(0.0_f64, |most, own| most.max(own.abs()));
     let rates = closed[6..].iter().fold(0.0_f64, |most, own| most.max(own.abs()));
     for (k, (film, closed)) in film.iter().zip(&closed).enumerate() {
         let scale = [closed.abs(), size, rates][usize::from(k > 1) + usize::from(k > 5)];
-        assert!((film - closed).abs() < 0.015 * scale, "{k}: {film} against {closed}");
+        assert!((film - closed).abs() < 0.01 * scale, "{k}: {film} against {closed}");
     }
-    assert!((0.3..0.7).contains(&closed[0]), "{closed:?}");
+    assert!((0.3..0.5).contains(&closed[0]), "{closed:?}");
 }
 
 /// What turns the journal is made into heat, what enters leaves, and both sides have their moments.
@@ -126,7 +128,7 @@ fn a_short_film_is_that_of_ocvirk() {
 fn outputs_of_a_film_belong_together() {
     let joint = "law = \"jfo\"\nlength = \"25 mm\"\n[joint.b.film]\ngrid = [96, 9]\nleft = \"0.5 bar\"\n\
                  opening.hole = { angle = \"90 deg\", width = \"6 mm\", length = \"8 mm\", pressure = \"2 bar\" }";
-    let bench = Workbench::new().file("case.toml", &rotor(joint, [-1500.0, 0.0], OUTPUT));
+    let bench = Workbench::new().file("case.toml", &rotor((25.0, joint), [-1500.0, 0.0], OUTPUT));
     let outcome = bench.whirl(&["run", "case.toml", "--out", "out"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
     let history = bench.history("out");
@@ -212,7 +214,7 @@ damping = { xx = "1e3 N*s/m", yy = "1e3 N*s/m" }
             let all = history.tail(own, 200);
             all.iter().sum::<f64>() / 200.0
         }));
-        assert!(history.last("omega_rotor_rad_s") < 314.0);
+        assert!(history.last("omega_rad_s") < 314.0);
     }
     for (fixed, chosen) in ends[0].iter().zip(&ends[1]) {
         assert!((fixed - chosen).abs() < 0.05, "{ends:?}");
@@ -224,7 +226,7 @@ damping = { xx = "1e3 N*s/m", yy = "1e3 N*s/m" }
 fn films_are_refused_where_they_cannot_be() {
     let film = "law = \"jfo\"\nlength = \"25 mm\"\nfilm = { left = \"1 bar\", right = \"1 bar\" }";
     let refused = |rest: &str, command: &[&str], words: &[&str]| {
-        let text = rotor(film, [-500.0, 0.0], rest);
+        let text = rotor((25.0, film), [-500.0, 0.0], rest);
         let bench = Workbench::new().file("case.toml", &text);
         let before = bench.listing();
         let outcome = bench.whirl(command);
@@ -262,4 +264,25 @@ fn the_rotor_of_the_page_on_films_is_marched_and_linearised() {
     }
     let outcome = bench.whirl(&["coefficients", "rotor.toml"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+}
+
+/// A machine that stands still before it is driven, under one pressure all around: nothing flows anywhere.
+#[test]
+fn films_stand_still_before_they_turn() {
+    for film in ["left = \"0.2 bar\", right = \"0.2 bar\"", "left = \"0.2 bar\""] {
+        let joint = format!("law = \"jfo\"\nlength = \"20 mm\"\nfilm = {{ {film} }}");
+        let case = rotor((25.0, &joint), [-100.0, 0.0], OUTPUT)
+            .replace("turns = \"prescribed\"\nspeed", "turns = \"free\"\ninitial_speed")
+            .replace("3000 rpm", "0 rpm")
+            .replace("[start]\nkind = \"equilibrium\"\n", "");
+        let bench = Workbench::new().file("case.toml", &case);
+        let outcome = bench.whirl(&["run", "case.toml", "--out", "out"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        let history = bench.history("out");
+        // It sinks, and the oil that it presses out holds it.
+        let sunk = history.last("EX_b_um");
+        assert!(sunk < -1.0 && sunk > -10.0, "{sunk}");
+        assert!((history.last("RX_b_N") / 100.0 - 1.0).abs() < 0.05, "{film}");
+        assert!(history.last("q_left_f_mL_s") < 0.0 || history.last("q_right_f_mL_s") < 0.0);
+    }
 }

@@ -1,5 +1,7 @@
 //! A rigid journal in a rigid bore: its film as forces and moments over displacement, tilts, their rates and the speed.
 
+use std::f64::consts::TAU;
+
 use whirl_specs::Clearance;
 
 use super::balance::Balance;
@@ -7,6 +9,9 @@ use super::oil::Oil;
 use super::openings::{OilFilm, WrongFilm};
 use super::reaction::{Gradients, INPUTS, JournalMotion, OUTPUTS, Reaction, arms};
 use super::solve::Unsolved;
+
+/// Sides to which a journal is displaced to see whether its film ever has a pressure.
+const DIRECTIONS: u32 = 6;
 
 /// A journal in a bore with a film between them.
 #[derive(Debug, Clone)]
@@ -91,18 +96,27 @@ impl Journal {
         }
     }
 
-    /// The largest pressure in a steady film whose journal turns out of the middle; none where it has no solution that is a
-    /// number.
+    /// The largest pressure in a steady film whose journal turns out of the middle, to any side; none where it has no solution that
+    /// is a number.
     pub fn pressure(&self) -> Option<f64> {
-        let (mut oil, mut balance) = (Oil::full(&self.film), Balance::new(&self.film));
+        let mut balance = Balance::new(&self.film);
         let gap = self.centred.iter().copied().fold(f64::INFINITY, f64::min);
-        let displacement = [0.5 * gap, 0.0];
-        let motion = JournalMotion { displacement, omega: 1.0, ..JournalMotion::default() };
-        self.settle(&motion, &mut oil, &mut balance).ok()?;
         let mut outputs = vec![0.0; self.film.outputs()];
-        let forces = self.forces(&mut balance, &mut outputs);
-        let is_number = forces.iter().all(|own| own.is_finite());
-        is_number.then(|| oil.unknowns[0].iter().copied().fold(0.0, f64::max))
+        for direction in 0..DIRECTIONS {
+            let (sin, cos) = (TAU * f64::from(direction) / f64::from(DIRECTIONS)).sin_cos();
+            let displacement = [0.5 * gap * cos, 0.5 * gap * sin];
+            let motion = JournalMotion { displacement, omega: 1.0, ..JournalMotion::default() };
+            let mut oil = Oil::full(&self.film);
+            self.settle(&motion, &mut oil, &mut balance).ok()?;
+            if !self.forces(&mut balance, &mut outputs).iter().all(|own| own.is_finite()) {
+                return None;
+            }
+            let most = oil.unknowns[0].iter().copied().fold(0.0, f64::max);
+            if most > 0.0 {
+                return Some(most);
+            }
+        }
+        Some(0.0)
     }
 
     /// Puts gaps and speeds to the nodes. The number of nodes whose gap changes so fast within a step that they hold oil by the
