@@ -8,17 +8,14 @@ use whirl_codegen::document::schema::Shape::{Either, List, Named, Number, Words}
 use whirl_codegen::document::schema::{Key, Shape, key, merged};
 use whirl_codegen::kinds::law::{BearingValue, Given, Parameter};
 use whirl_codegen::rational::{Rational, nearest};
-use whirl_codegen::units::Unit;
+use whirl_codegen::units::{Quantity, Unit};
 use whirl_solver::bearing::FilmLaw;
 use whirl_solver::cache;
 use whirl_solver::film::{Journal, OilFilm, WrongFilm};
 use whirl_solver::output::Integral;
 use whirl_specs::{CLEARANCES, FILMS, Film};
 
-use super::joined_machine::JoinedMachine;
-use super::joint::Joint;
 use super::names;
-use super::parameters::rounded;
 use super::shapes::{ANGLE, ARC, LENGTH, POSITION, SUPPLY};
 use super::values::listed;
 
@@ -44,6 +41,8 @@ const OPENING: &[Key] = &[
 
 /// Nodes around and along where a case says none.
 const GRID: [usize; 2] = [72, 7];
+/// Most of them.
+const MOST: [f64; 2] = [2000.0, 101.0];
 /// Keys of both ends, and what results call these.
 const ENDS_CALLED: [&str; 2] = ["left", "right"];
 /// Words for ends without a pressure.
@@ -141,16 +140,10 @@ pub(super) fn pass(joint: &Table, law: &Located) -> bool {
     own.map(|own| own.read(|own| FilmTable::read(own, law))).is_some()
 }
 
-/// Notes generalized-α in the table of a march of a machine with films.
-pub(super) fn refuse_alpha(march: &Table, machine: &JoinedMachine) {
-    let film = |joint: &&Joint| joint.bearing.law.source.film().is_some();
-    let Some(joint) = machine.joints.iter().find(film) else { return };
-    let message = format!(
-        "the joint `{}` has a film, which goes with Newmark's method: what its nodes hold follows from the rates of that",
-        joint.name.text()
-    );
-    let help = "leave `integrator` out, or give the joint a law in place of the film";
-    march.push(march.written("integrator").error_here(Code::BAD_VALUE, message).help(help));
+/// A number of a shipped film as its file has it, which is one of few digits.
+fn written(value: f64) -> Rational {
+    let parsed = Quantity::parse(&format!("{value:.11e}"));
+    parsed.map_or_else(|_| Rational::from(0), |own| own.value().clone())
 }
 
 impl FilmSource {
@@ -221,7 +214,7 @@ impl FilmSource {
     pub(super) fn parameters(&self) -> Vec<Parameter> {
         let unit = |text: &str| Unit::parse(text).expect("units of a shipped film are units");
         let own = self.kernel.parameters.iter().map(|own| {
-            let written = rounded(own.value / own.per_unit).unwrap_or_else(|| Rational::from(0));
+            let written = written(own.value / own.per_unit);
             Parameter {
                 name: own.name.to_owned(),
                 title: own.title.to_owned(),
@@ -266,15 +259,18 @@ impl FilmSource {
             }
         };
         for own in self.kernel.parameters {
-            let set = value(own.name).map_or(Ok(()), |value| film.set(own.name, value));
-            let _ = set.map_err(|wrong| note(place, wrong));
+            if let Some(Err(wrong)) = value(own.name).map(|value| film.set(own.name, value)) {
+                note(place, wrong);
+            }
         }
         for (end, (own, at)) in ends.iter().enumerate() {
             match own {
                 End::Open => {}
                 End::Closed => film.close(end),
                 End::Flooded(pressure) => {
-                    let _ = film.flood(end, *pressure).map_err(|wrong| note(at, wrong));
+                    if let Err(wrong) = film.flood(end, *pressure) {
+                        note(at, wrong);
+                    }
                 }
             }
         }
@@ -298,7 +294,9 @@ impl FilmSource {
                 own.z - 0.5 * own.length..own.z + 0.5 * own.length,
                 own.pressure,
             );
-            let _ = added.map_err(|wrong| note(&own.name, wrong));
+            if let Err(wrong) = added {
+                note(&own.name, wrong);
+            }
         }
         let numbers = openings.iter().map(|own| {
             let Opening { name, angle, z, size, length, pressure } = own;
@@ -359,12 +357,19 @@ impl FilmTable {
     fn read(table: &Table, name: &Located) -> Self {
         let counts = table.positive_numbers("grid");
         let (grid, grid_place) = match counts.as_slice() {
-            [around, along] if [around, along].iter().all(|own| own.fract() == 0.0) => {
+            [around, along]
+                if [around, along].iter().all(|own| own.fract() == 0.0)
+                    && *around <= MOST[0]
+                    && *along <= MOST[1] =>
+            {
                 ([*around as usize, *along as usize], table.written("grid"))
             }
             _ => {
                 if table.gives("grid") {
-                    let message = "`grid` is two whole numbers: nodes around and along";
+                    let message = format!(
+                        "`grid` is two whole numbers: nodes around, {} at most, and along, {} at most",
+                        MOST[0], MOST[1]
+                    );
                     let help = "such as `grid = [72, 7]`";
                     let at = table.written("grid");
                     table.push(at.error_here(Code::BAD_VALUE, message).help(help));

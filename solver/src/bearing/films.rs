@@ -6,10 +6,8 @@
 
 use super::film_law::motion;
 use super::hold::{Hold, LawStates};
-use super::placed_law::PlacedLaw;
 use super::plane::Plane;
 use super::springs::Springs;
-use super::state::{LawState, SpringState};
 use crate::film::{Balance, INPUTS, Journal, JournalMotion, OUTPUTS, Oil};
 
 /// A step so short (s) that a film only follows the rates of its gap.
@@ -18,7 +16,7 @@ const INSTANT: f64 = 1e-7;
 const BALANCED: f64 = 1e-13;
 
 /// Places of what is known of a film among what is known of all: the oil, the motion, and what is shown.
-struct Known {
+pub(super) struct Known {
     first: usize,
     oil: usize,
     shown: usize,
@@ -47,7 +45,7 @@ impl Known {
         &all[self.first + self.oil + INPUTS..][..self.shown]
     }
 
-    fn parts<'a>(&self, all: &'a mut [f64]) -> [&'a mut [f64]; 3] {
+    pub(super) fn parts<'a>(&self, all: &'a mut [f64]) -> [&'a mut [f64]; 3] {
         let own = &mut all[self.first..][..self.count()];
         let (oil, rest) = own.split_at_mut(self.oil);
         let (motion, shown) = rest.split_at_mut(INPUTS);
@@ -58,30 +56,30 @@ impl Known {
 /// A film at a joint.
 pub(super) struct FilmAt {
     /// Which law, and which of its springs.
-    law: usize,
-    spring: usize,
-    known: Known,
+    pub(super) law: usize,
+    pub(super) spring: usize,
+    pub(super) known: Known,
     pub(super) oil: Oil,
     pub(super) balance: Balance,
     /// The oil at the beginning of the step.
     begun: Oil,
     /// What it takes, and the length of its step (s).
     pub(super) taken: [f64; INPUTS],
-    step: Option<f64>,
+    pub(super) step: Option<f64>,
     /// What enters at its openings (m³/s), then the outputs of its spec.
     pub(super) shown: Vec<f64>,
     /// Oil between the surfaces (m³).
     pub(super) volume: f64,
     /// Whether its forces are found, and whether their slopes are.
     pub(super) solved: bool,
-    sloped: bool,
+    pub(super) sloped: bool,
     /// Nodes that hold oil by the gap itself, as it changes too fast.
     pub(super) fast: usize,
 }
 
 /// All films, and what is known of them.
 pub(super) struct Films {
-    given: LawStates,
+    pub(super) given: LawStates,
     /// Whether films at rest are squeezed by the rates of their gaps. A march that stands still has rates of its rule for time,
     /// which move no surface.
     pub(super) squeezed: bool,
@@ -140,7 +138,7 @@ impl Films {
 }
 
 impl Springs {
-    fn film_of(&self, law: usize) -> &Journal {
+    pub(super) fn film_of(&self, law: usize) -> &Journal {
         self.laws[law].bound.law.film().expect("a film")
     }
 
@@ -175,7 +173,12 @@ impl FilmAt {
     }
 
     /// Solves the film where it stands; its forces, which are no numbers where that fails.
-    fn solve(&mut self, journal: &Journal, given: &LawStates, squeezed: bool) -> [f64; OUTPUTS] {
+    pub(super) fn solve(
+        &mut self,
+        journal: &Journal,
+        given: &LawStates,
+        squeezed: bool,
+    ) -> [f64; OUTPUTS] {
         self.sloped = false;
         self.step = None;
         let steady = motion(&self.taken, None);
@@ -235,62 +238,5 @@ impl Springs {
     pub(crate) fn bearings_of_films(&self) -> Vec<usize> {
         let with_film = |plane: &&Plane| self.laws[plane.law].bound.law.film().is_some();
         self.planes.iter().filter(with_film).map(|plane| plane.bearing).collect()
-    }
-}
-
-impl LawState {
-    /// What a film takes at a spring of its law.
-    fn taken(&self, law: &PlacedLaw, spring: usize) -> [f64; INPUTS] {
-        std::array::from_fn(|k| self.inputs[law.bound.inputs[k] * law.springs + spring])
-    }
-}
-
-impl SpringState {
-    /// Solves the film of a law at all its joints.
-    pub(super) fn evaluate_films(&mut self, law: &PlacedLaw, place: usize, journal: &Journal) {
-        let own = &mut self.laws[place];
-        let Films { given, squeezed, all } = &mut self.films;
-        for film in all.iter_mut().filter(|film| film.law == place) {
-            film.taken = own.taken(law, film.spring);
-            let (forces, n) = (film.solve(journal, given, *squeezed), law.springs);
-            for (&force, value) in law.bound.forces.iter().zip(forces) {
-                own.forces[force * n + film.spring] = value;
-            }
-        }
-    }
-
-    /// Finds the slopes of the forces of all films where they were solved last.
-    pub(crate) fn slope_films(&mut self, springs: &Springs) {
-        for film in self.films.all.iter_mut().filter(|film| !film.sloped && film.solved) {
-            film.sloped = true;
-            let (law, own) = (&springs.laws[film.law], &mut self.laws[film.law]);
-            let journal = springs.film_of(film.law);
-            let slopes = journal.slopes(film.step, &film.oil, &mut film.balance);
-            let (bound, n) = (&law.bound, law.springs);
-            for (&force, slopes) in bound.forces.iter().zip(&slopes) {
-                for (&input, slope) in bound.inputs.iter().zip(slopes) {
-                    let row = force * bound.kind.inputs.len() + input;
-                    own.slopes[row * n + film.spring] = *slope;
-                }
-            }
-        }
-    }
-
-    /// Of all films the nodes whose gap changes too fast for the step.
-    pub(crate) fn fast_nodes(&self) -> impl Iterator<Item = usize> {
-        self.films.all.iter().map(|film| film.fast)
-    }
-
-    /// Keeps films where they were solved last, as known.
-    pub(super) fn keep_films(&self, laws: &mut LawStates) {
-        for film in &self.films.all {
-            let [oil, motion, shown] = film.known.parts(&mut laws.films);
-            film.oil.write(oil);
-            motion.copy_from_slice(&film.taken);
-            shown.copy_from_slice(&film.shown);
-        }
-        if !self.films.all.is_empty() {
-            laws.hold = Hold::Implicit(0.0);
-        }
     }
 }

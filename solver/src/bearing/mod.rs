@@ -6,6 +6,7 @@ mod bore;
 mod bores;
 mod film_law;
 mod film_shown;
+mod filmed;
 mod films;
 mod frequency_law;
 mod gear;

@@ -254,7 +254,7 @@ fn a_march_from_equilibrium_stands_still_and_one_from_the_middle_comes_there() {
             assert!((here - there).abs() < 1e-6 * 25.0, "{spec}: {here} from {there}");
         }
         assert!(start.len() == 2);
-        let options = super::options(DT, 1200);
+        let options = super::options(DT, 3000);
         let mut march = March::new(&machine, &options).expect("begins");
         while !march.is_done() {
             march.advance().expect("converges");
