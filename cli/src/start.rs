@@ -17,7 +17,7 @@ use crate::results::STATE;
 use crate::watch::Watch;
 
 /// Layout of the file.
-const LAYOUT: &str = "whirl state 10";
+const LAYOUT: &str = "whirl state 11";
 
 /// How a case is marched.
 pub(crate) fn options(case: &Case, built: &Built) -> MarchOptions {

@@ -55,11 +55,32 @@ pub enum Wanted<P = BodyNode> {
         /// The body.
         body: usize,
     },
+    /// What is in the film of a joint: peak of the pressure and smallest gap with their places, integrals, moments on both
+    /// sides, oil, and what enters at every opening.
+    Film {
+        /// The joint, by its place among the bearings.
+        joint: usize,
+        /// Names of its openings, both ends first.
+        openings: Vec<String>,
+        /// Its integrals.
+        integrals: Vec<Integral>,
+    },
     /// Power of a joint's forces on the body of the journal (W); negative where they brake it.
     JointPower {
         /// The joint.
         joint: usize,
     },
+}
+
+/// An integral over a film.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Integral {
+    /// Name.
+    pub name: String,
+    /// SI unit.
+    pub unit: &'static str,
+    /// What it is.
+    pub meaning: String,
 }
 
 /// A displacement, or a derivative.
@@ -111,6 +132,9 @@ impl<P> Output<P> {
             Wanted::Energy { body } => Wanted::Energy { body },
             Wanted::Power { body } => Wanted::Power { body },
             Wanted::JointPower { joint } => Wanted::JointPower { joint },
+            Wanted::Film { joint, openings, integrals } => {
+                Wanted::Film { joint, openings, integrals }
+            }
         };
         Output { name, what }
     }
@@ -206,6 +230,42 @@ impl Output {
                 one(format!("power_{name}_W"), "W", "power of the loads on the body"),
                 one(format!("damping_{name}_W"), "W", "power dissipated by the body's damping"),
             ],
+            Wanted::Film { openings, integrals, .. } => {
+                let mut all = vec![
+                    one(
+                        format!("pmax_{name}_MPa"),
+                        "MPa",
+                        "largest pressure at a node of the film",
+                    ),
+                    one(format!("pmax_angle_{name}_deg"), "deg", "where it is, from x of the bore"),
+                    one(
+                        format!("pmax_z_{name}_mm"),
+                        "mm",
+                        "where it is, from the middle of the film",
+                    ),
+                    one(format!("hmin_{name}_um"), "um", "smallest gap at a node of the film"),
+                    one(format!("hmin_angle_{name}_deg"), "deg", "where it is, from x of the bore"),
+                    one(
+                        format!("hmin_z_{name}_mm"),
+                        "mm",
+                        "where it is, from the middle of the film",
+                    ),
+                ];
+                all.extend(integrals.iter().map(|own| {
+                    let suffix: String = own.unit.chars().filter(|c| c.is_alphanumeric()).collect();
+                    one(format!("{}_{name}_{suffix}", own.name), own.unit, &own.meaning)
+                }));
+                all.extend([
+                    one(format!("mz_{name}_Nm"), "N*m", "moment on the journal about its centre"),
+                    one(format!("mz_bore_{name}_Nm"), "N*m", "moment on the bore about its centre"),
+                    one(format!("oil_{name}_mm3"), "mm^3", "oil in the film"),
+                ]);
+                all.extend(openings.iter().map(|own| {
+                    let what = format!("what enters the film at its opening {own}");
+                    one(format!("q_{own}_{name}_mL_s"), "mL/s", &what)
+                }));
+                all
+            }
             Wanted::JointPower { .. } => {
                 vec![one(
                     format!("power_{name}_W"),

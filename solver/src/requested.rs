@@ -23,7 +23,9 @@ impl Machine {
                 Wanted::Motion { body, .. } | Wanted::Energy { body } | Wanted::Power { body } => {
                     (Some(*body), None)
                 }
-                Wanted::Joint { joint, .. } | Wanted::JointPower { joint } => (None, Some(*joint)),
+                Wanted::Joint { joint, .. }
+                | Wanted::JointPower { joint }
+                | Wanted::Film { joint, .. } => (None, Some(*joint)),
             };
             if body.is_some_and(|body| body >= self.bodies.len()) {
                 return wrong(name, "there is no such body");

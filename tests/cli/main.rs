@@ -13,6 +13,7 @@ mod every_key;
 mod explain;
 mod fields;
 mod figures;
+mod films;
 mod first_law;
 mod gears;
 mod good_runs;

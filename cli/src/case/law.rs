@@ -6,9 +6,10 @@ use std::sync::Arc;
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
 use whirl_codegen::document::Table;
 use whirl_codegen::kinds::law::{Acts, Given, LawSpec, Parameter};
-use whirl_solver::bearing::{FrequencyTable, MotionKind};
+use whirl_solver::bearing::{FilmLaw, FrequencyTable, MotionKind};
 use whirl_specs::{LAWS, Law, TABLES};
 
+use super::film::{self, FilmSource};
 use super::library::FileStore;
 use super::values::listed;
 
@@ -21,6 +22,8 @@ pub(crate) enum LawSource {
     File(Arc<LawSpec>),
     /// Either with other values of its parameters than its file has.
     Given(Arc<GivenLaw>),
+    /// A film, which is its joint's alone.
+    Film(Arc<FilmSource>),
 }
 
 /// A law with other values of its parameters than its file has, evaluated at run time.
@@ -61,6 +64,15 @@ impl LawSource {
             LawSource::BuiltIn(law) => law.origin.name.to_string(),
             LawSource::File(spec) => spec.file.path.display().to_string(),
             LawSource::Given(law) => law.name.clone(),
+            LawSource::Film(film) => film.name(),
+        }
+    }
+
+    /// The film that it is, if it is one.
+    pub(crate) fn film(&self) -> Option<&FilmSource> {
+        match self {
+            LawSource::Film(film) => Some(film),
+            LawSource::BuiltIn(_) | LawSource::File(_) | LawSource::Given(_) => None,
         }
     }
 
@@ -68,7 +80,7 @@ impl LawSource {
     pub(crate) fn over_frequency(&self) -> Option<&FrequencyFile> {
         match self {
             LawSource::Given(law) => law.over_frequency.as_ref(),
-            LawSource::BuiltIn(_) | LawSource::File(_) => None,
+            LawSource::BuiltIn(_) | LawSource::File(_) | LawSource::Film(_) => None,
         }
     }
 
@@ -85,6 +97,7 @@ impl LawSource {
             }
             LawSource::File(spec) => spec.acts,
             LawSource::Given(law) => law.spec.acts,
+            LawSource::Film(_) => Acts::Joint,
         }
     }
 
@@ -101,6 +114,9 @@ impl LawSource {
             }
             LawSource::File(spec) => of(spec),
             LawSource::Given(law) => of(&law.spec),
+            LawSource::Film(_) => {
+                FilmLaw::TAKEN.iter().chain(&FilmLaw::GIVEN).map(|own| (*own).to_owned()).collect()
+            }
         }
     }
 
@@ -113,7 +129,7 @@ impl LawSource {
     pub(crate) fn accepts_jump(&self) -> Option<&str> {
         let spec = match self {
             // None of those has one.
-            LawSource::BuiltIn(_) => return None,
+            LawSource::BuiltIn(_) | LawSource::Film(_) => return None,
             LawSource::File(spec) => spec,
             LawSource::Given(law) => &law.spec,
         };
@@ -151,19 +167,20 @@ impl LawSource {
         ["v_t", "T"].into_iter().find(|name| names.iter().any(|own| own == name))
     }
 
-    /// The spec, read again for a built-in law.
+    /// The spec, read again for a built-in law; none of a film, which is a spec of another kind.
     ///
     /// # Panics
     /// If a built-in law has errors: it was read without any when its kernel was generated.
-    pub(crate) fn spec(&self) -> Arc<LawSpec> {
-        match self {
+    pub(crate) fn spec(&self) -> Option<Arc<LawSpec>> {
+        Some(match self {
             LawSource::BuiltIn(law) => {
                 let spec = LawSpec::read_with(&source_of(law), &|name| built_in_table(law, name));
                 Arc::new(spec.expect("built-in laws have no errors"))
             }
             LawSource::File(spec) => spec.clone(),
             LawSource::Given(law) => law.spec.clone(),
-        }
+            LawSource::Film(_) => return None,
+        })
     }
 
     /// The parameters as the file has them.
@@ -179,6 +196,7 @@ impl LawSource {
             }
             LawSource::File(spec) => spec.parameters.clone(),
             LawSource::Given(law) => law.spec.parameters.clone(),
+            LawSource::Film(film) => film.parameters(),
         }
     }
 
@@ -197,6 +215,7 @@ impl LawSource {
             }
             LawSource::File(spec) => spec.read_again(&given),
             LawSource::Given(law) => law.spec.read_again(&given),
+            LawSource::Film(film) => return Ok(LawSource::Film(Arc::new(film.with(given)?))),
         };
         let values = listed(&given);
         let named = |mut error: Diagnostic| {
@@ -233,6 +252,23 @@ pub(super) fn read(store: FileStore, table: &Table) -> Option<NamedLaw> {
     find(store, table, &name).map(|source| NamedLaw { source, name })
 }
 
+/// The law or the film that `law` of the table of a joint names, if the key is there; what the table says of a film is read
+/// with it.
+pub(super) fn read_of_joint(store: FileStore, table: &Table) -> Option<NamedLaw> {
+    let name = table.optional_string("law")?;
+    let Some(kernel) = film::shipped(name.text()) else {
+        if film::pass(table, &name) {
+            let message = format!("`{}` is no film: it has no use for a table `film`", name.text());
+            let help =
+                format!("leave the table out, or name a film: `{}`", film::names().join("`, `"));
+            table.push(table.written("film").error_here(Code::BAD_VALUE, message).help(help));
+        }
+        return find(store, table, &name).map(|source| NamedLaw { source, name });
+    };
+    let source = LawSource::Film(Arc::new(FilmSource::read(table, kernel, &name)));
+    Some(NamedLaw { source, name })
+}
+
 /// Whether a table names a law that gives a force along z; a law that cannot be read does not, and nothing is noted.
 pub(super) fn acts_along(store: FileStore, table: &Table) -> bool {
     if !table.gives("law") {
@@ -258,7 +294,12 @@ pub(super) fn find(store: FileStore, table: &Table, name: &Located) -> Option<La
         return read_file(store, table, name);
     }
     let law = LAWS.iter().find(|law| law.origin.name == name.text());
-    if law.is_none() {
+    if law.is_none() && film::shipped(name.text()).is_some() {
+        let message = format!("`{}` is a film, which is between a journal and a bore", name.text());
+        let help =
+            "name it in a table `[joint.NAME]` with `kind = \"bearing\"`, or take a law here";
+        table.push(name.error_here(Code::BAD_VALUE, message).help(help));
+    } else if law.is_none() {
         let known: Vec<&str> = LAWS.iter().map(|law| law.origin.name).collect();
         let message = format!("there is no law `{}`", name.text());
         let error = name.error_here(Code::BAD_VALUE, message);

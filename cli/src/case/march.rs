@@ -5,6 +5,7 @@ use whirl_codegen::document::Table;
 use whirl_solver::dynamics::{AutomaticStep, Integrator, LEAST_STEPS, SteadyRule};
 
 use super::cycle::{self, MOST_PERIODS};
+use super::film_march;
 use super::joined_machine::JoinedMachine;
 use super::run::Run;
 
@@ -125,6 +126,9 @@ fn read_march(march: &Table, machine: Option<&JoinedMachine>, goes_on: bool) -> 
         shown_by_rows(march, output_every as f64 * time_step, (cycle, automatic));
     }
     let spectral_radius = spectral_radius(march);
+    if let (Some(_), Some(machine)) = (spectral_radius, machine) {
+        film_march::refuse_alpha(march, machine);
+    }
     let stop_when_steady = march.optional_boolean("stop_when_steady").unwrap_or(false);
     let settings = MarchSettings {
         time_step,

@@ -7,6 +7,8 @@ mod dimensions;
 mod embedded;
 mod fields;
 mod files;
+mod film;
+mod film_march;
 mod gears;
 mod gravity;
 mod ground;

@@ -40,7 +40,7 @@ pub(super) fn read(file: &Table, machine: Option<&JoinedMachine>) -> Vec<Output>
 }
 
 /// What can be asked for.
-pub(super) const QUANTITIES: [&str; 12] = [
+pub(super) const QUANTITIES: [&str; 13] = [
     "displacement",
     "velocity",
     "acceleration",
@@ -53,6 +53,7 @@ pub(super) const QUANTITIES: [&str; 12] = [
     "axial_deformation",
     "energy",
     "power",
+    "film",
 ];
 
 /// Keys that some quantities have no use for.
@@ -70,7 +71,7 @@ fn read_one(table: &Table, machine: Option<&JoinedMachine>) -> Option<Wanted> {
     let (used, of_body, of_joint): (&[&str], bool, bool) = match quantity {
         "displacement" | "velocity" | "acceleration" => (&OF_SOME, true, false),
         "force" | "deformation" | "rate" | "moment" | "tilt" => (&["frame"], false, true),
-        "axial_force" | "axial_deformation" => (&[], false, true),
+        "axial_force" | "axial_deformation" | "film" => (&[], false, true),
         "energy" => (&[], true, false),
         _ => (&[], true, true),
     };
@@ -115,6 +116,16 @@ fn read_one(table: &Table, machine: Option<&JoinedMachine>) -> Option<Wanted> {
             let help = "take a law of a joint that gives one, or a bushing with its stiffness";
             table.push(own.error_here(Code::BAD_VALUE, message).help(help));
             return None;
+        }
+        if quantity == "film" {
+            let Some(film) = known.bearing.law.source.film() else {
+                let message = format!("the law of the joint `{}` is no film", own.text());
+                let help = "name a joint with a film, or another quantity, such as \"force\"";
+                table.push(own.error_here(Code::BAD_VALUE, message).help(help));
+                return None;
+            };
+            let (openings, integrals) = film.columns();
+            return Some(Wanted::Film { joint, openings, integrals });
         }
         let quantity = match (quantity, coupling) {
             ("power", _) => return Some(Wanted::JointPower { joint }),

@@ -311,7 +311,7 @@ const OUTPUT: &[Key] = &[
     merged(
         "quantity",
         Words(&QUANTITIES),
-        "of a body: motion of a point, energy, power; of a joint: force, deformation and its rate, power; moment and tilt, or force and deformation along z, of one that acts so",
+        "of a body: motion of a point, energy, power; of a joint: force, deformation and its rate, power; moment and tilt, or force and deformation along z, of one that acts so; what is in its film",
     ),
     key("body", Text, "the name of a body; \"shaft\", \"support\" or \"mass\" in a short form")
         .like("\"rotor\""),

@@ -52,6 +52,8 @@ measures! {
     FREQUENCY: FREQUENCY, "37.5 Hz", Positive;
     ANGLE: ANGLE, "90 deg", Any;
     POWER: POWER, "1200 kW", Positive;
+    SUPPLY: PRESSURE, "2 bar", NotNegative;
+    ARC: ANGLE, "20 deg", Positive;
     GAS_DENSITY: DENSITY, "45 kg/m^3", Positive;
 }
 

@@ -33,6 +33,7 @@ pub(super) fn all(joined: &JoinedMachine, plan: &JoinedPlan) -> Vec<(String, Vec
                 round(bore)
             ));
         }
+        more.extend(law.film().into_iter().flat_map(|own| own.described()));
         let turns = |body: usize| joined.bodies[body].turns();
         let turning = joint.sides[1].body.filter(|body| turns(*body));
         if let Some(bore) = turning.filter(|_| law.damps_against_bore()) {

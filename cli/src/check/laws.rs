@@ -14,7 +14,7 @@ pub(super) fn say(text: &mut String, laws: &[LawSource], wanted: bool) {
         if listed.contains(&name) {
             continue;
         }
-        let spec = law.spec();
+        let Some(spec) = law.spec() else { continue };
         if wanted {
             line!(text, "\nlaw {name}: {}\n{}", spec.title, spec.report.to_string().trim_end());
         } else {

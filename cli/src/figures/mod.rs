@@ -183,8 +183,8 @@ fn figure(
 /// The laws that the case wants drawn; its own if it names none.
 fn drawn_laws(case: &Case, built: &Built) -> Vec<Arc<LawSpec>> {
     match case.figures.laws.as_slice() {
-        [] => built.laws.iter().map(|law| law.spec()).collect(),
-        laws => laws.iter().map(|law| law.spec()).collect(),
+        [] => built.laws.iter().filter_map(|law| law.spec()).collect(),
+        laws => laws.iter().filter_map(|law| law.spec()).collect(),
     }
 }
 

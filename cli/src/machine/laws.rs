@@ -33,7 +33,9 @@ pub(super) fn laws_of(
     for (bearing, measured) in bearings {
         let facts = facts(bearing, &measured);
         let known = read.iter().find(|(other, own, _)| {
-            let alike = other.law.source.name() == bearing.law.source.name();
+            // Of films what else the joint says is not told here.
+            let alike = other.law.source.name() == bearing.law.source.name()
+                && bearing.law.source.film().is_none();
             alike && *own == facts && other.parameters == bearing.parameters
         });
         if let Some((_, _, law)) = known {

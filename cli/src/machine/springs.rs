@@ -26,12 +26,14 @@ impl Laws {
     /// The place of a law, which is added if it is new.
     pub(super) fn place(&mut self, law: &LawSource) -> Result<usize, Failure> {
         let name = law.name();
-        if let Some(place) = self.used.iter().position(|known| known.name() == name) {
+        let same = |known: &LawSource| known.name() == name && law.film().is_none();
+        if let Some(place) = self.used.iter().position(same) {
             return Ok(place);
         }
         self.laws.push(match law {
             LawSource::BuiltIn(law) => Box::new(*law),
             LawSource::File(spec) => Box::new(LawFile::new(spec, &[])?),
+            LawSource::Film(film) => Box::new(film.built()?),
             LawSource::Given(law) => {
                 let own = LawFile::new(&law.spec, &law.given)?;
                 match &law.over_frequency {

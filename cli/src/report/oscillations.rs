@@ -62,7 +62,10 @@ pub(crate) fn oscillations(case: &Case, machine: &Machine) -> Vec<Oscillation> {
                 };
                 (journal(case, *joint), quantity, unit, labels)
             }
-            Wanted::Energy { .. } | Wanted::Power { .. } | Wanted::JointPower { .. } => continue,
+            Wanted::Energy { .. }
+            | Wanted::Power { .. }
+            | Wanted::JointPower { .. }
+            | Wanted::Film { .. } => continue,
         };
         let axes: Vec<usize> = match &output.what {
             Wanted::Motion { components, .. } => components.clone(),

@@ -22,17 +22,20 @@ impl SpringState {
             plane.position = moved(pose[0], step[0]);
             plane.velocity = moved(pose[1], step[1]);
         }
+        self.films.squeezed = true;
         self.respond(springs);
+        self.films.squeezed = false;
     }
 
     /// −∂F/∂ε and −∂F/∂ε̇ of the force of a plane on its journal, along both axes of ε; as [`SpringState::tangent`] has them.
     pub(crate) fn stiffness_and_damping(
-        &self,
+        &mut self,
         springs: &Springs,
         plane: usize,
         rate: f64,
         out: &mut ContactTangent,
     ) -> [[[f64; 2]; 2]; 2] {
+        self.slope_films(springs);
         let mut both = [0.0, rate].map(|a1| {
             self.tangent(springs, plane, a1, out, &mut TurnedRows::default());
             [1, 2].map(|i| [1, 2].map(|j| -out.ring_ring[i][j]))

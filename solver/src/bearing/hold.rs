@@ -26,6 +26,10 @@ pub struct LawStates {
     pub lag: Vec<f64>,
     /// How the states follow.
     pub hold: Hold,
+    /// What is known of films, film after film: see `films`. Empty without films.
+    pub films: Vec<f64>,
+    /// Length of the step in which these become others (s).
+    pub step: f64,
 }
 
 impl LawStates {
@@ -33,7 +37,7 @@ impl LawStates {
     pub fn beginning(count: usize) -> Self {
         let values = || vec![0.0; count];
         let hold = if count == 0 { Hold::default() } else { Hold::Start };
-        LawStates { known: values(), rates: values(), lag: values(), hold }
+        LawStates { known: values(), rates: values(), lag: values(), hold, ..LawStates::default() }
     }
 
     pub(crate) fn copy_from(&mut self, other: &LawStates) {
@@ -41,5 +45,7 @@ impl LawStates {
         self.rates.clone_from(&other.rates);
         self.lag.clone_from(&other.lag);
         self.hold = other.hold;
+        self.films.clone_from(&other.films);
+        self.step = other.step;
     }
 }

@@ -6,6 +6,7 @@ use whirl_specs::{Contact, ContactVariable, Law};
 use whirl_text::nearest_in_any_case;
 
 use super::over_frequency::FrequencyTable;
+use crate::film::Journal;
 
 /// A law that can be evaluated over rows of springs, of rings, or of whole joints. Kinds are compiled ones of the
 /// registry, those of a law file, evaluated without a compiler, and the latter with coefficients over the frequency beside them.
@@ -51,6 +52,10 @@ pub trait SpringLaw: Send + Sync {
     /// Its coefficients over the frequency of small motions, if it has such: [`SpringLaw::evaluate`] then has those of what
     /// stands still.
     fn over_frequency(&self) -> Option<&FrequencyTable> {
+        None
+    }
+    /// The film that gives its outputs, in place of [`SpringLaw::evaluate`], if it is one.
+    fn film(&self) -> Option<&Journal> {
         None
     }
 }

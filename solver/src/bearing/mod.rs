@@ -4,6 +4,10 @@ mod apart;
 mod beside;
 mod bore;
 mod bores;
+mod film_law;
+mod film_shown;
+mod filmed;
+mod films;
 mod frequency_law;
 mod gear;
 mod hold;
@@ -36,6 +40,7 @@ mod tied;
 mod valid;
 pub(crate) mod work;
 
+pub use film_law::FilmLaw;
 pub use frequency_law::FrequencyLaw;
 pub use gear::{Flank, Gear};
 pub use hold::{Hold, LawStates};

@@ -98,6 +98,8 @@ impl SpringState {
 
     /// Keeps the states and their rates where they were evaluated last, as known.
     pub(crate) fn keep_states(&self, laws: &mut LawStates) {
+        laws.step = 0.0;
+        self.keep_films(laws);
         let count = self.laws.iter().map(|own| own.states.len()).sum();
         if count == 0 {
             return;

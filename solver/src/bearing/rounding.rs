@@ -40,7 +40,8 @@ impl SpringRounding {
     }
 
     /// Fills [`SpringRounding::forces`] at a state at which the springs were just updated.
-    pub(crate) fn take(&mut self, springs: &Springs, state: &SpringState, [q, v]: [&[f64]; 2]) {
+    pub(crate) fn take(&mut self, springs: &Springs, state: &mut SpringState, [q, v]: [&[f64]; 2]) {
+        state.slope_films(springs);
         self.forces.fill(0.0);
         for (place, plane) in springs.planes.iter().enumerate() {
             let (first, both) = (&mut self.by_position[place], &mut self.by_both[place]);

@@ -44,6 +44,12 @@ impl Springs {
         self.planes.iter().filter(states).find(|plane| asked(plane))
     }
 
+    /// The first plane that has a film, among those that are asked for.
+    pub(crate) fn with_film(&self, asked: impl Fn(&Plane) -> bool) -> Option<&Plane> {
+        let film = |plane: &&Plane| self.laws[plane.law].bound.law.film().is_some();
+        self.planes.iter().filter(film).find(|plane| asked(plane))
+    }
+
     /// The bearing of a force among those tested for convergence.
     pub(crate) fn bearing_of(&self, force: usize) -> Option<usize> {
         let mut first = 0;

@@ -4,6 +4,7 @@ use whirl_specs::{ContactState, ContactTangent, Ring};
 
 use super::apart::Seen;
 use super::bores::Bores;
+use super::films::Films;
 use super::hold::LawStates;
 use super::law_memory::LawMemory;
 use super::mark::Mark;
@@ -29,6 +30,8 @@ pub struct SpringState {
     pub(super) sizes: Vec<(f64, f64)>,
     /// What is known of the states of the laws, and memory for finding them.
     pub(super) remembering: Remembering,
+    /// The films.
+    pub(super) films: Films,
     /// Where the measures are moved from.
     pub(super) mark: Mark,
     /// Whether the laws are used where they may be believed.
@@ -188,6 +191,7 @@ impl SpringState {
             rates: springs.needs_rates(),
             sizes: Vec::with_capacity(sizes.sum()),
             remembering: Remembering::new(springs),
+            films: Films::new(springs),
             mark: Mark::new(springs),
             monitor: ValidityMonitor::new(&springs.measures),
         }
@@ -202,6 +206,7 @@ impl SpringState {
         laws: &LawStates,
     ) {
         self.remembering.given.copy_from(laws);
+        self.films.take(springs, laws);
         for (plane, own) in springs.planes.iter().zip(&mut self.planes) {
             own.take(plane, t, q, v);
         }
@@ -298,6 +303,9 @@ impl SpringState {
     fn evaluate(&mut self, law: &PlacedLaw, place: usize) {
         if !law.bound.states.is_empty() {
             return self.evaluate_remembering(law, place);
+        }
+        if let Some(journal) = law.bound.law.film() {
+            return self.evaluate_films(law, place, journal);
         }
         let (bound, n) = (&law.bound, law.springs);
         self.gather(law, place);

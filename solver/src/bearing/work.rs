@@ -190,6 +190,12 @@ impl WorkAlong {
                 sums.iter_mut().zip(forces).for_each(|(sum, force)| *sum += weight * force);
             }
         };
+        if bound.law.film().is_some() {
+            // What the oil is on the way is not known: the ends count for all of it, and nothing is stored.
+            self.along[..bound.forces.len() * n].iter_mut().for_each(|sum| *sum *= 0.5 / END);
+            self.at_rest.fill(0.0);
+            return;
+        }
         for (s, weight) in NODES {
             add(s, weight, false, &mut self.along);
         }

@@ -18,7 +18,7 @@ use super::settled::settled_from;
 use super::splits::{MOST_SPLITS, SPARE_FACTORS, most_halvings};
 use super::steady::{SteadyRule, SteadyState, SteadyTest};
 use super::watched::{Watched, watched};
-use crate::bearing::{Hold, LawStates, Worst};
+use crate::bearing::{Hold, Worst};
 use crate::equations::Equations;
 use crate::equations::State;
 use crate::error::Error;
@@ -200,7 +200,7 @@ impl<'m> March<'m> {
             start.write(place, &mut state);
         }
         machine.set_given(0.0, false, [&mut state.q, &mut state.v, &mut state.a]);
-        state.laws = LawStates::beginning(machine.springs.states());
+        state.laws = machine.springs.beginning();
         if options.laws_at_rest {
             state.laws.hold = Hold::Rest;
         }

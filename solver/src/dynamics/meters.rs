@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::contacts::Contacts;
 use super::control::{AutomaticStep, ControlMemory, Measured, PartsTaken, StepControl};
 use super::energy::{EnergyBalance, EnergyMeter, EnergySums, rounding};
+use super::film_rates::{FilmMeter, FilmSums};
 use super::moving_part::{StepLength, larger};
 use super::newmark::Integrator;
 use super::periods::{FewestSteps, PeriodMeter};
@@ -22,6 +23,7 @@ pub(crate) struct Meters {
     quality: QualityMeter,
     ringing: RingingMeter,
     states: StateMeter,
+    films: FilmMeter,
     /// Chooses the parts of steps, where the march does.
     control: Option<StepControl>,
     contacts: Contacts,
@@ -40,6 +42,7 @@ pub(crate) struct MeterSums {
     quality: QualitySums,
     ringing: RingingSums,
     states: StateSums,
+    films: FilmSums,
     control: Option<ControlMemory>,
     fewest_steps: Option<FewestSteps>,
 }
@@ -75,6 +78,7 @@ impl Meters {
             energy: EnergyMeter::new(equations, state),
             ringing: RingingMeter::new(equations, &quality.parts, method.damps()),
             states: StateMeter::new(&equations.machine.springs, method, state),
+            films: FilmMeter::new(&equations.machine.springs),
             errors: vec![0.0; displacements.len()],
             kinetic: vec![0.0; bearings],
             control: automatic
@@ -199,6 +203,7 @@ impl Meters {
         self.periods.add(span.1, [start, end]);
         self.ringing.add(equations, end, &self.quality.parts);
         self.states.add(span.1, [start, end], equations.springs.fastest_state());
+        self.films.add(&equations.springs);
     }
 
     /// Goes on at the state of the step that was added last, just evaluated, after loads have changed at once.
@@ -214,6 +219,7 @@ impl Meters {
             quality: self.quality.sums.clone(),
             ringing: self.ringing.sums.clone(),
             states: self.states.sums.clone(),
+            films: self.films.sums.clone(),
             control: self.control.as_ref().map(|own| own.memory.with_turns(&self.quality.turned)),
             fewest_steps: self.periods.fewest,
         }
@@ -232,6 +238,7 @@ impl Meters {
         self.periods.fewest = sums.fewest_steps;
         self.ringing.sums = sums.ringing;
         self.states.sums = sums.states;
+        self.films.sums = sums.films;
         self.resume_control(sums.control);
         self.quality.resume_from(equations, sums.quality)
     }
@@ -260,7 +267,7 @@ impl Meters {
     pub(crate) fn quality(&mut self, equations: &mut Equations, unknown: f64) -> Quality {
         let quality = self.quality.quality(equations, &self.energy.sums.flows, unknown);
         let ringing = self.ringing.ringing(&self.quality.parts);
-        let states = self.states.worst();
-        Quality { fewest_steps: self.periods.fewest, ringing, states, ..quality }
+        let (states, films) = (self.states.worst(), self.films.worst());
+        Quality { fewest_steps: self.periods.fewest, ringing, states, films, ..quality }
     }
 }

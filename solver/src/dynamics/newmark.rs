@@ -183,10 +183,11 @@ impl Coefficients {
     /// that and a share of ṡ_{n+1}.
     fn foresee(&self, start: &LawStates, end: &mut LawStates) {
         end.copy_from(start);
-        if start.known.is_empty() {
+        if start.known.is_empty() && start.films.is_empty() {
             return;
         }
         let (dt, [carried, of_rates]) = (self.dt, self.integrator.of_states());
+        end.step = dt;
         let theta = self.integrator.theta();
         for i in 0..end.known.len() {
             let (rate, w) = (start.rates[i], start.rates[i] + dt * start.lag[i]);

@@ -1,5 +1,6 @@
 //! How good the steps of a march are: the energy that they make, their local error, what is left in their rows.
 
+use super::film_rates::FilmRates;
 use super::halvings::HalvedSteps;
 use super::moving_part::MovingPart;
 use super::periods::FewestSteps;
@@ -49,6 +50,8 @@ pub struct Quality {
     pub ringing: Ringing,
     /// The worst local error of the states of laws; none without states.
     pub states: Option<StateError>,
+    /// Whether steps follow the gaps of films; none without films.
+    pub films: Option<FilmRates>,
     /// Largest residual of a row over what it may have; see `Equations::row_error`.
     pub row_error: f64,
     /// Steps that had to be halved, as they could not be solved.

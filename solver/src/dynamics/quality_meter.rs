@@ -296,6 +296,7 @@ impl QualityMeter {
             sensible_displacement: largest_sensible(equations.machine),
             ringing: Ringing::default(),
             states: None,
+            films: None,
             row_error: sums.row_error,
             halved: HalvedSteps::default(),
             resolving_step: largest.map(|value| IMPACT / value.sqrt()),

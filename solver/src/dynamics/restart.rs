@@ -47,6 +47,8 @@ pub struct LastState {
     control: Option<ControlMemory>,
     /// The states of laws, where there are any.
     remembered: Vec<LastLaw>,
+    /// What films these are, and what is known of them.
+    films: (Key, Vec<f64>),
 }
 
 /// The states of a law: known, rates and lag of [`LawStates`].
@@ -109,6 +111,7 @@ impl LastState {
             newton,
             control: meters.control().map(ControlMemory::counted_anew),
             remembered: remembered(machine, &state.laws),
+            films: (films(machine), state.laws.films.clone()),
         }
     }
 
@@ -162,14 +165,18 @@ impl LastState {
         if differ.is_empty() { Ok(state) } else { Err(Error::OtherBodies(differ)) }
     }
 
-    /// The states of laws, which go on where all laws with states act where they did and have the same ones; else they begin anew.
+    /// The states of laws, which go on where all laws with states act where they did and have the same ones, and all films are where
+    /// they were on the same nodes; else all begin anew.
     fn remember(&self, machine: &Machine, laws: &mut LawStates) {
-        *laws = LawStates::beginning(machine.springs.states());
+        *laws = machine.springs.beginning();
         let own = placed_states(machine);
         let is_known = own.iter().map(|(content, _)| content);
-        if own.is_empty() || !is_known.eq(self.remembered.iter().map(|law| &law.content)) {
+        let same = is_known.eq(self.remembered.iter().map(|law| &law.content));
+        let (of_films, known) = &self.films;
+        if own.is_empty() && laws.films.is_empty() || !same || *of_films != films(machine) {
             return;
         }
+        laws.films.clone_from(known);
         for ((_, place), law) in own.into_iter().zip(&self.remembered) {
             let all = [&mut laws.known, &mut laws.rates, &mut laws.lag];
             for (all, own) in all.into_iter().zip(&law.states) {
@@ -301,6 +308,21 @@ fn placed_states(machine: &Machine) -> Vec<(Key, Range<usize>)> {
         all.push((Key::of(&(joints, states, law.springs)), place));
     }
     all
+}
+
+/// Where films are, and on which nodes.
+fn films(machine: &Machine) -> Key {
+    let springs = &machine.springs;
+    let of_law = springs.laws.iter().filter_map(|law| {
+        let film = &law.bound.law.film()?.film;
+        let joints: Vec<&str> = springs.planes[law.planes.clone()]
+            .iter()
+            .map(|plane| machine.monitors[plane.bearing].name.as_str())
+            .collect();
+        let openings: Vec<&str> = film.openings.iter().map(|own| own.name.as_str()).collect();
+        Some((joints, film.name(), [film.grid.around, film.grid.along], openings))
+    });
+    Key::of(&of_law.collect::<Vec<_>>())
 }
 
 /// The states of laws after a step.

@@ -160,7 +160,7 @@ impl Equations<'_> {
     fn measured_rounding(&mut self, state: &State, are_sized: &mut bool, i: usize) -> f64 {
         if !std::mem::replace(are_sized, true) {
             let springs = &self.machine.springs;
-            self.spring_rounding.take(springs, &self.springs, [&state.q, &state.v]);
+            self.spring_rounding.take(springs, &mut self.springs, [&state.q, &state.v]);
         }
         let rounding = ROUNDING * f64::EPSILON * self.spring_rounding.forces[i];
         // Of a law without slopes nothing is known.
@@ -317,7 +317,11 @@ mod tests {
         let (projected, reach) = (projected(&equations, &state), reach());
         let products = products(&mut equations, &state, &predicted);
         // What the measures of springs round to is a test of the command.
-        equations.spring_rounding.take(&machine.springs, &equations.springs, [&state.q, &state.v]);
+        equations.spring_rounding.take(
+            &machine.springs,
+            &mut equations.springs,
+            [&state.q, &state.v],
+        );
         let measured = equations.spring_rounding.forces.clone();
         for (residual_tolerance, force_tolerance) in
             [(1e-2, 0.0), (0.0, 3.0), (0.0, 0.0), (1e-2, 3.0)]

@@ -2,6 +2,7 @@
 
 use super::control::AutomaticStep;
 use super::energy::EnergyBalance;
+use super::film_rates::FilmRates;
 use super::halvings::{HalvedAt, HalvedSteps};
 use super::moving_part::MovingPart;
 use super::periods::{FewestSteps, LEAST_STEPS};
@@ -45,6 +46,8 @@ const UNRESOLVED_MOTION: f64 = 0.3;
 const INERTIA_ERROR: f64 = 0.02;
 /// A rate times the step in which a state that comes to rest by it is followed.
 const FOLLOWED: f64 = 0.3;
+/// Steps in which the gap of a film changes too fast, as a fraction of all.
+const FILM_STEPS: f64 = 0.01;
 /// What does not balance, as a fraction of the energy in play.
 const ENERGY_ERROR: f64 = 0.05;
 
@@ -139,14 +142,16 @@ pub fn findings(
     let too_far = runaway(quality).into_iter();
     let often = halved(quality, (time_step, automatic)).into_iter();
     let too_fast = outrun(quality, time_step, automatic.is_some());
-    let rings = rings(&quality.ringing, time_step, automatic);
+    let rings = rings(quality, time_step, automatic);
+    let squeezed = quality.films.and_then(|own| squeezed(&own, time_step, automatic));
     let forgets = quality.states.and_then(|own| missed(&own, time_step, automatic));
-    let of_steps = found.map(finding).chain(unjudged).chain(forgets);
+    let of_steps = found.map(finding).chain(unjudged).chain(forgets).chain(squeezed);
     too_far.chain(too_fast).chain(of_steps).chain(rings).chain(often).collect()
 }
 
 /// Whether something changes its sign from step to step.
-fn rings(ringing: &Ringing, time_step: f64, automatic: Option<AutomaticStep>) -> Option<Finding> {
+fn rings(quality: &Quality, time_step: f64, automatic: Option<AutomaticStep>) -> Option<Finding> {
+    let ringing: &Ringing = &quality.ringing;
     let value = ringing.share;
     // What the velocities of a rigid body ring by moves it little while it follows a load; that is judged by itself.
     let limit = match ringing.of {
@@ -176,13 +181,36 @@ fn rings(ringing: &Ringing, time_step: f64, automatic: Option<AutomaticStep>) ->
         value,
         limit,
         unit: "1".to_owned(),
-        remedy: match ringing.damped {
-            true => format!("set a smaller `spectral_radius` in [march], or {shorter}"),
-            false => format!(
+        remedy: match (ringing.damped, quality.films) {
+            (true, _) => format!("set a smaller `spectral_radius` in [march], or {shorter}"),
+            (false, Some(_)) => {
+                format!("begin in equilibrium, let loads rise over some steps, or {shorter}")
+            }
+            (false, None) => format!(
                 "set `integrator = \"generalized-alpha\"` in [march], which damps motion far faster than the step, \
                  or {shorter}"
             ),
         },
+    })
+}
+
+/// Whether gaps of a film change too fast for the steps.
+fn squeezed(
+    films: &FilmRates,
+    time_step: f64,
+    automatic: Option<AutomaticStep>,
+) -> Option<Finding> {
+    let FilmRates { share, bearing } = *films;
+    (share > FILM_STEPS).then(|| Finding {
+        what: "steps in which the gap of a film changes by more than itself, as a fraction of all"
+            .to_owned(),
+        bearing: Some(bearing),
+        part: None,
+        coordinate: None,
+        value: share,
+        limit: FILM_STEPS,
+        unit: "1".to_owned(),
+        remedy: automatic.map_or_else(|| shorter(0.5 * time_step), narrower),
     })
 }
 
@@ -335,6 +363,7 @@ mod tests {
         sensible_displacement: 1.5,
         ringing: Ringing { share: RINGING, of: Some(RingingPart::Force(0)), damped: false },
         states: None,
+        films: None,
         row_error: 1.0,
         judged: true,
         halved: HalvedSteps { steps: 50, of: 1000, halvings: 99, at: None },

@@ -129,6 +129,11 @@ impl<'m> Equations<'m> {
         &self.residual
     }
 
+    /// Generalised forces of the joints at the state that was last evaluated, one value a coordinate.
+    pub fn spring_forces(&self) -> &[f64] {
+        &self.spring
+    }
+
     /// Computes r and its parts at time `t` (s).
     // A phase of its own in tables of where the time goes.
     #[inline(never)]
@@ -230,6 +235,7 @@ impl<'m> Equations<'m> {
     pub fn tangent(&mut self, t: f64, state: &State, weights: Weights, out: &mut [f64]) {
         self.tangent_of_bodies(t, state, weights, out);
         let (machine, size) = (self.machine, self.machine.size());
+        self.springs.slope_films(&machine.springs);
         self.spring_tangent.subtract(&machine.springs, &self.springs, weights.rate, size, out);
     }
 

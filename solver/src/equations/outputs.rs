@@ -45,6 +45,11 @@ impl Equations<'_> {
                 Wanted::JointPower { joint } => {
                     write(joint_power(self, &machine.monitors[*joint], state))
                 }
+                Wanted::Film { joint, .. } => {
+                    let planes = &machine.monitors[*joint].planes;
+                    let film = planes.first().map(|own| self.springs.film(&machine.springs, *own));
+                    film.into_iter().for_each(|own| own.write(&mut write));
+                }
             }
         }
     }

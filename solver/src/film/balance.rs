@@ -46,6 +46,8 @@ pub struct Balance {
     pub(super) nodal: Vec<f64>,
     /// What nodes hold, with slopes.
     pub(super) stored: Vec<f64>,
+    /// The same by the gap itself.
+    by_own_gap: Vec<f64>,
     /// Fields of the kernels of cells, as they take them.
     fields: [Vec<f64>; 2],
     offsets: Vec<usize>,
@@ -113,6 +115,7 @@ impl Balance {
             own: rows(3 * nodes),
             nodal: rows(4 * kernel.nodal.len() * nodes),
             stored: rows(4 * nodes),
+            by_own_gap: rows(4 * nodes),
             fields: both.map(|own| rows(own.fields.len() * padded)),
             offsets: vec![0; count * both[0].fields.len().max(both[1].fields.len())],
             flow: rows(kernel.flow.count * across * up),
@@ -126,6 +129,19 @@ impl Balance {
             adjoint: vec![[0.0; WIDE]; nodes],
             by_node: [(); 2].map(|()| vec![[0.0; WIDE]; nodes]),
         }
+    }
+
+    /// Nodes that hold oil by the gap itself, as it changes too fast within a step.
+    pub fn fast(&self) -> usize {
+        self.motion.shifted.iter().filter(|shifted| !**shifted).count()
+    }
+
+    /// Oil between the surfaces (m³): what nodes hold by the gap itself, as they were evaluated last.
+    pub fn oil(&mut self, film: &OilFilm) -> f64 {
+        let nodes = film.grid.nodes();
+        let places = [0, nodes, 2 * nodes];
+        (film.kernel.stored)(nodes, &self.uniform, &self.own, &places, &mut self.by_own_gap);
+        self.by_own_gap.iter().zip(&film.areas).map(|(held, area)| held * area).sum()
     }
 
     /// What every node holds per area now (m).

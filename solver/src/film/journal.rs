@@ -1,5 +1,7 @@
 //! A rigid journal in a rigid bore: its film as forces and moments over displacement, tilts, their rates and the speed.
 
+use std::f64::consts::TAU;
+
 use whirl_specs::Clearance;
 
 use super::balance::Balance;
@@ -7,6 +9,9 @@ use super::oil::Oil;
 use super::openings::{OilFilm, WrongFilm};
 use super::reaction::{Gradients, INPUTS, JournalMotion, OUTPUTS, Reaction, arms};
 use super::solve::Unsolved;
+
+/// Sides to which a journal is displaced to see whether its film ever has a pressure.
+const DIRECTIONS: u32 = 6;
 
 /// A journal in a bore with a film between them.
 #[derive(Debug, Clone)]
@@ -91,6 +96,29 @@ impl Journal {
         }
     }
 
+    /// The largest pressure in a steady film whose journal turns out of the middle, to any side; none where it has no solution that
+    /// is a number.
+    pub fn pressure(&self) -> Option<f64> {
+        let mut balance = Balance::new(&self.film);
+        let gap = self.centred.iter().copied().fold(f64::INFINITY, f64::min);
+        let mut outputs = vec![0.0; self.film.outputs()];
+        for direction in 0..DIRECTIONS {
+            let (sin, cos) = (TAU * f64::from(direction) / f64::from(DIRECTIONS)).sin_cos();
+            let displacement = [0.5 * gap * cos, 0.5 * gap * sin];
+            let motion = JournalMotion { displacement, omega: 1.0, ..JournalMotion::default() };
+            let mut oil = Oil::full(&self.film);
+            self.settle(&motion, &mut oil, &mut balance).ok()?;
+            if !self.forces(&mut balance, &mut outputs).iter().all(|own| own.is_finite()) {
+                return None;
+            }
+            let most = oil.unknowns[0].iter().copied().fold(0.0, f64::max);
+            if most > 0.0 {
+                return Some(most);
+            }
+        }
+        Some(0.0)
+    }
+
     /// Puts gaps and speeds to the nodes. The number of nodes whose gap changes so fast within a step that they hold oil by the
     /// gap itself: by more than itself.
     pub fn place(&self, motion: &JournalMotion, balance: &mut Balance) -> usize {
@@ -121,25 +149,51 @@ impl Journal {
         fast
     }
 
-    /// Solves the film where `motion` says, from the state given on, and what it does to the journal; `outputs` are the
-    /// integrals of the film's spec.
+    /// Solves the film where `motion` says, from the state given on. The number of changes.
     ///
     /// # Errors
     /// A balance that is not reached.
-    pub fn react(
+    pub fn settle(
         &self,
         motion: &JournalMotion,
         oil: &mut Oil,
         balance: &mut Balance,
-        outputs: &mut [f64],
-    ) -> Result<Reaction, Unsolved> {
+    ) -> Result<usize, Unsolved> {
         self.place(motion, balance);
-        balance.solve(&self.film, oil)?;
-        let forces = balance.forces(&self.film, &self.gradients, outputs);
+        balance.solve(&self.film, oil)
+    }
+
+    /// Takes the film as it is where `motion` says.
+    pub fn take(&self, motion: &JournalMotion, oil: &Oil, balance: &mut Balance) {
+        self.place(motion, balance);
+        balance.evaluate(&self.film, oil);
+    }
+
+    /// Takes what nodes hold of a film at the beginning of a step, as its end will count it.
+    pub fn begin(&self, motion: &JournalMotion, oil: &Oil, balance: &mut Balance) {
+        self.take(motion, oil, balance);
+        let Balance { before, stored, .. } = balance;
+        let nodes = before.len();
+        before.copy_from_slice(&stored[..nodes]);
+    }
+
+    /// What a film does to its journal as it was last solved or taken; `outputs` are the integrals of the film's spec.
+    pub fn forces(&self, balance: &mut Balance, outputs: &mut [f64]) -> [f64; OUTPUTS] {
+        balance.forces(&self.film, &self.gradients, outputs)
+    }
+
+    /// Slopes of the forces by displacements, tilts, their rates and the speed, after [`Journal::forces`]; of a step of this
+    /// length (s), or of a steady film.
+    pub fn slopes(
+        &self,
+        step: Option<f64>,
+        oil: &Oil,
+        balance: &mut Balance,
+    ) -> [[f64; INPUTS]; OUTPUTS] {
         let by_speed = balance.slopes(&self.film, oil, &self.gradients);
         let mut slopes = [[0.0; INPUTS]; OUTPUTS];
         let grid = &self.film.grid;
-        let half = motion.step.map(|step| 0.5 * step);
+        let half = step.map(|step| 0.5 * step);
         for j in 0..grid.along {
             let z = grid.z(j);
             for (i, gradient) in self.gap.iter().enumerate() {
@@ -165,6 +219,22 @@ impl Journal {
         for n in 0..OUTPUTS {
             slopes[n][INPUTS - 1] = by_speed[n] * self.speed;
         }
-        Ok(Reaction { forces, slopes })
+        slopes
+    }
+
+    /// All of that.
+    ///
+    /// # Errors
+    /// A balance that is not reached.
+    pub fn react(
+        &self,
+        motion: &JournalMotion,
+        oil: &mut Oil,
+        balance: &mut Balance,
+        outputs: &mut [f64],
+    ) -> Result<Reaction, Unsolved> {
+        self.settle(motion, oil, balance)?;
+        let forces = self.forces(balance, outputs);
+        Ok(Reaction { forces, slopes: self.slopes(motion.step, oil, balance) })
     }
 }

@@ -1,5 +1,6 @@
 //! A film as it is described: its grid, its numbers, and where oil comes and goes.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use whirl_specs::{Film, FilmEdge};
@@ -70,7 +71,10 @@ impl OilFilm {
         if around < 8 || !around.is_multiple_of(x) {
             return wrong(
                 format!("{around} nodes around are too few, or do not close"),
-                format!("take at least 8, a multiple of {x}"),
+                match x {
+                    1 => "take at least 8".to_owned(),
+                    _ => format!("take at least 8, a multiple of {x}"),
+                },
             );
         }
         if along <= z || !(along - 1).is_multiple_of(z) {
@@ -212,6 +216,30 @@ impl OilFilm {
             }
         }
         self.openings.push(opening);
+    }
+
+    /// Name of its spec.
+    pub fn name(&self) -> &'static str {
+        self.kernel.origin.name
+    }
+
+    /// Number of the integrals of its spec.
+    pub fn outputs(&self) -> usize {
+        self.kernel.outputs.len()
+    }
+
+    /// How many nodes an opening has around and along, and what it covers by them (m).
+    pub fn covered(&self, opening: usize) -> ([usize; 2], [f64; 2]) {
+        let nodes = &self.openings[opening].nodes;
+        let around = self.grid.around;
+        let distinct = |place: fn(usize, usize) -> usize| {
+            let all: BTreeSet<usize> = nodes.iter().map(|node| place(*node, around)).collect();
+            all.len()
+        };
+        let count =
+            [distinct(|node, around| node % around), distinct(|node, around| node / around)];
+        let width = count[0] as f64 * self.grid.spacing()[0];
+        (count, [width, self.area(opening) / width])
     }
 
     /// Part of the developed bore that an opening covers by its nodes (m²).

@@ -48,8 +48,7 @@ impl Balance {
         total
     }
 
-    /// Slopes of forces and moments by the gap and by the gap that holds oil at every node, to `by_node`, and by the speed. The
-    /// matrix must be that of the state.
+    /// Slopes of forces and moments by the gap and by the gap that holds oil at every node, to `by_node`, and by the speed.
     #[inline(never)]
     pub(super) fn slopes(
         &mut self,
@@ -61,6 +60,7 @@ impl Balance {
         let nodes = grid.nodes();
         let [across, up] = grid.cells();
         let count = kernel.nodes[0] * kernel.nodes[1];
+        self.factor(film, oil);
         self.factors(film, oil, 1);
         let mut by_speed = [0.0; WIDE];
         let Balance { surface, flow, places, order, by_active, by_gap, adjoint, by_node, .. } =
@@ -115,9 +115,14 @@ impl Balance {
                 }
             }
         });
-        // Of a step by what nodes hold, of a steady film by the rate of that: the same slope of it by the gap.
-        let rate = if self.motion.per_step > 0.0 { self.motion.per_step } else { 1.0 };
+        // Of a step by what nodes hold, of a steady film by the rate of that: the same slope of it by the gap. What a cavity of a
+        // steady film holds stays, so that its fill follows the gap there and nothing else.
+        let steady = self.motion.per_step == 0.0;
         for a in 0..nodes {
+            let rate = match (steady, oil.second[a]) {
+                (false, _) => self.motion.per_step,
+                (true, held) => f64::from(u8::from(!held)),
+            };
             let factor = self.stored[3 * nodes + a] * film.areas[a] * rate;
             by_stored[a] = adjoint[order[a]].map(|value| -factor * value);
         }

@@ -9,6 +9,9 @@ const MOST: usize = 400;
 /// What may be lacking at a node, of the largest sum of flows at one, where rounding lets it get no smaller.
 const ROUNDED: f64 = 1e-9;
 
+/// Change of an unknown, of the largest of its kind, that is rounding.
+const RESTS: f64 = 1e-13;
+
 /// Why a film has no solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Unsolved {
@@ -19,8 +22,7 @@ pub enum Unsolved {
 }
 
 impl Balance {
-    /// Solves the film for the motion of the surfaces, from the state given on; the matrix is that of the solution then.
-    /// The number of changes.
+    /// Solves the film for the motion of the surfaces, from the state given on. The number of changes.
     ///
     /// # Errors
     /// A balance that is not reached.
@@ -36,12 +38,15 @@ impl Balance {
             // Where it has stopped to fall, rounding rules.
             let rounded = lacking <= ROUNDED && lacking >= 0.5 * best;
             best = best.min(lacking);
-            self.factor(film, oil);
             if lacking <= self.tolerance || rounded {
                 return Ok(changes);
             }
-            self.advance(film, oil);
+            self.factor(film, oil);
+            let rests = self.advance(film, oil);
             self.evaluate(film, oil);
+            if rests {
+                return Ok(changes + 1);
+            }
         }
         Err(Unsolved::Lacking(self.lacking(film, oil), MOST))
     }
@@ -64,8 +69,11 @@ impl Balance {
         if self.scale > 0.0 { worst / self.scale } else { worst }
     }
 
-    /// One linear solution; unknowns that fell below zero change places with their partners.
-    fn advance(&mut self, film: &OilFilm, oil: &mut Oil) {
+    /// One linear solution; unknowns that fell below zero change places with their partners. Whether nothing moved but by
+    /// rounding, as where a film stands under one pressure and nothing flows by which a lack could be measured.
+    fn advance(&mut self, film: &OilFilm, oil: &mut Oil) -> bool {
+        let sizes = oil.unknowns.each_ref().map(|own| own.iter().copied().fold(0.0, f64::max));
+        let mut rests = true;
         for (a, r) in self.residual.iter().enumerate() {
             self.change[self.order[a]] = -r;
         }
@@ -76,15 +84,20 @@ impl Balance {
             match (edge, oil.active(film, a)) {
                 (Some(edge), _) if !edge.out => {}
                 // What leaves.
-                (_, None) => oil.second[a] = change < 0.0,
+                (_, None) => {
+                    oil.second[a] = change < 0.0;
+                    rests &= !oil.second[a];
+                }
                 (_, Some(unknown)) => {
                     let value = oil.unknowns[unknown][a] + change;
                     let stays = value >= 0.0;
+                    rests &= stays && change.abs() <= RESTS * sizes[unknown];
                     oil.unknowns[unknown][a] = if stays { value } else { 0.0 };
                     oil.second[a] = (unknown == 1) == stays;
                 }
             }
         }
+        rests
     }
 
     /// What enters at an opening (m³/s); negative where oil leaves.

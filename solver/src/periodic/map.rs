@@ -41,7 +41,8 @@ impl<'m> CycleMap<'m> {
     /// # Errors
     /// What the machine is told does not repeat, or a rotation is not known; a mass matrix that cannot be inverted.
     pub fn new(machine: &'m Machine, cycle: Cycle, newton: NewtonOptions) -> Result<Self, Error> {
-        if let Some(plane) = machine.springs.remembering(|_| true) {
+        let springs = &machine.springs;
+        if let Some(plane) = springs.remembering(|_| true).or_else(|| springs.with_film(|_| true)) {
             let (joint, law) = machine.names_of(plane);
             return Err(PeriodicError::Remembers { joint, law }.into());
         }

@@ -6,6 +6,7 @@
 
 mod built;
 mod by_hand;
+mod films;
 mod mass;
 mod rotor;
 mod rows;
@@ -19,7 +20,8 @@ use whirl_tests::History;
 use crate::workbench::Workbench;
 
 /// Everything that the cases name, by its name.
-const FILES: [(&str, &str); 23] = [
+const FILES: [(&str, &str); 24] = [
+    ("films.toml", include_str!("films.toml")),
     ("quake.csv", include_str!("quake.csv")),
     ("generated.toml", include_str!("generated.toml")),
     ("base.toml", include_str!("base.toml")),
@@ -46,7 +48,8 @@ const FILES: [(&str, &str); 23] = [
 ];
 
 /// Those of them that are cases.
-const CASES: [&str; 13] = [
+const CASES: [&str; 14] = [
+    "films.toml",
     "generated.toml",
     "base.toml",
     "read.toml",

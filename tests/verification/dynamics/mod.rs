@@ -13,6 +13,7 @@ mod loads;
 mod lumped;
 mod many;
 mod newton;
+mod oil;
 mod quality;
 mod remembering;
 mod resume;

@@ -155,7 +155,7 @@ fn over_speed(store: FileStore, table: &Table) -> Option<(Located, NamedLaw)> {
         }
     }
     let shipped = shipped(table, OVER_SPEED.0)?;
-    let law = shipped.source.spec().file.clone();
+    let law = shipped.source.spec()?.file.clone();
     let named = name.text().replace('\\', "\\\\").replace('"', "\\\"");
     let law = Source::new(&law.path, law.text.replace(OVER_SPEED.1, &named));
     match LawSpec::read_with(&law, &|_| Ok(rows.clone())) {

@@ -198,7 +198,7 @@ fn is_from_mesh(table: &Table) -> bool {
 
 fn bearing(store: FileStore, table: &Table) -> Option<Parts> {
     table.demand("law");
-    let law = law::read(store, table);
+    let law = law::read_of_joint(store, table);
     let parameters = parameters::read(table);
     let springs = table.optional_count("springs");
     let from_mesh = is_from_mesh(table);

@@ -72,7 +72,9 @@ pub(super) fn whole_sections(
 
 /// Warnings of forces that the law of a whole joint gives, and neither of its sides can follow.
 pub(super) fn on_nothing(joint: &Joint, joined: &JoinedMachine) -> Vec<String> {
-    if joint.bearing.law.source.acts() != Acts::Joint {
+    let law = &joint.bearing.law.source;
+    // A film sees tilts where there are any.
+    if law.acts() != Acts::Joint || law.film().is_some() {
         return Vec::new();
     }
     let moves = |motion: MotionKind| joint.sides.iter().any(|side| joined.side_has(side, motion));

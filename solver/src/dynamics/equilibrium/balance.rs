@@ -276,7 +276,7 @@ impl<'m> Balance<'m> {
         let products = self.products();
         let equations = &mut self.equations;
         let rates = [&self.state.q[..], &self.state.v[..]];
-        equations.spring_rounding.take(&machine.springs, &equations.springs, rates);
+        equations.spring_rounding.take(&machine.springs, &mut equations.springs, rates);
         let equations = &self.equations;
         for (row, place) in self.places.clone().into_iter().enumerate() {
             let terms = [

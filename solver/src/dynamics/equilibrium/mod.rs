@@ -118,12 +118,13 @@ pub(crate) fn standing_at(
     })
 }
 
-/// Refuses laws with states in bores that turn: they come to rest with the bore.
+/// Refuses laws with states and films in bores that turn: they come to rest with the bore.
 fn refuse_turning(machine: &Machine) -> Result<(), Error> {
     let turns = |plane: &Plane| {
         machine.places()[machine.monitors[plane.bearing].bodies[1]].rotation.is_some()
     };
-    match machine.springs.remembering(turns) {
+    let springs = &machine.springs;
+    match springs.remembering(turns).or_else(|| springs.with_film(turns)) {
         Some(plane) => {
             let (joint, law) = machine.names_of(plane);
             Err(Error::RemembersTurning { joint, law })

@@ -72,7 +72,7 @@ fn slopes_are_those_of_differences() {
         assert!(cavity > 30, "{name}: {cavity} nodes");
         let oil: Oil = bench.oil.clone();
         for input in 0..INPUTS {
-            // A steady fill has no rate of its own in these slopes, which are those of what moves slowly without it.
+            // What a cavity holds stays in these slopes; where it is said to be steady as it moves, it does not.
             if name == "jfo" && step.is_none() && (4..8).contains(&input) {
                 continue;
             }

@@ -142,6 +142,7 @@ fn the_tangent_with_states_is_minus_the_derivative_of_the_residual() {
             rates: vec![0.01, -500.0],
             lag: vec![0.0; 2],
             hold,
+            ..LawStates::default()
         };
         state
     };

@@ -1,0 +1,65 @@
+//! The joints of films.
+
+use super::films::Films;
+use super::hold::{Hold, LawStates};
+use super::placed_law::PlacedLaw;
+use super::springs::Springs;
+use super::state::{LawState, SpringState};
+use crate::film::{INPUTS, Journal};
+
+impl LawState {
+    /// What a film takes at a spring of its law.
+    fn taken(&self, law: &PlacedLaw, spring: usize) -> [f64; INPUTS] {
+        std::array::from_fn(|k| self.inputs[law.bound.inputs[k] * law.springs + spring])
+    }
+}
+
+impl SpringState {
+    /// Solves the film of a law at all its joints.
+    pub(super) fn evaluate_films(&mut self, law: &PlacedLaw, place: usize, journal: &Journal) {
+        let own = &mut self.laws[place];
+        let Films { given, squeezed, all } = &mut self.films;
+        for film in all.iter_mut().filter(|film| film.law == place) {
+            film.taken = own.taken(law, film.spring);
+            let (forces, n) = (film.solve(journal, given, *squeezed), law.springs);
+            for (&force, value) in law.bound.forces.iter().zip(forces) {
+                own.forces[force * n + film.spring] = value;
+            }
+        }
+    }
+
+    /// Finds the slopes of the forces of all films where they were solved last.
+    pub(crate) fn slope_films(&mut self, springs: &Springs) {
+        for film in self.films.all.iter_mut().filter(|film| !film.sloped && film.solved) {
+            film.sloped = true;
+            let (law, own) = (&springs.laws[film.law], &mut self.laws[film.law]);
+            let journal = springs.film_of(film.law);
+            let slopes = journal.slopes(film.step, &film.oil, &mut film.balance);
+            let (bound, n) = (&law.bound, law.springs);
+            for (&force, slopes) in bound.forces.iter().zip(&slopes) {
+                for (&input, slope) in bound.inputs.iter().zip(slopes) {
+                    let row = force * bound.kind.inputs.len() + input;
+                    own.slopes[row * n + film.spring] = *slope;
+                }
+            }
+        }
+    }
+
+    /// Of all films the nodes whose gap changes too fast for the step.
+    pub(crate) fn fast_nodes(&self) -> impl Iterator<Item = usize> {
+        self.films.all.iter().map(|film| film.fast)
+    }
+
+    /// Keeps films where they were solved last, as known.
+    pub(super) fn keep_films(&self, laws: &mut LawStates) {
+        for film in &self.films.all {
+            let [oil, motion, shown] = film.known.parts(&mut laws.films);
+            film.oil.write(oil);
+            motion.copy_from_slice(&film.taken);
+            shown.copy_from_slice(&film.shown);
+        }
+        if !self.films.all.is_empty() {
+            laws.hold = Hold::Implicit(0.0);
+        }
+    }
+}

@@ -1,0 +1,242 @@
+//! The films of all joints: solved where the laws are evaluated, so that for all else a film is a law of a joint.
+//!
+//! What is known of a film ([`Known`]) is how it was at the end of the last step. In a step it is solved from that on, whatever
+//! was evaluated before, so that its forces are a function of the motion and of what is known. Slopes are found when they are
+//! asked for.
+
+use super::film_law::motion;
+use super::hold::{Hold, LawStates};
+use super::plane::Plane;
+use super::springs::Springs;
+use crate::film::{Balance, INPUTS, Journal, JournalMotion, OUTPUTS, Oil};
+
+/// A step so short (s) that a film only follows the rates of its gap.
+const INSTANT: f64 = 1e-7;
+/// What may be lacking at a node, of the largest sum of flows at one: oil of a march is kept to 1e-10.
+const BALANCED: f64 = 1e-13;
+
+/// Places of what is known of a film among what is known of all: the oil, the motion, and what is shown.
+pub(super) struct Known {
+    first: usize,
+    oil: usize,
+    shown: usize,
+}
+
+impl Known {
+    fn of(journal: &Journal, first: usize) -> Self {
+        let film = &journal.film;
+        Known { first, oil: 2 * film.grid.nodes(), shown: film.openings.len() + film.outputs() }
+    }
+
+    fn count(&self) -> usize {
+        self.oil + INPUTS + self.shown
+    }
+
+    fn oil<'a>(&self, all: &'a [f64]) -> &'a [f64] {
+        &all[self.first..][..self.oil]
+    }
+
+    fn motion(&self, all: &[f64]) -> [f64; INPUTS] {
+        let own = &all[self.first + self.oil..][..INPUTS];
+        own.try_into().expect("as many")
+    }
+
+    fn shown<'a>(&self, all: &'a [f64]) -> &'a [f64] {
+        &all[self.first + self.oil + INPUTS..][..self.shown]
+    }
+
+    pub(super) fn parts<'a>(&self, all: &'a mut [f64]) -> [&'a mut [f64]; 3] {
+        let own = &mut all[self.first..][..self.count()];
+        let (oil, rest) = own.split_at_mut(self.oil);
+        let (motion, shown) = rest.split_at_mut(INPUTS);
+        [oil, motion, shown]
+    }
+}
+
+/// A film at a joint.
+pub(super) struct FilmAt {
+    /// Which law, and which of its springs.
+    pub(super) law: usize,
+    pub(super) spring: usize,
+    pub(super) known: Known,
+    pub(super) oil: Oil,
+    pub(super) balance: Balance,
+    /// The oil at the beginning of the step.
+    begun: Oil,
+    /// What it takes, and the length of its step (s).
+    pub(super) taken: [f64; INPUTS],
+    pub(super) step: Option<f64>,
+    /// What enters at its openings (m³/s), then the outputs of its spec.
+    pub(super) shown: Vec<f64>,
+    /// Oil between the surfaces (m³).
+    pub(super) volume: f64,
+    /// Whether its forces are found, and whether their slopes are.
+    pub(super) solved: bool,
+    pub(super) sloped: bool,
+    /// Nodes that hold oil by the gap itself, as it changes too fast.
+    pub(super) fast: usize,
+}
+
+/// All films, and what is known of them.
+pub(super) struct Films {
+    pub(super) given: LawStates,
+    /// Whether films at rest are squeezed by the rates of their gaps. A march that stands still has rates of its rule for time,
+    /// which move no surface.
+    pub(super) squeezed: bool,
+    pub(super) all: Vec<FilmAt>,
+}
+
+impl Films {
+    pub(super) fn new(springs: &Springs) -> Self {
+        let mut first = 0;
+        let mut all = Vec::new();
+        for (law, placed) in springs.laws.iter().enumerate() {
+            let Some(journal) = placed.bound.law.film() else { continue };
+            for spring in 0..placed.springs {
+                let known = Known::of(journal, first);
+                first += known.count();
+                let oil = Oil::full(&journal.film);
+                let mut balance = Balance::new(&journal.film);
+                balance.tolerance = BALANCED;
+                all.push(FilmAt {
+                    law,
+                    spring,
+                    shown: vec![0.0; known.shown],
+                    known,
+                    begun: oil.clone(),
+                    oil,
+                    balance,
+                    taken: [0.0; INPUTS],
+                    step: None,
+                    volume: 0.0,
+                    solved: false,
+                    sloped: false,
+                    fast: 0,
+                });
+            }
+        }
+        Films { given: LawStates::default(), squeezed: false, all }
+    }
+
+    /// Takes over what is known.
+    pub(super) fn take(&mut self, springs: &Springs, laws: &LawStates) {
+        let same = || {
+            (self.given.hold, self.given.step) == (laws.hold, laws.step)
+                && self.given.films == laws.films
+        };
+        if self.all.is_empty() || same() {
+            return;
+        }
+        self.given.films.clone_from(&laws.films);
+        (self.given.hold, self.given.step) = (laws.hold, laws.step);
+        if let Hold::Implicit(_) = laws.hold {
+            for own in &mut self.all {
+                own.begin(springs.film_of(own.law), &self.given);
+            }
+        }
+    }
+}
+
+impl Springs {
+    pub(super) fn film_of(&self, law: usize) -> &Journal {
+        self.laws[law].bound.law.film().expect("a film")
+    }
+
+    /// As laws begin, and films.
+    pub(crate) fn beginning(&self) -> LawStates {
+        let mut laws = LawStates::beginning(self.states());
+        let films = self.laws.iter().filter_map(|own| Some((own.bound.law.film()?, own.springs)));
+        let count = films.map(|(journal, springs)| springs * Known::of(journal, 0).count());
+        laws.films = vec![0.0; count.sum()];
+        if !laws.films.is_empty() {
+            laws.hold = Hold::Start;
+        }
+        laws
+    }
+}
+
+impl FilmAt {
+    /// Whether it is that of a law at a spring.
+    pub(super) fn is_at(&self, law: usize, spring: usize) -> bool {
+        (self.law, self.spring) == (law, spring)
+    }
+
+    /// Begins a step from what is known.
+    fn begin(&mut self, journal: &Journal, given: &LawStates) {
+        self.begun.read(self.known.oil(&given.films));
+        if let Hold::Implicit(weight) = given.hold
+            && weight > 0.0
+        {
+            let motion = motion(&self.known.motion(&given.films), Some(given.step));
+            journal.begin(&motion, &self.begun, &mut self.balance);
+        }
+    }
+
+    /// Solves the film where it stands; its forces, which are no numbers where that fails.
+    pub(super) fn solve(
+        &mut self,
+        journal: &Journal,
+        given: &LawStates,
+        squeezed: bool,
+    ) -> [f64; OUTPUTS] {
+        self.sloped = false;
+        self.step = None;
+        let steady = motion(&self.taken, None);
+        let still = JournalMotion { velocity: [0.0; 2], tilting: [0.0; 2], ..steady };
+        self.solved = match given.hold {
+            Hold::Rest => {
+                self.oil = Oil::full(&journal.film);
+                self.settle(journal, if squeezed { &steady } else { &still })
+            }
+            Hold::Start => self.start(journal, [&still, &steady]),
+            Hold::Implicit(weight) if weight > 0.0 => {
+                self.oil.clone_from(&self.begun);
+                self.step = Some(given.step);
+                self.settle(journal, &JournalMotion { step: self.step, ..steady })
+            }
+            Hold::Implicit(_) => {
+                self.oil.clone_from(&self.begun);
+                journal.take(&steady, &self.oil, &mut self.balance);
+                true
+            }
+        };
+        let openings = journal.film.openings.len();
+        let (flows, outputs) = self.shown.split_at_mut(openings);
+        let forces = journal.forces(&mut self.balance, outputs);
+        self.volume = self.balance.oil(&journal.film);
+        if given.hold == Hold::Implicit(0.0) {
+            flows.copy_from_slice(&self.known.shown(&given.films)[..openings]);
+        } else {
+            for (opening, flow) in flows.iter_mut().enumerate() {
+                *flow = self.balance.inflow(&journal.film, opening);
+            }
+        }
+        if self.solved { forces } else { [f64::NAN; OUTPUTS] }
+    }
+
+    fn settle(&mut self, journal: &Journal, motion: &JournalMotion) -> bool {
+        let found = journal.settle(motion, &mut self.oil, &mut self.balance);
+        self.fast = self.balance.fast();
+        found.is_ok()
+    }
+
+    /// As a machine begins: full as if it had been there for long, then with the rates of its gap.
+    fn start(&mut self, journal: &Journal, [still, steady]: [&JournalMotion; 2]) -> bool {
+        self.oil = Oil::full(&journal.film);
+        let found = self.settle(journal, still);
+        if !found || still == steady {
+            return found;
+        }
+        self.step = Some(INSTANT);
+        journal.begin(&JournalMotion { step: self.step, ..*still }, &self.oil, &mut self.balance);
+        self.settle(journal, &JournalMotion { step: self.step, ..*steady })
+    }
+}
+
+impl Springs {
+    /// Bearings of all films.
+    pub(crate) fn bearings_of_films(&self) -> Vec<usize> {
+        let with_film = |plane: &&Plane| self.laws[plane.law].bound.law.film().is_some();
+        self.planes.iter().filter(with_film).map(|plane| plane.bearing).collect()
+    }
+}

@@ -1,0 +1,48 @@
+//! The case with a film against the film put together by hand, where its journal stands in equilibrium.
+
+use std::f64::consts::TAU;
+
+use whirl_solver::film::{Balance, Journal, JournalMotion, Oil, OilFilm};
+use whirl_specs::{CLEARANCES, FILMS};
+
+use crate::workbench::Workbench;
+
+#[test]
+fn a_film_of_a_case_is_that_of_its_keys() {
+    let bench = Workbench::new().file("films.toml", include_str!("films.toml"));
+    let outcome = bench.whirl(&["run", "films.toml", "--out", "out"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    let history = bench.history("out");
+    let kernel = FILMS.iter().find(|film| film.origin.name == "jfo").expect("a shipped film");
+    let mut film = OilFilm::new(kernel, [48, 9], [0.021, 0.023], 0.0).expect("a film");
+    film.set("mu_0", 0.013).expect("a parameter");
+    film.set("sigma", 0.3e-6).expect("a parameter");
+    film.flood(0, 0.3e5).expect("an end");
+    film.close(1);
+    let (middle, half) = (100_f64.to_radians(), 0.5 * 0.007 / 0.021);
+    film.supply("hole", middle - half..middle + half, -0.0085..0.0005, 1.7e5).expect("a hole");
+    let (middle, half) = (200_f64.to_radians(), 12.5_f64.to_radians());
+    film.supply("groove", middle - half..middle + half, -0.0115..0.0115, 0.9e5).expect("a groove");
+    let journal = Journal::new(film, &CLEARANCES[0], 31e-6).expect("a journal");
+    let (mut oil, mut balance) = (Oil::full(&journal.film), Balance::new(&journal.film));
+    let last = |name: &str| history.last(name);
+    let motion = JournalMotion {
+        displacement: [1e-6 * last("EX_b_um"), 1e-6 * last("EY_b_um")],
+        omega: TAU * 2900.0 / 60.0,
+        ..JournalMotion::default()
+    };
+    let reaction = journal.react(&motion, &mut oil, &mut balance, &mut [0.0]).expect("a film");
+    for (found, load) in reaction.forces.iter().zip([700.0, -150.0]) {
+        assert!((found - load).abs() < 1e-3, "{found} N under {load} N");
+    }
+    assert!((last("mz_f_Nm") / reaction.forces[4] - 1.0).abs() < 1e-6, "{:?}", reaction.forces);
+    let flows = ["left", "right", "hole", "groove"].map(|own| last(&format!("q_{own}_f_mL_s")));
+    for (opening, flow) in flows.into_iter().enumerate() {
+        let found = 1e6 * balance.inflow(&journal.film, opening);
+        assert!((found - flow).abs() < 1e-5, "{opening}: {found} {flow}");
+    }
+    assert!(flows[1] == 0.0 && flows[2] != 0.0 && flows[3] != 0.0, "{flows:?}");
+    let said = bench.whirl(&["check", "films.toml"]);
+    assert!(said.stdout.contains("film of 48 × 9 nodes"), "{}", said.stdout);
+    assert!(said.stdout.contains("opening hole: 2 × 3 nodes"), "{}", said.stdout);
+}
