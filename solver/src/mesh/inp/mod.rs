@@ -173,10 +173,7 @@ fn readable<'c, 'a>(cards: &'c [Card<'a>], report: &mut MeshReport) -> Vec<&'c C
                 let what = "nodes of the assembly, and what stands on them, are left out";
                 report.warn(card.place, what, "");
             }
-        } else if READ.contains(&keyword) || PARTS.contains(&keyword) {
-            parameters::check(card, report);
-            kept.push(card);
-        } else if ties::is_tie(keyword) {
+        } else if READ.contains(&keyword) || PARTS.contains(&keyword) || ties::is_tie(keyword) {
             parameters::check(card, report);
             kept.push(card);
         } else if keyword.is_empty() {
