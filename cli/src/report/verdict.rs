@@ -41,6 +41,8 @@ struct Measures {
     /// Left out where no law has states.
     #[serde(skip_serializing_if = "Option::is_none")]
     state_error: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    state_error_sum: Option<f64>,
     /// Of accepted steps, so that it is never above 1.
     row_error: f64,
 }
@@ -80,7 +82,8 @@ impl VerdictFacts {
                 unresolved_motion: quality.unresolved_motion,
                 inertia_error: quality.inertia_error,
                 ringing: quality.ringing.share,
-                state_error: quality.states.map(|own| own.share),
+                state_error: quality.states.map(|own| own.local.0),
+                state_error_sum: quality.states.map(|own| own.summed.0),
                 row_error: quality.row_error,
             },
         }

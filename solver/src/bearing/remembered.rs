@@ -33,9 +33,9 @@ impl SpringState {
         remembering.condense(law, place, memory, own);
     }
 
-    /// The fastest rate at which a state comes to rest by itself where the laws were evaluated last (1/s); 0 without states.
-    pub(crate) fn fastest_state(&self) -> f64 {
-        self.laws.iter().flat_map(|own| &own.relaxes).fold(0.0, |most, own| own.max(most))
+    /// The rates at which states come to rest by themselves where the laws were evaluated last (1/s), in the order of the states.
+    pub(crate) fn relaxing(&self) -> impl Iterator<Item = f64> {
+        self.laws.iter().flat_map(|own| own.relaxes.iter().copied())
     }
 
     /// What the states of the law at `place` do where the springs were evaluated last, spring after spring.

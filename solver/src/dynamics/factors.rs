@@ -10,6 +10,7 @@ use super::newmark::{Coefficients, Integrator};
 use super::secants::Secants;
 use crate::equations::{Equations, State};
 use crate::linalg::RoughInverse;
+use crate::machine::Machine;
 
 /// Directions from factors before they are inverted, which takes as long as so many from the inverse save.
 const FACTORED: usize = 24;
@@ -43,11 +44,11 @@ enum Directions {
     Condensed,
 }
 
-/// Enough to compute kept factors again with the same bits.
+/// What is known of some factors: enough to compute them again with the same bits.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(super) struct FactorsState {
-    current: Factored,
-    /// Directions that the current ones have given, and what gives the next one.
+struct OfFactors {
+    at: Factored,
+    /// Directions that they have given, and what gives the next one. Of all factors one at most has more than itself.
     directions: usize,
     by: Directions,
     /// What these directions lack, where they are not condensed.
@@ -57,8 +58,42 @@ pub(super) struct FactorsState {
     excess: usize,
     /// The bodies of the condensed iteration.
     bodies: KeptBodies,
-    /// Where the spare factors were computed, and the place that is emptied next.
-    spare_at: Vec<Factored>,
+}
+
+impl OfFactors {
+    /// Of none.
+    fn none(machine: &Machine) -> Self {
+        OfFactors {
+            at: Factored::nowhere(machine),
+            directions: 0,
+            by: Directions::Factors,
+            secants: Secants::new(machine.active()),
+            fewest: usize::MAX,
+            excess: 0,
+            bodies: KeptBodies::none(machine),
+        }
+    }
+
+    /// Begins with new factors.
+    fn begin(&mut self) {
+        self.lose_inverse();
+        self.secants.clear();
+        (self.fewest, self.excess) = (usize::MAX, 0);
+    }
+
+    /// What was made of the factors is made of others now.
+    fn lose_inverse(&mut self) {
+        (self.by, self.directions) = (Directions::Factors, 0);
+        self.bodies.forget();
+    }
+}
+
+/// What is known of all factors.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct FactorsState {
+    current: OfFactors,
+    /// Those of other step lengths, and the place that is emptied next.
+    spare: Vec<OfFactors>,
     next_spare: usize,
     /// How often a matrix was factored.
     factorisations: usize,
@@ -69,13 +104,6 @@ impl FactorsState {
     pub(super) fn counted_anew(&self) -> FactorsState {
         FactorsState { factorisations: 0, ..self.clone() }
     }
-
-    fn begin_count(&mut self) {
-        self.by = Directions::Factors;
-        self.secants.clear();
-        (self.directions, self.fewest, self.excess) = (0, usize::MAX, 0);
-        self.bodies.forget();
-    }
 }
 
 impl KeptFactors {
@@ -83,7 +111,6 @@ impl KeptFactors {
     pub(super) fn new(equations: &Equations, spare: usize) -> Self {
         let machine = equations.machine;
         let (size, unknowns) = (machine.size(), machine.active());
-        let nowhere = || Factored::nowhere(machine);
         KeptFactors {
             current: Factors::new(equations, unknowns),
             spare: (0..spare).map(|_| Factors::new(equations, unknowns)).collect(),
@@ -94,14 +121,8 @@ impl KeptFactors {
             contracts: true,
             whole: vec![0.0; if unknowns < size { size * size } else { 0 }],
             state: FactorsState {
-                current: nowhere(),
-                directions: 0,
-                by: Directions::Factors,
-                secants: Secants::new(unknowns),
-                fewest: usize::MAX,
-                excess: 0,
-                bodies: KeptBodies::none(machine),
-                spare_at: (0..spare).map(|_| nowhere()).collect(),
+                current: OfFactors::none(machine),
+                spare: (0..spare).map(|_| OfFactors::none(machine)).collect(),
                 next_spare: 0,
                 factorisations: 0,
             },
@@ -119,18 +140,18 @@ impl KeptFactors {
 
     /// Whether there are factors for steps of `dt` s.
     pub(super) fn are_of(&self, dt: f64) -> bool {
-        self.state.current.dt == dt
+        self.state.current.at.dt == dt
     }
 
     /// Has them computed anew when they are needed next.
     pub(super) fn drop(&mut self) {
-        self.state.current.forget();
+        self.state.current.at.forget();
     }
 
     /// Has all of them computed anew, those of other step lengths, too.
     pub(super) fn drop_all(&mut self) {
         self.drop();
-        self.state.spare_at.iter_mut().for_each(Factored::forget);
+        self.state.spare.iter_mut().for_each(|own| own.at.forget());
     }
 
     /// Goes on with what was kept; the system is evaluated elsewhere for it, with loads released as they were.
@@ -140,65 +161,62 @@ impl KeptFactors {
         kept: FactorsState,
         merit: &mut Merit,
     ) {
-        for (place, own) in kept.spare_at.iter().enumerate().filter(|(_, own)| own.is_there()) {
-            self.repeat(equations, method, own);
+        for (place, own) in kept.spare.iter().enumerate() {
+            self.repeat((equations, method), own, merit);
             std::mem::swap(&mut self.current, &mut self.spare[place]);
         }
-        if kept.current.is_there() {
-            let step = self.repeat(equations, method, &kept.current);
-            if kept.directions >= FACTORED {
-                merit.weigh(equations, &step);
-                self.invert(equations, merit);
-            }
-            if kept.bodies.at.is_there() {
-                kept.bodies.at.restore(equations);
-                let (time, state) = (kept.bodies.at.time, &kept.bodies.at.state);
-                self.take_bodies(equations, (time, state, &step));
-            }
-        }
+        self.repeat((equations, method), &kept.current, merit);
         equations.before = false;
         self.state = kept;
     }
 
-    /// Computes factors again where they were computed.
+    /// Computes factors again where they were computed, and what had been made of them.
     fn repeat(
         &mut self,
-        equations: &mut Equations,
-        method: Integrator,
-        own: &Factored,
-    ) -> Coefficients {
-        let step = own.evaluate(equations, method);
-        self.factor(equations, own.time, &own.state, &step);
-        step
+        (equations, method): (&mut Equations, Integrator),
+        own: &OfFactors,
+        merit: &mut Merit,
+    ) {
+        if !own.at.is_there() {
+            return;
+        }
+        let step = own.at.evaluate(equations, method);
+        self.current.take(equations, (own.at.time, &own.at.state, &step), &mut self.whole);
+        if own.by != Directions::Factors {
+            merit.weigh(equations, &step);
+            self.invert(equations, merit);
+        }
+        if own.bodies.at.is_there() {
+            own.bodies.at.restore(equations);
+            let (time, state) = (own.bodies.at.time, &own.bodies.at.state);
+            self.take_bodies(equations, (time, state, &step));
+        }
     }
 
     /// Begins a step: puts the factors of another step length aside, and takes those of `dt` s from where they are.
     pub(super) fn begin(&mut self, dt: f64) {
         (self.followed, self.contracts) = (0, true);
         let state = &mut self.state;
-        state.secants.begin();
-        if state.current.dt == dt || state.spare_at.is_empty() {
-            return;
-        }
-        let is_used = state.current.is_there();
-        let known = state.spare_at.iter().position(|own| own.dt == dt);
-        let free = || state.spare_at.iter().position(|own| !own.is_there());
-        let place = match known.or_else(|| is_used.then(free).flatten()) {
-            Some(place) => place,
-            None if is_used => {
-                let next = state.next_spare;
-                state.next_spare = (next + 1) % state.spare_at.len();
-                next
+        if state.current.at.dt != dt && !state.spare.is_empty() {
+            let is_used = state.current.at.is_there();
+            let known = state.spare.iter().position(|own| own.at.dt == dt);
+            let free = || state.spare.iter().position(|own| !own.at.is_there());
+            let place = known.or_else(|| is_used.then(free).flatten()).or_else(|| {
+                is_used.then(|| {
+                    let next = state.next_spare;
+                    state.next_spare = (next + 1) % state.spare.len();
+                    next
+                })
+            });
+            if let Some(place) = place {
+                std::mem::swap(&mut self.current, &mut self.spare[place]);
+                std::mem::swap(&mut state.current, &mut state.spare[place]);
+                if state.current.at.dt != dt {
+                    state.current.at.forget();
+                }
             }
-            None => return,
-        };
-        std::mem::swap(&mut self.current, &mut self.spare[place]);
-        std::mem::swap(&mut state.current, &mut state.spare_at[place]);
-        if state.current.dt != dt {
-            state.current.forget();
         }
-        // An inverse is not kept: it is made again where these factors give many directions again.
-        state.begin_count();
+        self.state.current.secants.begin();
     }
 
     /// Computes factors at a state that was evaluated; whether there are any.
@@ -212,9 +230,10 @@ impl KeptFactors {
         step: &Coefficients,
     ) -> bool {
         let done = self.current.take(equations, (t, at, step), &mut self.whole);
-        self.state.begin_count();
         self.state.factorisations += 1;
-        self.state.current.keep((t, at, if done { step.dt } else { 0.0 }), equations);
+        let own = &mut self.state.current;
+        own.begin();
+        own.at.keep((t, at, if done { step.dt } else { 0.0 }), equations);
         done
     }
 
@@ -229,17 +248,32 @@ impl KeptFactors {
         r: &mut [f64],
         (merit, tolerance): (&Merit, f64),
     ) {
-        if self.state.directions == FACTORED {
-            self.invert(equations, merit);
+        if self.state.current.directions == FACTORED {
+            let by = self.invert(equations, merit);
+            self.state
+                .spare
+                .iter_mut()
+                .filter(|own| own.by != Directions::Factors)
+                .for_each(OfFactors::lose_inverse);
+            self.state.current.by = by;
         }
-        self.state.directions += 1;
-        if self.state.by == Directions::Condensed && !self.state.bodies.at.is_there() {
-            self.take_bodies(equations, (t, at, step));
+        self.state.current.directions += 1;
+        if self.state.current.by == Directions::Condensed
+            && !self.state.current.bodies.at.is_there()
+        {
+            let own = &mut self.state.current;
+            own.bodies.begin();
+            if self.take_bodies(equations, (t, at, step)) {
+                self.state.current.bodies.at.keep((t, at, step.dt), equations);
+            } else {
+                self.state.current.by = Directions::Factors;
+            }
         }
-        match (self.state.by, &mut self.condensed) {
+        let own = &mut self.state.current;
+        match (own.by, &mut self.condensed) {
             (Directions::Condensed, Some(condensed)) => {
                 let tangents = &self.current.tangents;
-                let judged = (tolerance, self.state.bodies.are_solved_twice());
+                let judged = (tolerance, own.bodies.are_solved_twice());
                 match condensed.solve(equations, tangents, (at, step), r, judged) {
                     Some(followed) => {
                         self.followed += followed.corrections;
@@ -254,38 +288,32 @@ impl KeptFactors {
             (Directions::Inverse, _) => self.inverse.apply(r),
             _ => self.current.lu.solve_in_place(r),
         }
-        if self.state.by != Directions::Condensed {
-            self.state.secants.correct(r, merit.weights(), &mut self.memory);
+        if own.by != Directions::Condensed {
+            own.secants.correct(r, merit.weights(), &mut self.memory);
         }
     }
 
     /// Makes of the factors what gives directions faster.
-    fn invert(&mut self, equations: &Equations, merit: &Merit) {
+    fn invert(&mut self, equations: &Equations, merit: &Merit) -> Directions {
         let (lu, springs) = (&mut self.current.lu, &equations.machine.springs);
         let is_condensed = self
             .condensed
             .as_mut()
             .is_some_and(|own| own.take_compliance(springs, self.inverse.exact(lu)));
-        self.state.by = match is_condensed {
+        match is_condensed {
             true => Directions::Condensed,
             false if self.inverse.invert(lu, merit.weights()) => Directions::Inverse,
             false => Directions::Factors,
-        };
+        }
     }
 
-    /// Evaluates the bodies of the condensed iteration at a state.
+    /// Evaluates the bodies of the condensed iteration at a state; whether it can be used.
     fn take_bodies(
         &mut self,
         equations: &mut Equations,
         (t, at, step): (f64, &State, &Coefficients),
-    ) {
-        let Some(condensed) = self.condensed.as_mut() else { return };
-        if condensed.take_bodies(equations, t, at, step) {
-            self.state.bodies.at.keep((t, at, step.dt), equations);
-        } else {
-            self.state.by = Directions::Factors;
-        }
-        self.state.bodies.begin();
+    ) -> bool {
+        self.condensed.as_mut().is_some_and(|own| own.take_bodies(equations, t, at, step))
     }
 
     /// Whether the corrections of the measures in the step got smaller.
@@ -296,7 +324,7 @@ impl KeptFactors {
     /// Counts the iterations of a step that is solved. Factors end where steps have cost so much more than the best one as new
     /// factors do.
     pub(super) fn count(&mut self, iterations: usize) {
-        let (state, rows) = (&mut self.state, self.current.lu.size());
+        let (state, rows) = (&mut self.state.current, self.current.lu.size());
         let all = iterations * cost(Work::Iteration) + self.followed * cost(Work::Correction);
         state.fewest = state.fewest.min(all);
         state.excess += all - state.fewest;

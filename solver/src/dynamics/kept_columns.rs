@@ -47,6 +47,11 @@ impl KeptColumns {
         (self.is_empty, self.last, self.products) = (true, 0, [[0.0; MOST]; MOST]);
     }
 
+    /// How many there is room for.
+    pub(super) fn room(&self) -> usize {
+        self.count
+    }
+
     /// Whether none was taken.
     pub(super) fn is_empty(&self) -> bool {
         self.is_empty

@@ -261,7 +261,7 @@ impl<'m> March<'m> {
         let asked: usize = machine.outputs.iter().map(|own| own.columns().len()).sum();
         Ok(March {
             machine,
-            newton: Newton::new(options.newton, &equations, spare),
+            newton: Newton::new(options.newton, &equations, (spare, options.automatic.is_some())),
             meters,
             equations,
             // Steps are halved, and split where loads end or rows are hidden.

@@ -202,7 +202,7 @@ impl Meters {
         self.quality.add(equations, span, [start, end], (self.energy.flows(), row_error));
         self.periods.add(span.1, [start, end]);
         self.ringing.add(equations, end, &self.quality.parts);
-        self.states.add(span.1, [start, end], equations.springs.fastest_state());
+        self.states.add(span.1, [start, end], equations.springs.relaxing());
         self.films.add(&equations.springs);
     }
 

@@ -172,9 +172,9 @@ impl Integrator {
     pub(super) fn missed_of_states(&self) -> [f64; 2] {
         let ([carried, of_rates], theta) = (self.of_states(), self.theta());
         let apart = carried - of_rates;
-        let second = (theta + apart - 0.5).abs();
+        let second = theta + apart - 0.5;
         let third = theta * (0.5 + apart) + apart * (carried - 0.5) - 1.0 / 6.0;
-        [if second < f64::EPSILON { 0.0 } else { second }, third.abs()]
+        [if second.abs() < f64::EPSILON { 0.0 } else { second }, third]
     }
 }
 

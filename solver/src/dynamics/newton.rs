@@ -62,6 +62,8 @@ impl Default for NewtonOptions {
 
 /// Residual of a row, as a fraction of its largest term, at which it counts as solved.
 const SOLVED: f64 = 5e-7;
+/// The same, and share of the largest spring force, where a machine is foreseen.
+const ROUGH: f64 = 1e-2;
 /// Worst contraction for which factors are kept.
 pub(super) const CONTRACTION: f64 = 0.2;
 /// What is smaller has squares without digits.
@@ -137,8 +139,12 @@ pub(crate) struct Newton {
 }
 
 impl Newton {
-    /// With factors kept for so many step lengths beside the one in use.
-    pub(crate) fn new(options: NewtonOptions, equations: &Equations, spare: usize) -> Self {
+    /// With factors kept for so many step lengths beside the one in use. `turns`: whether lengths are doubled and halved.
+    pub(crate) fn new(
+        options: NewtonOptions,
+        equations: &Equations,
+        (spare, turns): (usize, bool),
+    ) -> Self {
         let machine = equations.machine;
         let (size, first) = (machine.size(), machine.first_unknown());
         let unknowns = size - first;
@@ -147,7 +153,7 @@ impl Newton {
             first,
             factors: KeptFactors::new(equations, spare),
             merit: Merit::new(first, unknowns),
-            extrapolation: Extrapolation::new(unknowns),
+            extrapolation: Extrapolation::new(unknowns, turns),
             largest_force: 0.0,
             direction: vec![0.0; unknowns],
             predicted: State::new(size),
@@ -178,6 +184,18 @@ impl Newton {
     /// How often a matrix was factored.
     pub(crate) fn factorisations(&self) -> usize {
         self.factors.factorisations()
+    }
+
+    /// Solves steps with two or three digits until `thoroughly`: enough for where a machine goes.
+    pub(super) fn roughly(&mut self) {
+        self.options.relative_force_tolerance = ROUGH;
+        self.options.force_tolerance = f64::INFINITY;
+        self.options.residual_tolerance = ROUGH;
+    }
+
+    /// Solves steps as `options` ask for.
+    pub(super) fn thoroughly(&mut self, options: NewtonOptions) {
+        self.options = options;
     }
 
     /// Largest spring force of all steps (N).
@@ -211,7 +229,8 @@ impl Newton {
         self.factors.begin(step.dt);
         self.merit.weigh(equations, step);
         self.predicted.copy_from(end);
-        self.extrapolation.begin(step.dt, &mut self.correction);
+        let (weights, memory) = (self.merit.weights(), &mut self.direction);
+        self.extrapolation.begin((t, step.dt), (weights, memory), &mut self.correction);
         step.correct(&self.predicted, self.correction.iter().copied(), self.first, end);
         self.trial.copy_first(self.first, end);
         equations.evaluate(t, end);
@@ -401,7 +420,7 @@ mod tests {
             residual_tolerance: 1e3,
             ..NewtonOptions::default()
         };
-        let mut newton = Newton::new(options, &equations, 0);
+        let mut newton = Newton::new(options, &equations, (0, false));
         let step = Coefficients::new(Newmark::default(), 0.01);
         let report = newton.solve(&mut equations, 0.01, &step, &mut state(5));
         assert_eq!(report.ending, Ending::Converged);

@@ -3,6 +3,9 @@
 //! A step takes ṡ for what the rates at its ends make of it; what it misses of s goes by s̈ and by d³s/dt³, which follow from the
 //! rates of this step and the one before. A state that is far faster than the step alternates, which shows the same way. Errors are
 //! fractions of the range of a state so far; one that hardly moves is measured by the others of its unit.
+//!
+//! What most steps miss says nothing of what happens in few of them, a blow or a stop. So the error is carried on, too: what a
+//! step misses stays, but for what the state forgets by itself.
 
 use serde::{Deserialize, Serialize};
 
@@ -14,13 +17,13 @@ use crate::equations::State;
 /// A state that moves by a smaller share of the range of others of its unit is measured by that share of it.
 const SMALLEST: f64 = 1e-3;
 
-/// The worst local error of states.
+/// The worst errors of states, as fractions of their ranges, each with the bearing where it is, counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StateError {
-    /// That 95 % of the steps stay below, as a fraction of the range of the state.
-    pub share: f64,
-    /// The bearing where it is that, counted from 0.
-    pub bearing: usize,
+    /// The local error that 95 % of the steps stay below.
+    pub local: (f64, usize),
+    /// The largest that steps added up to, less what the state forgot.
+    pub summed: (f64, usize),
     /// The fastest rate at which a state came to rest by itself (1/s).
     pub fastest: f64,
 }
@@ -34,6 +37,9 @@ pub(super) struct StateSums {
     ranges: Vec<[f64; 2]>,
     /// By states of laws, over all springs of the law.
     errors: Vec<Histogram>,
+    /// Of all states what steps added up to, and by states of laws the largest of it.
+    summed: Vec<f64>,
+    largest_sums: Vec<f64>,
     fastest: f64,
 }
 
@@ -60,6 +66,8 @@ impl StateMeter {
                 dt: 0.0,
                 ranges: known.iter().map(|own| [*own; 2]).collect(),
                 errors: rows.iter().map(|_| Histogram::new()).collect(),
+                summed: vec![0.0; known.len()],
+                largest_sums: vec![0.0; rows.len()],
                 fastest: 0.0,
             },
             rows,
@@ -79,8 +87,8 @@ impl StateMeter {
         })
     }
 
-    /// What a step misses of a state.
-    fn error(&self, place: usize, dt: f64, [start, end]: [&State; 2]) -> f64 {
+    /// What a step misses of a state by its second and by its third derivative.
+    fn missed(&self, place: usize, dt: f64, [start, end]: [&State; 2]) -> [f64; 2] {
         let second = (end.laws.rates[place] - start.laws.rates[place]) / dt;
         let StateSums { seconds, dt: last, .. } = &self.sums;
         let third = match *last {
@@ -88,18 +96,40 @@ impl StateMeter {
             last => (second - seconds[place]) / (0.5 * (dt + last)),
         };
         let [by_second, by_third] = self.missed;
-        dt * dt * (by_second * second.abs() + by_third * dt * third.abs())
+        [dt * dt * by_second * second, dt * dt * dt * by_third * third]
     }
 
-    /// Adds a step of `dt` s; the springs relax at most at `fastest` (1/s) at its end.
-    pub(super) fn add(&mut self, dt: f64, ends: [&State; 2], fastest: f64) {
+    /// The most that it may be.
+    fn error(&self, place: usize, dt: f64, ends: [&State; 2]) -> f64 {
+        let [by_second, by_third] = self.missed(place, dt, ends);
+        by_second.abs() + by_third.abs()
+    }
+
+    /// Adds a step of `dt` s; `relaxing`: the rates at which the states come to rest by themselves at its end (1/s).
+    pub(super) fn add(
+        &mut self,
+        dt: f64,
+        ends: [&State; 2],
+        mut relaxing: impl Iterator<Item = f64>,
+    ) {
         let mut first = 0;
         for row in 0..self.rows.len() {
             let places = first..first + self.rows[row].0;
             first = places.end;
-            let errors = places.map(|place| self.error(place, dt, ends));
+            let errors = places.clone().map(|place| self.error(place, dt, ends));
             let worst = errors.fold(0.0, larger);
             self.sums.errors[row].add(worst);
+            for (place, rate) in places.zip(relaxing.by_ref()) {
+                let missed: f64 = self.missed(place, dt, ends).iter().sum();
+                let half = 0.5 * dt * rate;
+                // What grows by itself is an error of the motion then.
+                let left = ((1.0 - half) / (1.0 + half)).clamp(0.0, 1.0);
+                let sums = &mut self.sums;
+                sums.summed[place] = left * sums.summed[place] + missed;
+                let most = &mut sums.largest_sums[row];
+                *most = larger(*most, sums.summed[place].abs());
+                sums.fastest = sums.fastest.max(rate);
+            }
         }
         let [start, end] = ends;
         for (place, range) in self.sums.ranges.iter_mut().enumerate() {
@@ -108,7 +138,6 @@ impl StateMeter {
             self.sums.seconds[place] = (laws.rates[place] - start.laws.rates[place]) / dt;
         }
         self.sums.dt = dt;
-        self.sums.fastest = self.sums.fastest.max(fastest);
     }
 
     /// Rates have changed at once: what was before says nothing of what follows.
@@ -128,19 +157,22 @@ impl StateMeter {
                 own.iter().map(|[low, high]| high - low).fold(0.0, larger)
             })
             .collect();
-        let worst = (self.rows.iter().zip(&self.sums.errors).zip(&reaches)).map(
-            |((row, errors), reach)| {
+        let sums = self.sums.errors.iter().zip(&self.sums.largest_sums);
+        let shares =
+            (self.rows.iter().zip(sums).zip(&reaches)).map(|((row, (errors, summed)), reach)| {
                 let same = self.rows.iter().zip(&reaches).filter(|(other, _)| other.1 == row.1);
                 let most = same.map(|(_, reach)| *reach).fold(0.0, larger);
-                let error = errors.below(0.95);
-                let share =
-                    if error == 0.0 { 0.0 } else { error / larger(*reach, SMALLEST * most) };
-                StateError { share, bearing: row.2, fastest: self.sums.fastest }
-            },
-        );
-        worst.reduce(
-            |worst, own| if own.share <= worst.share || worst.share.is_nan() { worst } else { own },
-        )
+                [errors.below(0.95), *summed].map(|error| match error {
+                    0.0 => (0.0, row.2),
+                    error => (error / larger(*reach, SMALLEST * most), row.2),
+                })
+            });
+        let worse = |a: (f64, usize), b: (f64, usize)| match b.0 <= a.0 || a.0.is_nan() {
+            true => a,
+            false => b,
+        };
+        let worst = shares.reduce(|a, b| [worse(a[0], b[0]), worse(a[1], b[1])]);
+        worst.map(|[local, summed]| StateError { local, summed, fastest: self.sums.fastest })
     }
 }
 

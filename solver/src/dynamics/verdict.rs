@@ -44,6 +44,9 @@ const UNRESOLVED_MOTION: f64 = 0.3;
 /// False inertia forces of bodies that turn, as a fraction of their largest elastic force. In motion at ω of a body that does not
 /// turn they are (ωΔt)²/6 of it: 2 % where the period is wrong by 1 %.
 const INERTIA_ERROR: f64 = 0.02;
+/// Error that steps add up to in a state of a law, as a fraction of its range. In motion at ω it is (ωΔt)²/12 of the amplitude, as
+/// the period of motion.
+const SUMMED_ERROR: f64 = 0.01;
 /// A rate times the step in which a state that comes to rest by it is followed.
 const FOLLOWED: f64 = 0.3;
 /// Steps in which the gap of a film changes too fast, as a fraction of all.
@@ -220,11 +223,21 @@ fn missed(
     time_step: f64,
     automatic: Option<AutomaticStep>,
 ) -> Option<Finding> {
-    let StateError { share, bearing, fastest } = *states;
-    if share <= LOCAL_ERROR {
+    let StateError { local, summed, fastest } = *states;
+    let rate = whirl_text::shown(fastest, 3, 1e-3..1e7);
+    let (what, (value, bearing), limit, factor) = if !(local.0 <= LOCAL_ERROR) {
+        let what = format!(
+            "local error of a state of a law that one step in twenty exceeds, as a fraction of its range; the fastest \
+             comes to rest by itself at {rate} 1/s"
+        );
+        (what, local, LOCAL_ERROR, (LOCAL_ERROR / local.0).cbrt())
+    } else if !(summed.0 <= SUMMED_ERROR) {
+        let what = "error of a state of a law that steps add up to, as a fraction of its range; most of it where its rate \
+                    changes within a few steps";
+        (what.to_owned(), summed, SUMMED_ERROR, (SUMMED_ERROR / summed.0).sqrt())
+    } else {
         return None;
-    }
-    let factor = (LOCAL_ERROR / share).cbrt();
+    };
     let factor = if factor.is_nan() { 0.1 } else { factor.clamp(0.1, 0.5) };
     let by_rate = if fastest > 0.0 { FOLLOWED / fastest } else { f64::INFINITY };
     let step = (factor * time_step).min(by_rate.max(0.1 * time_step));
@@ -232,16 +245,12 @@ fn missed(
     let alternates = fastest * time_step > 2.0;
     let shorter = automatic.map_or_else(|| shorter(step), narrower);
     Some(Finding {
-        what: format!(
-            "local error of a state of a law that one step in twenty exceeds, as a fraction of its range; the fastest \
-             comes to rest by itself at {} 1/s",
-            whirl_text::shown(fastest, 3, 1e-3..1e7)
-        ),
+        what,
         bearing: Some(bearing),
         part: None,
         coordinate: None,
-        value: share,
-        limit: LOCAL_ERROR,
+        value,
+        limit,
         unit: "1".to_owned(),
         remedy: match alternates {
             true => format!(

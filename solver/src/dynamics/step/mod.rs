@@ -39,10 +39,11 @@ impl March<'_> {
     }
 
     /// Foresees the first rows from time `t` on, each in one step, for how far the machine moves in them; as far as they are solved
-    /// and make little energy. Then the march begins where it stood.
+    /// and make little energy; how far says a rough solution. Then the march begins where it stood.
     fn foresee(&mut self, t: f64, dt: f64) {
         let (begun, most_force) = (self.state.clone(), self.newton.largest_force());
         let mut start = begun.clone();
+        self.newton.roughly();
         for row in 0..FORESEEN {
             let report = self.attempt(t + f64::from(row) * dt, dt, &start);
             let solved = report.ending == Ending::Converged;
@@ -51,6 +52,7 @@ impl March<'_> {
             }
             start.copy_from(&self.state);
         }
+        self.newton.thoroughly(self.options.newton);
         self.newton.forget(most_force);
         self.state.copy_from(&begun);
         self.equations.evaluate(t, &self.state);

@@ -20,7 +20,7 @@ fn judged(machine: &whirl_solver::machine::Machine, own: &MarchOptions) -> (f64,
     let outcome = march.outcome();
     let found = findings(&outcome.quality, &outcome.energy, (own.time_step, None));
     let found = found.into_iter().map(|own| format!("{}: {}", own.what, own.remedy));
-    (outcome.quality.states.expect("has states").share, found.collect())
+    (outcome.quality.states.expect("has states").local.0, found.collect())
 }
 
 /// Of a state that is shaken at ω the trapezoidal rule misses (ωΔt)³/12 of its amplitude in a step, half of that of its range.
@@ -68,4 +68,38 @@ F_y = { unit = \"N\", value = '-k*e_y' }
         MarchOptions { integrator: Integrator::generalized_alpha(0.5), ..options(1e-3, 1000) };
     let (share, _) = judged(&machine, &damped);
     assert!(share < 1e-2, "{share}");
+}
+
+/// A mass that passes a place where a state changes, in a twelve hundredth of the run: few steps see it, and what they miss stays.
+#[test]
+fn what_few_steps_miss_of_a_state_is_found() {
+    let bump = "[inputs]
+e_x = { unit = \"mm\", range = [-1, 1] }
+e_y = { unit = \"mm\", range = [-1, 1] }
+[states.z]
+unit = \"mm\"
+start = 0
+range = [-1, 1]
+[parameters]
+k = { value = 1, unit = \"N/mm\" }
+place = { value = 0.5, unit = \"mm\" }
+width = { value = 0.9, unit = \"um\" }
+rate = { value = 1, unit = \"mm/s\" }
+[rates]
+z = 'rate*exp(-((e_x - place)/width)^2)'
+[outputs]
+F_x = { unit = \"N\", value = '-k*e_x' }
+F_y = { unit = \"N\", value = '-k*e_y' }
+";
+    let push = (0.5, TimeFunction::Constant);
+    let machine = mass_on(Box::new(Taped::new(bump)), push, Rotation::Held);
+    let marched = |steps: usize| {
+        let own = options(0.44 / steps as f64, steps);
+        let (share, found) = judged(&machine, &own);
+        assert!(share < 1e-4, "{share}: few steps");
+        found.into_iter().find(|own| own.contains("state of a law"))
+    };
+    let coarse = marched(1000).expect("found");
+    assert!(coarse.contains("add up to") && coarse.contains("time_step"), "{coarse}");
+    assert_eq!(marched(16_000), None);
 }
