@@ -110,7 +110,9 @@ impl Tape {
         match springs {
             ..=1 => self.blocks_of::<1>(springs, rows, workspace),
             2..=4 => self.blocks_of::<4>(springs, rows, workspace),
-            5..=16 => self.blocks_of::<16>(springs, rows, workspace),
+            5..=8 => self.blocks_of::<8>(springs, rows, workspace),
+            9..=16 => self.blocks_of::<16>(springs, rows, workspace),
+            17..=32 => self.blocks_of::<32>(springs, rows, workspace),
             _ => self.blocks_of::<WIDTH>(springs, rows, workspace),
         }
     }
@@ -220,7 +222,7 @@ mod tests {
         let chosen = g.select(mask, product, zero);
         let request = Request::flat(&[("x", x), ("y", y)], &[("a", chosen), ("b", half)]);
         let tape = Tape::new(&schedule(&mut g, &request).expect("a program"));
-        for springs in [1, 2, 4, 5, 16, 17, 64, 150_u32] {
+        for springs in [1, 2, 4, 5, 8, 9, 16, 17, 32, 33, 64, 150_u32] {
             let inputs: Vec<f64> = (0..2 * springs).map(|i| f64::from(i) * 0.01 - 0.3).collect();
             let springs = springs as usize;
             let mut outputs = vec![f64::NAN; 2 * springs];

@@ -12,11 +12,17 @@ pub(super) struct LawMemory {
 
 impl LawMemory {
     pub(super) fn new(springs: &Springs) -> Self {
-        let outputs = springs.most(|law| law.bound.rows_out());
+        LawMemory::for_times(springs, |_| 1)
+    }
+
+    /// For a law with so many springs as many times as `times` says.
+    pub(super) fn for_times(springs: &Springs, times: impl Fn(usize) -> usize) -> Self {
+        let of_all =
+            |rows: fn(&PlacedLaw) -> usize| springs.most(|law| rows(law) * times(law.springs));
         let workspace = springs.laws.iter().map(|law| law.bound.law.workspace()).max();
         LawMemory {
-            inputs: vec![0.0; springs.most(|law| law.bound.rows_in())],
-            outputs: vec![0.0; outputs],
+            inputs: vec![0.0; of_all(|law| law.bound.rows_in())],
+            outputs: vec![0.0; of_all(|law| law.bound.rows_out())],
             workspace: vec![0.0; workspace.unwrap_or(0)],
         }
     }
@@ -31,9 +37,9 @@ impl LawMemory {
         outputs
     }
 
-    /// The forces alone, a row each.
-    pub(super) fn forces(&mut self, law: &PlacedLaw) -> &[f64] {
-        let (bound, n) = (&law.bound, law.springs);
+    /// The forces alone, a row each, at all springs so many times over.
+    pub(super) fn forces(&mut self, law: &PlacedLaw, times: usize) -> &[f64] {
+        let (bound, n) = (&law.bound, law.springs * times);
         let inputs = &self.inputs[..bound.rows_in() * n];
         let outputs = &mut self.outputs[..bound.forces.len() * n];
         bound.law.forces(n, inputs, outputs, &mut self.workspace);

@@ -70,7 +70,7 @@ impl Springs {
     }
 
     /// Values of the law that has the most, with so many rows a law and a value a spring.
-    pub(super) fn most(&self, rows: fn(&PlacedLaw) -> usize) -> usize {
+    pub(super) fn most(&self, rows: impl Fn(&PlacedLaw) -> usize) -> usize {
         self.laws.iter().map(|law| rows(law) * law.springs).max().unwrap_or(0)
     }
 

@@ -21,6 +21,29 @@ const NODES: [(f64, f64); 3] = [
 /// Weight of each end.
 const END: f64 = 0.05;
 
+/// A place along the step, in parts of it, its weight, and whether rates are left out there.
+type Node = (f64, f64, bool);
+
+/// Along the way, then along the way at rest, where its ends are not known either.
+const ALL: [Node; 8] = [
+    (NODES[0].0, NODES[0].1, false),
+    (NODES[1].0, NODES[1].1, false),
+    (NODES[2].0, NODES[2].1, false),
+    (0.0, END, true),
+    (1.0, END, true),
+    (NODES[0].0, NODES[0].1, true),
+    (NODES[1].0, NODES[1].1, true),
+    (NODES[2].0, NODES[2].1, true),
+];
+
+/// Springs, times nodes, that are evaluated together: laws of few springs take as long for some more.
+const TOGETHER: usize = 64;
+
+/// Nodes that are evaluated together of a law at so many springs.
+fn together(springs: usize) -> usize {
+    (TOGETHER / springs.max(1)).clamp(1, ALL.len())
+}
+
 /// Work of springs along steps, in J.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub(crate) struct SpringWork {
@@ -116,7 +139,7 @@ impl WorkAlong {
             starts: state.laws.iter().map(start).collect(),
             along: vec![0.0; forces],
             at_rest: vec![0.0; forces],
-            memory: LawMemory::new(springs),
+            memory: LawMemory::for_times(springs, together),
             spins: state.planes.iter().map(|own| own.spin).collect(),
             without_spin: vec![0.0; springs.most(|law| law.bound.kind.rows)],
             flows: vec![Flow::default(); MOTIONS * springs.bearings],
@@ -171,44 +194,54 @@ impl WorkAlong {
             let sums = self.along[k * n..][..n].iter_mut();
             sums.zip(ends).for_each(|(sum, (a, b))| *sum = END * (a + b));
         }
-        let memory = &mut self.memory;
-        let mut add = |s: f64, weight: f64, at_rest: bool, sums: &mut [f64]| {
-            for (row, &input) in bound.inputs.iter().enumerate() {
-                let values = &mut memory.inputs[row * n..][..n];
-                if at_rest && bound.kind.inputs[input].rate {
-                    values.fill(0.0);
-                    continue;
-                }
-                let ends = start.inputs[input * n..].iter().zip(&end.inputs[input * n..]);
-                values.iter_mut().zip(ends).for_each(|(v, (a, b))| *v = a + s * (b - a));
-            }
-            let remembered = &mut memory.inputs[bound.inputs.len() * n..];
-            let ends = start.states.iter().zip(&end.states);
-            remembered.iter_mut().zip(ends).for_each(|(v, (a, b))| *v = a + s * (b - a));
-            let forces = memory.forces(law).chunks_exact(n.max(1));
-            for (sums, forces) in sums.chunks_exact_mut(n.max(1)).zip(forces) {
-                sums.iter_mut().zip(forces).for_each(|(sum, force)| *sum += weight * force);
-            }
-        };
+        self.at_rest.fill(0.0);
         if bound.law.film().is_some() {
             // What the oil is on the way is not known: the ends count for all of it, and nothing is stored.
             self.along[..bound.forces.len() * n].iter_mut().for_each(|sum| *sum *= 0.5 / END);
-            self.at_rest.fill(0.0);
             return;
         }
-        for (s, weight) in NODES {
-            add(s, weight, false, &mut self.along);
-        }
-        if !bound.states.is_empty() {
-            // What a law with states stores, it says itself; the rest is dissipated.
-            self.at_rest.fill(0.0);
-        } else if bound.takes_rates() {
-            self.at_rest.fill(0.0);
-            for (s, weight) in [(0.0, END), (1.0, END)].into_iter().chain(NODES) {
-                add(s, weight, true, &mut self.at_rest);
+        // What a law with states stores, it says itself; the rest is dissipated.
+        let parted = bound.states.is_empty() && bound.takes_rates();
+        let nodes = if parted { &ALL[..] } else { &ALL[..NODES.len()] };
+        for nodes in nodes.chunks(together(n)) {
+            self.take_along(law, place, end, nodes);
+            let forces = self.memory.forces(law, nodes.len());
+            for (k, forces) in forces.chunks_exact((n * nodes.len()).max(1)).enumerate() {
+                for ((_, weight, at_rest), forces) in nodes.iter().zip(forces.chunks_exact(n.max(1))) {
+                    let sums = if *at_rest { &mut self.at_rest } else { &mut self.along };
+                    let sums = sums[k * n..][..n].iter_mut();
+                    sums.zip(forces).for_each(|(sum, force)| *sum += weight * force);
+                }
             }
-        } else {
+        }
+        if bound.states.is_empty() && !parted {
             self.at_rest.copy_from_slice(&self.along);
+        }
+    }
+
+    /// Gives a law what it takes at some nodes of the step, node after node in each row.
+    fn take_along(&mut self, law: &PlacedLaw, place: usize, end: &LawState, nodes: &[Node]) {
+        let (bound, n, start) = (&law.bound, law.springs, &self.starts[place]);
+        let width = n * nodes.len();
+        let mut rows = self.memory.inputs.chunks_exact_mut(width.max(1));
+        let between = |(s, ..): &Node, [a, b]: [&[f64]; 2], out: &mut [f64]| {
+            let ends = a.iter().zip(b);
+            out.iter_mut().zip(ends).for_each(|(v, (a, b))| *v = a + s * (b - a));
+        };
+        for (&input, row) in bound.inputs.iter().zip(rows.by_ref()) {
+            let ends = [&start.inputs[input * n..][..n], &end.inputs[input * n..][..n]];
+            for (node, values) in nodes.iter().zip(row.chunks_exact_mut(n.max(1))) {
+                match node.2 && bound.kind.inputs[input].rate {
+                    true => values.fill(0.0),
+                    false => between(node, ends, values),
+                }
+            }
+        }
+        let states = start.states.chunks_exact(n.max(1)).zip(end.states.chunks_exact(n.max(1)));
+        for ((a, b), row) in states.zip(rows) {
+            for (node, values) in nodes.iter().zip(row.chunks_exact_mut(n.max(1))) {
+                between(node, [a, b], values);
+            }
         }
     }
 
