@@ -1,22 +1,23 @@
-//! A law of a spec file, evaluated without a compiler.
+//! A law of a spec file, evaluated without a compiler: where a law that is built in does the same with other numbers, by its kernel.
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics};
 use whirl_codegen::kinds::law;
 use whirl_codegen::kinds::law::{Given, LawSpec};
-use whirl_codegen::schedule::ScheduleError;
+use whirl_codegen::schedule::{Program, ScheduleError};
 use whirl_codegen::tape::Tape;
 use whirl_solver::bearing::{Remembered, SpringLaw, Validity};
 use whirl_solver::cache::Key;
+use whirl_specs::{LAWS, Law, LawSkeleton};
 
-/// A law whose kernel is a tape; it gives the same bits as a compiled one.
+/// A law that was not compiled; it gives the same bits as a compiled one.
 pub(crate) struct LawFile {
     name: String,
     hash: String,
     inputs: Vec<String>,
     outputs: Vec<String>,
-    tape: Tape,
+    all: Runs,
     /// Of the outputs alone.
-    forces: Tape,
+    forces: Runs,
     states: Vec<Remembered>,
     /// Of the energy that is stored.
     stored: Option<Tape>,
@@ -53,13 +54,53 @@ impl LawFile {
             hash: Key::of(&texts.join("\0")).hex(),
             inputs: spec.taken().iter().map(|input| input.name.clone()).collect(),
             outputs: spec.given().iter().map(|output| output.name.clone()).collect(),
-            tape: Tape::new(&program),
-            forces: Tape::new(&spec.forces_of(&program)),
+            all: Runs::new(&program, |law| law.skeleton),
+            forces: Runs::new(&spec.forces_of(&program), |law| law.forces_skeleton),
             states: states.collect(),
             stored: stored.as_ref().map(Tape::new),
             valid: spec.valid.iter().map(validity).collect(),
             measures: measures.as_ref().map(Tape::new),
         })
+    }
+
+    /// Whether a compiled kernel evaluates it.
+    pub(crate) fn is_compiled(&self) -> bool {
+        matches!(self.all, Runs::Kernel(..))
+    }
+}
+
+/// What evaluates a program.
+enum Runs {
+    /// The kernel of a law that is built in, with the numbers of this one.
+    Kernel(LawSkeleton, Vec<f64>),
+    Tape(Tape),
+}
+
+impl Runs {
+    /// The kernel if a law that is built in has the skeleton of the program, among its skeletons by `skeleton`.
+    fn new(program: &Program, skeleton: impl Fn(&Law) -> Option<LawSkeleton>) -> Self {
+        let compiled = program.skeleton().and_then(|(own, numbers)| {
+            let key = own.key();
+            let skeleton = LAWS.iter().filter_map(skeleton).find(|skeleton| skeleton.key == key)?;
+            Some(Runs::Kernel(skeleton, numbers))
+        });
+        compiled.unwrap_or_else(|| Runs::Tape(Tape::new(program)))
+    }
+
+    fn workspace(&self) -> usize {
+        match self {
+            Runs::Kernel(..) => 0,
+            Runs::Tape(tape) => tape.workspace(),
+        }
+    }
+
+    fn evaluate(&self, springs: usize, inputs: &[f64], outputs: &mut [f64], workspace: &mut [f64]) {
+        match self {
+            Runs::Kernel(skeleton, numbers) => {
+                (skeleton.evaluate)(springs, numbers, inputs, outputs)
+            }
+            Runs::Tape(tape) => tape.evaluate(springs, inputs, outputs, workspace),
+        }
     }
 }
 
@@ -82,11 +123,12 @@ impl SpringLaw for LawFile {
 
     fn workspace(&self) -> usize {
         let others = self.measures.iter().chain(&self.stored);
-        others.map(Tape::workspace).fold(self.tape.workspace(), usize::max)
+        let others = others.map(Tape::workspace).max().unwrap_or(0);
+        others.max(self.all.workspace()).max(self.forces.workspace())
     }
 
     fn evaluate(&self, springs: usize, inputs: &[f64], outputs: &mut [f64], workspace: &mut [f64]) {
-        self.tape.evaluate(springs, inputs, outputs, workspace);
+        self.all.evaluate(springs, inputs, outputs, workspace);
     }
 
     fn forces(&self, springs: usize, inputs: &[f64], outputs: &mut [f64], workspace: &mut [f64]) {

@@ -7,6 +7,7 @@ pub mod emit;
 pub mod expression;
 pub mod formula;
 pub mod generate;
+mod hash;
 pub mod kinds;
 pub mod operation;
 pub mod rational;

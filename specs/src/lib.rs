@@ -37,6 +37,9 @@ pub use matrices::{Batch, CellMatrix, Matrix};
 pub use origin::{Origin, Variable};
 pub use registers::{Register, Registers};
 pub use registry::*;
-pub use rows::{SpringKernel, each_spring, rows, rows_mut, strided, strided_mut};
+pub use rows::{
+    SkeletonKernel, SpringKernel, each_spring, each_spring_with, rows, rows_mut, strided,
+    strided_mut,
+};
 
 include!(concat!(env!("OUT_DIR"), "/kernels.rs"));

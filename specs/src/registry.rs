@@ -99,12 +99,27 @@ pub struct Law {
     pub evaluate: LawKernel,
     /// The outputs alone, a row each, to the same bits: neither derivatives nor rates. Without it they are taken out of all.
     pub forces: Option<LawKernel>,
+    /// The kernel for other numbers in the places of those of the file, if it has any.
+    pub skeleton: Option<LawSkeleton>,
+    /// The same of the outputs alone.
+    pub forces_skeleton: Option<LawSkeleton>,
     /// The energy that is stored (J) over a row of springs, from rows of inputs and states, if the law says so.
     pub stored: Option<fn(springs: usize, inputs: &[f64], energies: &mut [f64])>,
     /// Where the law may be believed.
     pub valid: &'static [Validity],
     /// The measures of `valid` over a row of springs: one row an input, then one a state; one row a measure, SI.
     pub measure: fn(springs: usize, inputs: &[f64], measures: &mut [f64]),
+}
+
+/// What a law does whatever numbers it does it with.
+#[derive(Debug, Clone, Copy)]
+pub struct LawSkeleton {
+    /// Laws with the same key do the same with other numbers.
+    pub key: &'static str,
+    /// How many numbers it takes.
+    pub numbers: usize,
+    /// The kernel: numbers, then rows as in [`LawKernel`].
+    pub evaluate: fn(springs: usize, numbers: &[f64], inputs: &[f64], outputs: &mut [f64]),
 }
 
 /// A state of a law: a value that changes at a rate of its own.

@@ -12,6 +12,20 @@ pub trait SpringKernel<const INPUTS: usize, const OUTPUTS: usize> {
     fn spring<L: Lane>(inputs: [L; INPUTS]) -> [L; OUTPUTS];
 }
 
+/// The same for any numbers in the places of those of a spec.
+pub trait SkeletonKernel<const INPUTS: usize, const NUMBERS: usize, const OUTPUTS: usize> {
+    /// Outputs of one lane of springs. To be `#[inline(always)]`.
+    fn spring<L: Lane>(inputs: [L; INPUTS], numbers: [L; NUMBERS]) -> [L; OUTPUTS];
+}
+
+/// A kernel that has its numbers is one that takes none.
+impl<K: SpringKernel<I, O>, const I: usize, const O: usize> SkeletonKernel<I, 0, O> for K {
+    #[inline(always)]
+    fn spring<L: Lane>(inputs: [L; I], _: [L; 0]) -> [L; O] {
+        K::spring(inputs)
+    }
+}
+
 /// Evaluates a kernel for all springs, several side by side where the processor can. Rows of `springs`
 /// values, one an input and one an output.
 ///
@@ -22,22 +36,50 @@ pub fn each_spring<K: SpringKernel<I, O>, const I: usize, const O: usize>(
     inputs: &[f64],
     outputs: &mut [f64],
 ) {
+    each_spring_with::<K, I, 0, O>(springs, &[], inputs, outputs);
+}
+
+/// The same with as many numbers as the kernel takes.
+///
+/// # Panics
+/// If there are fewer values than that, or another number of numbers.
+pub fn each_spring_with<
+    K: SkeletonKernel<I, N, O>,
+    const I: usize,
+    const N: usize,
+    const O: usize,
+>(
+    springs: usize,
+    numbers: &[f64],
+    inputs: &[f64],
+    outputs: &mut [f64],
+) {
+    let numbers: &[f64; N] = numbers.try_into().expect("a number for each place");
     // As divisions: no product can overflow.
     assert!(
         inputs.len() / I.max(1) >= springs && outputs.len() / O.max(1) >= springs,
         "a value a spring and row"
     );
-    Registers::current().run(EachSpring { springs, inputs, outputs, kernel: PhantomData::<K> });
+    Registers::current().run(EachSpring::<K, I, N, O> {
+        springs,
+        numbers,
+        inputs,
+        outputs,
+        kernel: PhantomData,
+    });
 }
 
-struct EachSpring<'a, K, const I: usize, const O: usize> {
+struct EachSpring<'a, K, const I: usize, const N: usize, const O: usize> {
     springs: usize,
+    numbers: &'a [f64; N],
     inputs: &'a [f64],
     outputs: &'a mut [f64],
     kernel: PhantomData<K>,
 }
 
-impl<K: SpringKernel<I, O>, const I: usize, const O: usize> EachSpring<'_, K, I, O> {
+impl<K: SkeletonKernel<I, N, O>, const I: usize, const N: usize, const O: usize>
+    EachSpring<'_, K, I, N, O>
+{
     /// Springs from `first` on one by one: without fused operations the bits are the same. Compiled once,
     /// not for every register.
     #[inline(never)]
@@ -48,14 +90,16 @@ impl<K: SpringKernel<I, O>, const I: usize, const O: usize> EachSpring<'_, K, I,
             for (i, value) in values.iter_mut().enumerate() {
                 *value = self.inputs[i * springs + spring];
             }
-            for (o, value) in K::spring(values).iter().enumerate() {
+            for (o, value) in K::spring(values, *self.numbers).iter().enumerate() {
                 self.outputs[o * springs + spring] = *value;
             }
         }
     }
 }
 
-impl<K: SpringKernel<I, O>, const I: usize, const O: usize> Task for EachSpring<'_, K, I, O> {
+impl<K: SkeletonKernel<I, N, O>, const I: usize, const N: usize, const O: usize> Task
+    for EachSpring<'_, K, I, N, O>
+{
     type Output = ();
 
     #[inline(always)]
@@ -65,6 +109,7 @@ impl<K: SpringKernel<I, O>, const I: usize, const O: usize> Task for EachSpring<
         let whole = if L::WIDTH > 1 { springs / L::WIDTH } else { 0 };
         // Slices of every row would cost more to compile than most laws.
         let (from, to) = (self.inputs.as_ptr(), self.outputs.as_mut_ptr());
+        let numbers = self.numbers.map(L::splat);
         for k in 0..whole {
             let spring = k * L::WIDTH;
             let mut values = [L::splat(0.0); I];
@@ -73,7 +118,7 @@ impl<K: SpringKernel<I, O>, const I: usize, const O: usize> Task for EachSpring<
                 // register from this spring on ends within the row.
                 *value = L::load(unsafe { &*from.add(i * springs + spring).cast() });
             }
-            for (o, value) in K::spring(values).iter().enumerate() {
+            for (o, value) in K::spring(values, numbers).iter().enumerate() {
                 // SAFETY: the same of O rows, which nothing else refers to.
                 value.store(unsafe { &mut *to.add(o * springs + spring).cast() });
             }

@@ -11,4 +11,5 @@ mod hyper;
 mod motion;
 mod random;
 mod registers;
+mod skeletons;
 mod workspace;

@@ -23,6 +23,8 @@ const fn law(
         states: &[],
         evaluate,
         forces: Some(forces),
+        skeleton: None,
+        forces_skeleton: None,
         stored: None,
         valid: &[],
         measure: |_, _, _| {},

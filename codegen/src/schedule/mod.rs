@@ -7,6 +7,7 @@ mod lower;
 mod name;
 mod program;
 mod request;
+mod skeleton;
 mod sum;
 #[cfg(test)]
 mod tests;
@@ -18,6 +19,7 @@ use crate::simplify::simplify;
 use lower::Lowered;
 pub use program::{Counts, Instruction, Program, ProgramInput, ProgramOutput, Stage};
 pub use request::{Input, Output, Request, ScheduleError};
+pub use skeleton::Skeleton;
 pub use sum::take_out;
 
 /// The program that computes the outputs of a request: of several ways to write each output, all equal,

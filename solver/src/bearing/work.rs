@@ -207,7 +207,9 @@ impl WorkAlong {
             self.take_along(law, place, end, nodes);
             let forces = self.memory.forces(law, nodes.len());
             for (k, forces) in forces.chunks_exact((n * nodes.len()).max(1)).enumerate() {
-                for ((_, weight, at_rest), forces) in nodes.iter().zip(forces.chunks_exact(n.max(1))) {
+                for ((_, weight, at_rest), forces) in
+                    nodes.iter().zip(forces.chunks_exact(n.max(1)))
+                {
                     let sums = if *at_rest { &mut self.at_rest } else { &mut self.along };
                     let sums = sums[k * n..][..n].iter_mut();
                     sums.zip(forces).for_each(|(sum, force)| *sum += weight * force);

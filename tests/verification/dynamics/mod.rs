@@ -173,6 +173,8 @@ pub(crate) const fn law(name: &'static str, rates: bool, evaluate: whirl_specs::
         states: &[],
         evaluate,
         forces: None,
+        skeleton: None,
+        forces_skeleton: None,
         stored: None,
         valid: &[],
         measure: |_, _, _| {},

@@ -22,17 +22,25 @@ impl LawSpec {
         let stored = self.stored_program().map_err(refused)?;
         let stored = stored.as_ref().map(|program| stored_of(self, program));
         let functions = functions(self, program);
-        let forces = forces_of(self, &self.forces_of(program));
-        let functions = quote!(#functions #forces #measured #stored);
-        let entry = entry(self, &about, &functions);
+        let only_forces = &self.forces_of(program);
+        let forces = forces_of(self, only_forces);
+        let [of_all, of_forces] = [(program, "Skeleton"), (only_forces, "ForcesSkeleton")];
+        let (of_all, skeleton) = with_numbers(self, of_all);
+        let (of_forces, forces_skeleton) = with_numbers(self, of_forces);
+        let functions = quote!(#functions #forces #of_all #of_forces #measured #stored);
+        let skeletons = quote!(skeleton: #skeleton, forces_skeleton: #forces_skeleton,);
+        let entry = entry(self, &about, &functions, &skeletons);
         let name = identifier(&self.name);
         let heading = documented(&format!("{}{}", about.heading(), pieces(self)));
         let validity = measures.is_some().then(|| quote!(Validity,));
+        let has_skeletons = !of_all.is_empty() || !of_forces.is_empty();
+        let skeleton =
+            has_skeletons.then(|| quote!(LawSkeleton, SkeletonKernel, each_spring_with,));
         let state = (!self.states.is_empty()).then(|| quote!(LawState,));
         let module = quote! {
             #heading
             pub mod #name {
-                use crate::{Lane, Law, #state Origin, SpringKernel, #validity Variable, each_spring};
+                use crate::{Lane, Law, #skeleton #state Origin, SpringKernel, #validity Variable, each_spring};
                 #functions
                 #entry
             }
@@ -128,6 +136,43 @@ fn rows(
     }
 }
 
+/// The kernel of a program with any numbers in the places of its own, and its entry. None where the program has no numbers.
+fn with_numbers(law: &LawSpec, (program, kernel): (&Program, &str)) -> (TokenStream, TokenStream) {
+    let skeleton = program.skeleton().filter(|(_, numbers)| !numbers.is_empty());
+    let Some((skeleton, numbers)) = skeleton else { return (TokenStream::new(), quote!(None)) };
+    let (inputs, body) = (taken(law, program), body(&skeleton.program));
+    let names = skeleton.numbers().map(identifier);
+    let about = documented(&format!(
+        "The same with numbers that are given: {} takes those of the file, in the order in which they stand there.",
+        if kernel == "Skeleton" { "`Kernel`" } else { "`Forces`" }
+    ));
+    let [input_count, number_count, output_count] =
+        [inputs.len(), numbers.len(), program.outputs.len()].map(Literal::usize_unsuffixed);
+    let (key, kernel) = (skeleton.key(), identifier(kernel));
+    let text = quote! {
+        enum #kernel {}
+
+        impl SkeletonKernel<#input_count, #number_count, #output_count> for #kernel {
+            #about
+            #[inline(always)]
+            fn spring<L: Lane>(
+                [#(#inputs),*]: [L; #input_count],
+                [#(#names),*]: [L; #number_count],
+            ) -> [L; #output_count] {
+                #body
+            }
+        }
+    };
+    let entry = quote! {
+        Some(LawSkeleton {
+            key: #key,
+            numbers: #number_count,
+            evaluate: each_spring_with::<#kernel, #input_count, #number_count, #output_count>,
+        })
+    };
+    (text, entry)
+}
+
 /// The inputs of a law as a kernel of one spring names them; those that only parameters of zero multiply are not used.
 fn taken(law: &LawSpec, program: &Program) -> Vec<TokenStream> {
     let used = program.used_inputs();
@@ -187,7 +232,12 @@ fn body(program: &Program) -> TokenStream {
     quote!(#(#statements)* [#(#outputs),*])
 }
 
-fn entry(law: &LawSpec, about: &About, functions: &TokenStream) -> TokenStream {
+fn entry(
+    law: &LawSpec,
+    about: &About,
+    functions: &TokenStream,
+    skeletons: &TokenStream,
+) -> TokenStream {
     let origin = about.origin(functions);
     let as_variable =
         |input: &LawInput| variable(&input.name, &input.unit.dimension().si_unit(), &input.title);
@@ -225,6 +275,7 @@ fn entry(law: &LawSpec, about: &About, functions: &TokenStream) -> TokenStream {
             states: &[#(#states),*],
             evaluate,
             forces: Some(forces),
+            #skeletons
             stored: #stored,
             valid: &[#(#valid),*],
             #measure,
