@@ -92,7 +92,7 @@ mod tests {
     fn line(slope: i64, above: i64) -> Program {
         let mut g = Graph::new();
         let (x, k0) = (g.scalar("x"), g.scalar("k0"));
-        let terms = [(x, Rational::new(slope.into(), 1)), (k0, Rational::new(above.into(), 1))];
+        let terms = [(x, Rational::new(slope, 1)), (k0, Rational::new(above, 1))];
         let sum = g.sum(&terms);
         let request = Request::flat(&[("x", x), ("k0", k0)], &[("y", sum)]);
         schedule(&mut g, &request).expect("a program")

@@ -193,21 +193,29 @@ mod tests {
         assert_eq!(begin(&mut own, (0.25, 0.05)), 0.0);
     }
 
-    /// Corrections are Δt³ of a jerk in the middle of the step. Where a motion goes on smoothly, so does it in steps of another length, those
-    /// of a step that was left included.
+    /// Corrections are Δt³ of a jerk in the middle of the step. Where a motion goes on smoothly, so does it in steps of another
+    /// length, also behind a step that was left.
     #[test]
     fn a_smooth_motion_goes_on_in_halves_and_doubles() {
-        let correction = |t: f64, dt: f64| dt.powi(3) * (1.0 + (t - 0.5 * dt)).sqrt();
+        // As many as corrections are kept for all.
+        const N: usize = 64;
+        let correction = |t: f64, dt: f64| vec![dt.powi(3) * (1.0 + (t - 0.5 * dt)).sqrt(); N];
         for (ratio, left) in [(0.5, 0), (2.0, 0), (0.25, 0), (0.5, 1)] {
-            let mut own = Extrapolation::new(1, true);
+            let mut own = Extrapolation::new(N, true);
+            let (weights, mut memory, mut guess) = ([0.5; N], [0.0; N], [0.0; N]);
             let dt = 0.1;
             for step in 1..9 {
-                begin(&mut own, (dt * f64::from(step), dt));
-                own.learn(&[correction(dt * f64::from(step), dt)], &[0.5], &mut [0.0]);
+                let t = dt * f64::from(step);
+                own.begin((t, dt), (&weights, &mut memory), &mut guess);
+                own.learn(&correction(t, dt), &weights, &mut memory);
             }
             let (end, dt) = (dt * f64::from(8 - left), ratio * dt);
-            let (guess, exact) = (begin(&mut own, (end + dt, dt)), correction(end + dt, dt));
-            assert!((guess / exact - 1.0).abs() < 0.01, "{ratio}, {left}: {guess} for {exact}");
+            own.begin((end + dt, dt), (&weights, &mut memory), &mut guess);
+            let exact = correction(end + dt, dt)[0];
+            assert!(
+                (guess[0] / exact - 1.0).abs() < 0.01,
+                "{ratio}, {left}: {guess:?} for {exact}"
+            );
         }
         // By far other steps say nothing.
         let mut own = Extrapolation::new(1, true);
