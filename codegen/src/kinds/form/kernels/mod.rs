@@ -9,7 +9,8 @@ use quote::{format_ident, quote};
 
 use super::{Form, FormSpec, Structure};
 use crate::diagnostic::Diagnostics;
-use crate::emit::{count, documented, identifier};
+use crate::emit::{Head, Loop, Size, Sizes, Value, Work, count, documented, identifier};
+use crate::kinds::cells;
 use crate::kinds::kernel::{text, unscheduled};
 use block::Block;
 pub(in crate::kinds) use block::{block_name, once_name};
@@ -82,7 +83,7 @@ pub(in crate::kinds) fn by_values(form: &Form, pairs: &Pairs) -> bool {
 
 /// Name of the function of a form, or of a stress.
 pub(in crate::kinds) fn pairs_name(form: &Form) -> Ident {
-    match form.stress.as_ref().is_some_and(|stress| stress.at_points) {
+    match at_points(form) {
         true => format_ident!("{}_points_", identifier(&form.name)),
         false => format_ident!("{}_pairs_", identifier(&form.name)),
     }
@@ -92,47 +93,29 @@ pub(in crate::kinds) fn pairs_name(form: &Form) -> Ident {
 fn function(spec: &FormSpec, form: &Form, pairs: &Pairs) -> TokenStream {
     let name = pairs_name(form);
     let parts = count(pairs.parts().len());
-    let block_of_form = Block::new(form, pairs);
-    let (block, both, length) =
-        (block_name(form), block_of_form.functions(spec), count(block_of_form.once.len()));
+    let block = Block::new(form, pairs);
+    let (both, length, work) = (block.functions(spec), count(block.once.len()), work(form, pairs));
     if pairs.under_stress {
-        let function = match form.stress.as_ref().is_some_and(|stress| stress.at_points) {
-            true => at_points(form, pairs, &length),
-            false => under_stress(form, pairs, &length),
+        let (about, matrix) = match at_points(form) {
+            true => (about_points(form, pairs), quote!(mut stresses)),
+            false => (about_stress(form, pairs), quote!(matrix)),
         };
-        return quote!(#both #function);
+        let about = documented(&about);
+        return quote! {
+            #both
+            #about
+            #[inline(always)]
+            pub fn #name<L: Register, const POINTS: usize>(
+                basis: &[[[L; 3]; POINTS]],
+                roots: &[L; POINTS],
+                displacement: [&[[L; 3]]; 2],
+                once: [L; #length],
+                #matrix: Matrix<L>,
+            ) {
+                #work
+            }
+        };
     }
-    let loops = match &form.structure {
-        Structure::Kronecker { .. } => each_pair(
-            pairs,
-            &quote!(a),
-            |b, sums| quote!(cells::store_entry(&mut matrix, functions, a, #b, #block(#sums, once));),
-        ),
-        Structure::Symmetric => {
-            let each = each_pair(
-                pairs,
-                &quote!(a + 1),
-                |b, sums| quote!(cells::store_block(&mut matrix, rows, #b, #block(#sums, once));),
-            );
-            quote! {
-                let rows = cells::upper_rows(3 * functions, a);
-                let own = #block(cells::own_sums(of_a), once);
-                cells::store_diagonal(&mut matrix, rows, a, own);
-                #each
-            }
-        }
-        Structure::Full => {
-            let each = each_pair(
-                pairs,
-                &quote!(0),
-                |b, sums| quote!(cells::store_block(&mut matrix, rows, #b, #block(#sums, once));),
-            );
-            quote! {
-                let rows = cells::full_rows(3 * functions, a);
-                #each
-            }
-        }
-    };
     let about = documented(&header(form, pairs));
     quote! {
         #both
@@ -156,9 +139,7 @@ fn function(spec: &FormSpec, form: &Form, pairs: &Pairs) -> TokenStream {
                 fn run(self) {
                     let Pairs { basis, points, once, mut matrix } = self;
                     let functions = basis.len() / points;
-                    for (a, of_a) in basis.chunks_exact(points).enumerate() {
-                        #loops
-                    }
+                    #work
                 }
             }
             L::shared(Pairs { basis, points, once, matrix })
@@ -166,11 +147,132 @@ fn function(spec: &FormSpec, form: &Form, pairs: &Pairs) -> TokenStream {
     }
 }
 
-/// The components of a stress at the points.
-fn at_points(form: &Form, pairs: &Pairs, length: &impl quote::ToTokens) -> TokenStream {
-    let (name, block) = (pairs_name(form), block_name(form));
+/// What the function of a form takes for so many functions, of which those of nodes have rows in a matrix under a
+/// stress.
+pub(in crate::kinds) fn operations(
+    form: &Form,
+    pairs: &Pairs,
+    [functions, nodes, points]: [usize; 3],
+) -> usize {
+    let sizes =
+        [("functions", functions), ("nodes", nodes), ("points", points), ("POINTS", points)];
+    work(form, pairs).operations(&Sizes::from(sizes))
+}
+
+/// What the function of a form does.
+fn work(form: &Form, pairs: &Pairs) -> Work {
+    match pairs.under_stress {
+        true => under_stress(form, pairs),
+        false => each_function(form, pairs),
+    }
+}
+
+/// A loop over the functions a, and in it one over the functions b.
+fn each_function(form: &Form, pairs: &Pairs) -> Work {
+    let block = block_name(form);
+    let mut each = Work::new();
+    let in_rows = |b: TokenStream, sums: TokenStream| {
+        let store = quote!(cells::store_block(&mut matrix, rows, #b, #block(#sums, once)));
+        Value::call(store, pairs.flops())
+    };
+    let pairs_of_a = match &form.structure {
+        Structure::Kronecker { .. } => each_pair(pairs, Size::Named("a"), |b, sums| {
+            let entry = quote!(#block(#sums, once));
+            let store = quote!(cells::store_entry(&mut matrix, functions, a, #b, #entry));
+            Value::call(store, pairs.flops())
+        }),
+        Structure::Symmetric => {
+            let of_own = cells::sums(pairs.different(), Size::Named("points"));
+            let own = Value::sized_call(quote!(cells::own_sums(of_a)), of_own);
+            each.name(quote!(rows), quote!(cells::upper_rows(3 * functions, a)));
+            each.bind(quote!(own), own.within(|own| quote!(#block(#own, once)), pairs.own_flops()));
+            each.call(Value::free(quote!(cells::store_diagonal(&mut matrix, rows, a, own))));
+            each_pair(pairs, Size::After("a"), in_rows)
+        }
+        Structure::Full => {
+            each.name(quote!(rows), quote!(cells::full_rows(3 * functions, a)));
+            each_pair(pairs, Size::Number(0), in_rows)
+        }
+    };
+    each.then(pairs_of_a);
+    let functions = quote!(basis.chunks_exact(points).enumerate());
+    let mut work = Work::new();
+    work.repeat(Loop {
+        index: "a",
+        from: Size::Number(0),
+        to: Size::Named("functions"),
+        head: Head::Over(quote!((a, of_a)), functions),
+        body: each,
+    });
+    work
+}
+
+/// A loop over the functions b from `first` on: two at a time where there are registers for their sums.
+fn each_pair(
+    pairs: &Pairs,
+    first: Size,
+    store: impl Fn(TokenStream, TokenStream) -> Value,
+) -> Work {
+    let sums = |functions: usize, of_b: TokenStream| {
+        let sums = cells::sums(functions * pairs.moments.len(), Size::Named("points"));
+        Value::sized_call(quote!(cells::sums(of_a, #of_b)), sums)
+    };
+    let mut one = Work::new();
+    one.bind(quote!([sums]), sums(1, quote!([&basis[b * points..]])));
+    one.call(store(quote!(b), quote!(sums)));
+    // As many sums as registers hold beside the values.
+    let two = (pairs.moments.len() <= 9).then(|| {
+        let mut two = Work::new();
+        two.name(
+            quote!((of_b, of_next)),
+            quote!((&basis[b * points..], &basis[(b + 1) * points..])),
+        );
+        two.bind(quote!([sums, next]), sums(2, quote!([of_b, of_next])));
+        two.call(store(quote!(b), quote!(sums)));
+        two.call(store(quote!(b + 1), quote!(next)));
+        two
+    });
+    let mut work = Work::new();
+    let to = Size::Named("functions");
+    work.repeat(Loop { index: "b", from: first, to, head: Head::ByTwos(two), body: one });
+    work
+}
+
+/// The components at the points by the slopes of a displacement: those of a stress, or the coefficients of sums.
+fn under_stress(form: &Form, pairs: &Pairs) -> Work {
+    let (block, points) = (block_name(form), Size::Named("POINTS"));
+    let slopes = Value::sized_call(
+        quote!(cells::slopes(basis, roots, displacement, q)),
+        cells::slopes(Size::Named("functions")),
+    );
+    let components = slopes.within(|slopes| quote!(#block(#slopes, once)), pairs.flops());
+    let (mut work, mut point) = (Work::new(), Work::new());
+    if at_points(form) {
+        point.bind(quote!([[xx, xy, _], [_, yy, yz], [zx, _, zz]]), components);
+        let set = quote!(stresses.set(6 * q, &[xx, yy, zz, xy, yz, zx]));
+        point.call(Value::free(set));
+        work.kept("q", points, point);
+    } else {
+        work.name(quote!(mut coefficients), quote!([[[L::splat(0.0); 3]; 3]; POINTS]));
+        point.store(quote!(coefficients[q]), components);
+        work.kept("q", points, point);
+        let of_nodes = quote!(&basis[..displacement[0].len()]);
+        work.call(Value::sized_call(
+            quote!(cells::weighted_sums(#of_nodes, &coefficients, matrix)),
+            cells::weighted_sums(Size::Named("nodes"), points),
+        ));
+    }
+    work
+}
+
+/// Whether it is a stress at the points, and no matrix.
+fn at_points(form: &Form) -> bool {
+    form.stress.as_ref().is_some_and(|stress| stress.at_points)
+}
+
+fn about_points(form: &Form, pairs: &Pairs) -> String {
     let of = form.integrated_as();
-    let about = documented(&format!(
+    format!(
         "`{}`: the stress of a displacement as `{of}` has it, at the points.\n\nbasis: functions × points × (∂N/∂x, \
          ∂N/∂y, ∂N/∂z), each times √(w det J); roots: √(w det J). displacement: of all functions, those of the nodes and \
          those of modes. once: what [`{}`] gives. stresses: xx, yy, zz, xy, yz, zx at every point.\n\nA point: the slopes \
@@ -178,30 +280,11 @@ fn at_points(form: &Form, pairs: &Pairs, length: &impl quote::ToTokens) -> Token
         form.name,
         once_name(form),
         pairs.pair_counts(),
-    ));
-    quote! {
-        #about
-        #[inline(always)]
-        pub fn #name<L: Register, const POINTS: usize>(
-            basis: &[[[L; 3]; POINTS]],
-            roots: &[L; POINTS],
-            displacement: [&[[L; 3]]; 2],
-            once: [L; #length],
-            mut stresses: Matrix<L>,
-        ) {
-            for q in 0..cells::looped(POINTS) {
-                let [[xx, xy, _], [_, yy, yz], [zx, _, zz]] =
-                    #block(cells::slopes(basis, roots, displacement, q), once);
-                stresses.set(6 * q, &[xx, yy, zz, xy, yz, zx]);
-            }
-        }
-    }
+    )
 }
 
-/// The same of a form under a stress, which differs from point to point.
-fn under_stress(form: &Form, pairs: &Pairs, length: &impl quote::ToTokens) -> TokenStream {
-    let (name, block) = (pairs_name(form), block_name(form));
-    let about = documented(&format!(
+fn about_stress(form: &Form, pairs: &Pairs) -> String {
+    format!(
         "`{}`: ∫ `{}` dV, rows from v, columns from u, for every pair of the first basis functions of a cell, under the \
          stress of a displacement.\n\nbasis: functions × points × (∂N/∂x, ∂N/∂y, ∂N/∂z), each times √(w det J); roots: \
          √(w det J). displacement: of all functions, those of the nodes and those of modes; the functions of the nodes \
@@ -212,55 +295,7 @@ fn under_stress(form: &Form, pairs: &Pairs, length: &impl quote::ToTokens) -> To
         form.text.text(),
         once_name(form),
         pairs.pair_counts(),
-    ));
-    quote! {
-        #about
-        #[inline(always)]
-        pub fn #name<L: Register, const POINTS: usize>(
-            basis: &[[[L; 3]; POINTS]],
-            roots: &[L; POINTS],
-            displacement: [&[[L; 3]]; 2],
-            once: [L; #length],
-            matrix: Matrix<L>,
-        ) {
-            let mut coefficients = [[[L::splat(0.0); 3]; 3]; POINTS];
-            for q in 0..cells::looped(POINTS) {
-                coefficients[q] = #block(cells::slopes(basis, roots, displacement, q), once);
-            }
-            cells::weighted_sums(&basis[..displacement[0].len()], &coefficients, matrix);
-        }
-    }
-}
-
-/// A loop over the functions b from `first` on: two at a time where there are registers for their sums.
-fn each_pair(
-    pairs: &Pairs,
-    first: &TokenStream,
-    store: impl Fn(TokenStream, TokenStream) -> TokenStream,
-) -> TokenStream {
-    let one = store(quote!(b), quote!(sums));
-    // As many sums as registers hold beside the values.
-    let two = (pairs.moments.len() <= 9).then(|| {
-        let other = store(quote!(b + 1), quote!(next));
-        quote! {
-            while L::MANY && b + 1 < functions {
-                let (of_b, of_next) = (&basis[b * points..], &basis[(b + 1) * points..]);
-                let [sums, next] = cells::sums(of_a, [of_b, of_next]);
-                #one
-                #other
-                b += 2;
-            }
-        }
-    });
-    quote! {
-        let mut b = #first;
-        #two
-        while b < functions {
-            let [sums] = cells::sums(of_a, [&basis[b * points..]]);
-            #one
-            b += 1;
-        }
-    }
+    )
 }
 
 fn header(form: &Form, pairs: &Pairs) -> String {
