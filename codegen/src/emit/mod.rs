@@ -10,4 +10,4 @@ pub use identifier::identifier;
 pub use statement::{NumberText, Numbers, number, operand, statements};
 pub(crate) use text::{count, names};
 pub use text::{documented, formatted};
-pub(crate) use work::{Head, Loop, Size, Sizes, Value, Work};
+pub(crate) use work::{Head, Loop, Size, Value, Work};

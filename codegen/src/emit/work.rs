@@ -10,25 +10,27 @@ use quote::{ToTokens, TokenStreamExt, format_ident, quote};
 use super::{Numbers, count, statements};
 use crate::schedule::Program;
 
-/// A bound of a loop, or what a call is repeated by within its function.
+/// A bound of a loop.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Size {
     Number(usize),
-    /// What the text calls by this name: a parameter, or the index of a loop around.
-    Named(&'static str),
-    /// One more than that.
+    /// What the text calls by a name, and how large it is.
+    Named(&'static str, usize),
+    /// The index of a loop around.
+    Index(&'static str),
+    /// The place after that.
     After(&'static str),
 }
 
-/// The numbers behind names.
-pub(crate) type Sizes = BTreeMap<&'static str, usize>;
+/// Places of the loops around.
+type Around = BTreeMap<&'static str, usize>;
 
 impl Size {
-    fn among(self, sizes: &Sizes) -> usize {
+    fn within(self, around: &Around) -> usize {
         match self {
-            Size::Number(number) => number,
-            Size::Named(name) => sizes[name],
-            Size::After(name) => sizes[name] + 1,
+            Size::Number(number) | Size::Named(_, number) => number,
+            Size::Index(name) => around[name],
+            Size::After(name) => around[name] + 1,
         }
     }
 }
@@ -37,7 +39,7 @@ impl ToTokens for Size {
     fn to_tokens(&self, tokens: &mut TokenStream) {
         match self {
             Size::Number(number) => tokens.append(count(*number)),
-            Size::Named(name) => tokens.append(format_ident!("{name}")),
+            Size::Named(name, _) | Size::Index(name) => tokens.append(format_ident!("{name}")),
             Size::After(name) => {
                 let name = format_ident!("{name}");
                 tokens.extend(quote!(#name + 1));
@@ -46,70 +48,39 @@ impl ToTokens for Size {
     }
 }
 
-/// Operations: the sum of numbers, each times sizes.
-type Operations = Vec<(usize, Vec<Size>)>;
-
-/// An expression over lanes.
+/// An expression over lanes, and the operations that it takes.
 #[derive(Debug, Clone)]
 pub(crate) struct Value {
     text: TokenStream,
-    operations: Operations,
+    operations: usize,
 }
 
 impl Value {
     /// What takes no operation: a name, an entry, a number.
     pub(crate) fn free(text: TokenStream) -> Self {
-        Value { text, operations: Vec::new() }
+        Value::call(text, 0)
     }
 
     /// A call of functions that take so many operations.
     pub(crate) fn call(text: TokenStream, operations: usize) -> Self {
-        Value { text, operations: vec![(operations, Vec::new())] }
-    }
-
-    /// A call whose operations depend on sizes.
-    pub(crate) fn sized_call(text: TokenStream, operations: Operations) -> Self {
         Value { text, operations }
     }
 
     /// self · factor + addend.
     pub(crate) fn mul_add(self, factor: Value, addend: Value) -> Self {
-        let (a, b, c) = (&self.text, &factor.text, &addend.text);
-        let text = quote!(#a.mul_add(#b, #c));
-        Value::of(text, 2, [self, factor, addend])
-    }
-
-    /// This value in a call that takes so many operations.
-    pub(crate) fn within(
-        self,
-        call: impl FnOnce(&TokenStream) -> TokenStream,
-        operations: usize,
-    ) -> Self {
-        let text = call(&self.text);
-        Value::of(text, operations, [self])
+        let operations = self.operations + factor.operations + addend.operations + 2;
+        Value::call(quote!(#self.mul_add(#factor, #addend)), operations)
     }
 
     /// `[a, b, …]`.
-    pub(crate) fn list(entries: Vec<Value>) -> Self {
-        Value::of(quote!([#(#entries),*]), 0, entries)
+    pub(crate) fn list(entries: &[Value]) -> Self {
+        let operations = entries.iter().map(|entry| entry.operations).sum();
+        Value::call(quote!([#(#entries),*]), operations)
     }
 
-    /// `{ … }`, whose loops have bounds that are known.
+    /// `{ … }`.
     pub(crate) fn block(work: &Work) -> Self {
-        Value::call(quote!({ #work }), work.operations(&Sizes::new()))
-    }
-
-    fn of(text: TokenStream, operations: usize, parts: impl IntoIterator<Item = Value>) -> Self {
-        let mut all = vec![(operations, Vec::new())];
-        all.extend(parts.into_iter().flat_map(|part| part.operations));
-        Value { text, operations: all }
-    }
-
-    fn among(&self, sizes: &Sizes) -> usize {
-        let term = |(number, by): &(usize, Vec<Size>)| {
-            number * by.iter().map(|size| size.among(sizes)).product::<usize>()
-        };
-        self.operations.iter().map(term).sum()
+        Value::call(quote!({ #work }), work.operations())
     }
 }
 
@@ -125,8 +96,8 @@ macro_rules! operators {
             type Output = Value;
 
             fn $method(self, other: Value) -> Value {
-                let text = quote!(#self $operator #other);
-                Value::of(text, 1, [self, other])
+                let operations = self.operations + other.operations + 1;
+                Value::call(quote!(#self $operator #other), operations)
             }
         }
     )*};
@@ -145,10 +116,8 @@ enum Step {
     Store(TokenStream, Value),
     /// `value;`
     Call(Value),
-    /// `value`, at the end.
-    Result(Value),
-    /// Straight-line statements, and the operations that they take.
-    Straight(TokenStream, usize),
+    /// Straight-line statements, or the value at the end.
+    Text(Value),
     Loop(Loop),
     /// Operations of the steps before that no result needs: a compiler leaves them out.
     Unused(usize),
@@ -208,13 +177,13 @@ impl Work {
 
     /// What the steps give.
     pub(crate) fn give(&mut self, value: Value) {
-        self.0.push(Step::Result(value));
+        self.0.push(Step::Text(value));
     }
 
     /// A stage of a schedule.
     pub(crate) fn stage(&mut self, program: &Program, stage: usize, numbers: Numbers) {
         let text = statements(program, stage, numbers).into_iter().collect();
-        self.0.push(Step::Straight(text, program.counts(stage).arithmetic()));
+        self.0.push(Step::Text(Value::call(text, program.counts(stage).arithmetic())));
     }
 
     pub(crate) fn repeat(&mut self, repeated: Loop) {
@@ -223,16 +192,13 @@ impl Work {
 
     /// `for index in 0..to { body }`.
     pub(crate) fn each(&mut self, index: &'static str, to: usize, body: Work) {
-        self.range(index, Head::Range, to, body);
+        let (from, to) = (Size::Number(0), Size::Number(to));
+        self.repeat(Loop { index, from, to, head: Head::Range, body });
     }
 
     /// The same, kept as a loop.
-    pub(crate) fn kept(&mut self, index: &'static str, to: impl Into<Size>, body: Work) {
-        self.range(index, Head::Kept, to, body);
-    }
-
-    fn range(&mut self, index: &'static str, head: Head, to: impl Into<Size>, body: Work) {
-        self.repeat(Loop { index, from: Size::Number(0), to: to.into(), head, body });
+    pub(crate) fn kept(&mut self, index: &'static str, to: Size, body: Work) {
+        self.repeat(Loop { index, from: Size::Number(0), to, head: Head::Kept, body });
     }
 
     pub(crate) fn then(&mut self, next: Work) {
@@ -240,33 +206,25 @@ impl Work {
     }
 
     /// Operations that the results of all steps need: additions, subtractions, multiplications, divisions and functions.
-    pub(crate) fn operations(&self, sizes: &Sizes) -> usize {
-        let of = |sum: usize, step: &Step| {
-            sum + match step {
-                Step::Let(_, value)
-                | Step::Store(_, value)
-                | Step::Call(value)
-                | Step::Result(value) => value.among(sizes),
-                Step::Straight(_, operations) => *operations,
-                Step::Unused(operations) => return sum - operations,
-                Step::Loop(Loop { index, from, to, body, .. }) => {
-                    let mut inside = sizes.clone();
-                    let places = from.among(sizes)..to.among(sizes);
-                    let each = places.map(|place| {
-                        inside.insert(*index, place);
-                        body.operations(&inside)
-                    });
-                    each.sum::<usize>()
-                }
-            }
-        };
-        self.0.iter().fold(0, of)
+    pub(crate) fn operations(&self) -> usize {
+        self.operations_within(&mut Around::new())
     }
-}
 
-impl From<usize> for Size {
-    fn from(number: usize) -> Self {
-        Size::Number(number)
+    fn operations_within(&self, around: &mut Around) -> usize {
+        self.0.iter().fold(0, |sum, step| match step {
+            Step::Let(_, value) | Step::Store(_, value) | Step::Call(value) | Step::Text(value) => {
+                sum + value.operations
+            }
+            Step::Unused(operations) => sum - operations,
+            Step::Loop(Loop { index, from, to, body, .. }) => {
+                let places = from.within(around)..to.within(around);
+                let each = places.map(|place| {
+                    around.insert(*index, place);
+                    body.operations_within(around)
+                });
+                sum + each.sum::<usize>()
+            }
+        })
     }
 }
 
@@ -277,8 +235,7 @@ impl ToTokens for Work {
                 Step::Let(pattern, value) => quote!(let #pattern = #value;),
                 Step::Store(place, value) => quote!(#place = #value;),
                 Step::Call(value) => quote!(#value;),
-                Step::Result(value) => quote!(#value),
-                Step::Straight(text, _) => text.clone(),
+                Step::Text(value) => quote!(#value),
                 Step::Loop(repeated) => repeated.text(),
                 Step::Unused(_) => TokenStream::new(),
             });
@@ -330,11 +287,11 @@ mod tests {
         let mut inner = Work::new();
         inner.bind(quote!(c), name("a").mul_add(name("b") * name("b"), name("d") - name("a")));
         inner.store(quote!(out[i][j]), Value::call(quote!(root(c)), 7));
-        let (from, to) = (Size::After("i"), Size::Named("n"));
+        let (from, to) = (Size::After("i"), Size::Named("n", 4));
         let mut outer = Work::new();
         outer.repeat(Loop { index: "j", from, to, head: Head::Range, body: inner });
-        let points = vec![(2, vec![to, Size::Number(5)])];
-        outer.call(Value::sized_call(quote!(sums(n)), points));
+        outer.call(Value::call(quote!(sums(n)), 40));
+        outer.unused(5);
         let mut work = Work::new();
         work.kept("i", to, outer);
         let expected = quote! {
@@ -348,6 +305,6 @@ mod tests {
         };
         assert_eq!(quote!(#work).to_string(), expected.to_string());
         let pairs = 3 + 2 + 1;
-        assert_eq!(work.operations(&Sizes::from([("n", 4)])), pairs * (4 + 7) + 4 * 2 * 4 * 5);
+        assert_eq!(work.operations(), pairs * (4 + 7) + 4 * (40 - 5));
     }
 }

@@ -1,8 +1,6 @@
 //! Operations of the functions that kernels of cells share, `cells` in the crate of the kernels: those that lead to what
 //! a kernel writes, a multiplication with the addition behind it counted as two.
 
-use crate::emit::Size;
-
 /// A factor times all cofactors.
 pub(super) const MAP: usize = 9;
 /// A gradient by such a map.
@@ -66,17 +64,17 @@ pub(super) fn follow(nodal: usize, parameters: usize) -> usize {
     2 * nodal * parameters + factor(parameters) + 2 * parameters * parameters
 }
 
-/// So many products of parts of two functions, summed over the points.
-pub(super) fn sums(products: usize, points: Size) -> Vec<(usize, Vec<Size>)> {
-    vec![(2 * products, vec![points])]
+/// So many products of parts of functions, summed over the points.
+pub(super) fn sums(products: usize, points: usize) -> usize {
+    2 * products * points
 }
 
 /// Slopes of the displacements of functions at a point.
-pub(super) fn slopes(functions: Size) -> Vec<(usize, Vec<Size>)> {
-    vec![(18, vec![functions]), (10, Vec::new())]
+pub(super) fn slopes(functions: usize) -> usize {
+    18 * functions + 10
 }
 
-/// Coefficients at the points times the gradients of n functions, 18, and the sums over n (n + 1)/2 pairs, 6.
-pub(super) fn weighted_sums(functions: Size, points: Size) -> Vec<(usize, Vec<Size>)> {
-    vec![(18 + 3, vec![functions, points]), (3, vec![functions, functions, points])]
+/// Coefficients at the points times the gradients of the nodes, and their sums for pairs of nodes.
+pub(super) fn weighted_sums(nodes: usize, points: usize) -> usize {
+    18 * nodes * points + 6 * points * nodes * (nodes + 1) / 2
 }

@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use super::cell::CellForm;
 use super::modes::Aligned;
 use super::table::{Tables, row, slopes};
-use crate::emit::{Numbers, Value, Work, count, names, operand};
+use crate::emit::{Numbers, Size, Value, Work, count, names, operand};
 use crate::kinds::cells;
 use crate::kinds::element::{ModeJacobian, Table};
 
@@ -143,7 +143,7 @@ impl CellForm<'_> {
             point.then(at_mode);
             work.name(quote!(mut least_det), quote!(L::splat(f64::INFINITY)));
             work.then(mode_maps);
-            work.kept("q", points, point);
+            work.kept("q", Size::Number(points), point);
         }
         work.call(node);
         work.then(of_modes);

@@ -7,11 +7,11 @@ use quote::{ToTokens, quote};
 use super::linear::Linear;
 use super::modes::Aligned;
 use super::table::{Tables, Tangents, row};
-use crate::emit::{Sizes, Value, Work, count, documented, identifier};
+use crate::emit::{Size, Value, Work, count, documented, identifier};
 use crate::kinds::cells;
 use crate::kinds::element::{ElementSpec, Table};
 use crate::kinds::form::kernels::{
-    Pairs, block_name, by_values, once_name, operations, pairs_name,
+    Pairs, Sizes, block_name, by_values, once_name, pairs_name, work as form_work,
 };
 use crate::kinds::form::{Form, FormSpec, Structure};
 use crate::schedule::Program;
@@ -45,7 +45,7 @@ impl CellForm<'_> {
             false if pairs.under_stress => self.under_stress(pairs, tables),
             false => self.general(pairs, tables),
         };
-        let (text, flops) = (work.to_token_stream(), work.operations(&Sizes::new()));
+        let (text, flops) = (work.to_token_stream(), work.operations());
         // Behind the positions of the nodes come their displacements, where there is a stress.
         let given = if pairs.under_stress { 2 } else { 1 };
         let (nodes, len) = (count(given * self.element.nodes.len()), count(self.stored()));
@@ -105,14 +105,9 @@ impl CellForm<'_> {
         (text, flops)
     }
 
-    /// Whether it is a stress at the points, and no matrix.
-    pub(super) fn at_points(&self) -> bool {
-        self.form.stress.as_ref().is_some_and(|stress| stress.at_points)
-    }
-
     /// Stored values of a cell.
     fn stored(&self) -> usize {
-        if self.at_points() {
+        if self.form.at_points() {
             return 6 * self.element.rule(self.form.integrated_as()).points.len();
         }
         let (nodes, size) = (self.element.nodes.len(), 3 * self.element.nodes.len());
@@ -127,7 +122,7 @@ impl CellForm<'_> {
         let (nodes, form) = (self.element.nodes.len(), self.form);
         let (size, stored) = (3 * nodes, self.stored());
         let matrix = match &form.structure {
-            _ if self.at_points() => {
+            _ if self.form.at_points() => {
                 format!(
                     "σ_xx, σ_yy, σ_zz, σ_xy, σ_yz, σ_zx (Pa) at every point of the rule: {stored} values"
                 )
@@ -151,7 +146,7 @@ impl CellForm<'_> {
             ),
             None => String::new(),
         };
-        let what = match self.at_points() {
+        let what = match self.form.at_points() {
             true => format!("the stress of a displacement as `{}` has it", form.text.text()),
             false => format!("∫ `{}` dV, rows from v, columns from u", form.text.text()),
         };
@@ -207,7 +202,11 @@ impl CellForm<'_> {
                 work.call(Value::call(text, operations));
             }
             Some(linear) => {
-                work.kept("i", 3, self.linear_tangents(&linear, &quote!(workspace.tangents)));
+                work.kept(
+                    "i",
+                    Size::Number(3),
+                    self.linear_tangents(&linear, &quote!(workspace.tangents)),
+                );
             }
         }
         work
@@ -270,9 +269,10 @@ impl CellForm<'_> {
         let once = quote!(forms::#module::#once_name(material));
         let sums = quote!(forms::#module::#sum(workspace.basis.as_flattened(), #points_count, once, #target));
         let mut work = Work::new();
-        work.bind(quote!(once), Value::call(once, pairs.once().operations(&Sizes::new())));
+        work.bind(quote!(once), Value::call(once, pairs.once().operations()));
         work.then(fill);
-        work.call(Value::call(sums, operations(self.form, pairs, [total, nodes, points])));
+        let sizes = Sizes { functions: total, nodes, points };
+        work.call(Value::call(sums, form_work(self.form, pairs, sizes).operations()));
         let condensing = cells::take_off(3 * nodes, 3 * modes);
         let whole = match &aligned {
             Some(aligned) => {

@@ -49,7 +49,7 @@ impl ElementSpec {
                     CellForm { element: self, spec, form, pairs, of_stress, point, same_kernel };
                 let (text, flops) = cell.functions(&mut tables, &mut known);
                 functions.extend(text);
-                match cell.at_points() {
+                match cell.form.at_points() {
                     true => stresses.push(stress_entry(&cell, flops)),
                     false => entries.push(entry(&cell, flops)),
                 }

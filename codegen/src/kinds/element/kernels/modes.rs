@@ -101,15 +101,15 @@ impl Aligned {
         mode.bind(quote!(products), outer(quote!(sums[m]), quote!(directions[m])));
         let store = quote!(cells::store_coupling(coupling, a, m, #block(products, once)));
         mode.call(Value::call(store, pairs.flops()));
-        node.kept("m", modes, mode);
-        work.kept("a", nodes, node);
+        node.kept("m", Size::Number(modes), mode);
+        work.kept("a", Size::Number(nodes), node);
         work.name(quote!(mut own), quote!([[L::splat(0.0); #parameters]; #parameters]));
         let left = quote!(cells::between_modes(&factors, [m, n], &directions[m]));
         pair.bind(quote!(left), Value::call(left, cells::between_modes(points)));
         pair.bind(quote!(products), outer(quote!(left), quote!(directions[n])));
         let store = quote!(cells::store_own(&mut own, m, n, #block(products, once)));
         pair.call(Value::call(store, pairs.flops()));
-        let (from, to) = (Size::Named("m"), Size::Number(modes));
+        let (from, to) = (Size::Index("m"), Size::Number(modes));
         first.repeat(Loop { index: "n", from, to, head: Head::Range, body: pair });
         // On the diagonal a triangle is used.
         first.unused(pairs.flops() - pairs.own_flops());

@@ -5,9 +5,9 @@ use quote::quote;
 
 use super::cell::{Body, CellForm};
 use super::table::{Tables, Tangents};
-use crate::emit::{Sizes, Value, Work, count, identifier};
+use crate::emit::{Value, Work, count, identifier};
 use crate::kinds::cells;
-use crate::kinds::form::kernels::{Pairs, once_name, operations, pairs_name};
+use crate::kinds::form::kernels::{Pairs, Sizes, once_name, pairs_name, work as form_work};
 
 impl CellForm<'_> {
     pub(super) fn under_stress(&self, pairs: &Pairs, tables: &mut Tables) -> Body {
@@ -23,16 +23,16 @@ impl CellForm<'_> {
         let module = identifier(&self.spec.name);
         let (once, sums) = (once_name(self.form), pairs_name(self.form));
         let mut about = format!("{points} points.");
-        if !self.at_points() {
+        if !self.form.at_points() {
             about = format!("{} pairs × {about}", nodes * (nodes + 1) / 2);
         }
-        let once_of = |pairs: &Pairs| pairs.once().operations(&Sizes::new());
+        let sizes = Sizes { functions: total, nodes, points };
         let mut work = Work::new();
         let halves = quote!(cells::halves::<L, #nodes_count, #given_count>(x));
         work.name(quote!([x, displacement]), halves);
         work.bind(
             quote!(once),
-            Value::call(quote!(forms::#module::#once(material)), once_of(pairs)),
+            Value::call(quote!(forms::#module::#once(material)), pairs.once().operations()),
         );
         work.then(fill);
         let whole = if let (Some((stress, pairs_of_stress)), 1..) = (self.of_stress, modes) {
@@ -46,7 +46,10 @@ impl CellForm<'_> {
             about +=
                 &format!(" The {modes} modes follow the displacement as in `{}`.", stress.name);
             let once = quote!(forms::#module::#once_of_stress([#(material[#places]),*]));
-            work.bind(quote!(once_of_stress), Value::call(once, once_of(pairs_of_stress)));
+            work.bind(
+                quote!(once_of_stress),
+                Value::call(once, pairs_of_stress.once().operations()),
+            );
             // All of the matrix, of which the modes need a part.
             let matrix = quote! {
                 forms::#module::#of_stress(
@@ -56,7 +59,7 @@ impl CellForm<'_> {
                     matrix.beside(&mut workspace.whole),
                 )
             };
-            let of_matrix = operations(stress, pairs_of_stress, [total, nodes, points]);
+            let of_matrix = form_work(stress, pairs_of_stress, sizes).operations();
             work.call(Value::call(matrix, of_matrix));
             let follow = quote! {
                 cells::follow::<L, #nodes_count, #parameters, #modes_count>(
@@ -76,7 +79,7 @@ impl CellForm<'_> {
                 &workspace.basis, &workspace.roots, [displacement, &modes], once, matrix,
             )
         };
-        work.call(Value::call(sums, operations(self.form, pairs, [total, nodes, points])));
+        work.call(Value::call(sums, form_work(self.form, pairs, sizes).operations()));
         work.give(Value::free(quote!(least_det)));
         let rows = count(Tangents::new(&table.slopes).rows.len());
         let workspace = quote!(cells::Workspace<L, #total_count, #points_count, 3, #rows, #whole>);

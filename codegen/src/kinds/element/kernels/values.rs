@@ -69,7 +69,7 @@ impl CellForm<'_> {
         point.store(quote!(det[q]), det * factor);
         work.each("q", number_of_points, point);
         work.then(sum_steps);
-        work.bind(quote!(entries), Value::list(entries));
+        work.bind(quote!(entries), Value::list(&entries));
         let mut write = Work::new();
         write.call(Value::free(quote!(matrix.set(entry, &[entries[*place]]))));
         work.repeat(Loop {

@@ -72,9 +72,8 @@ impl<'a> Block<'a> {
             properties.join(", "),
             pairs.once_counts()
         );
-        let at_points = form.stress.as_ref().is_some_and(|stress| stress.at_points);
         let (result, what) = match form.structure {
-            _ if at_points => {
+            _ if form.at_points() => {
                 (quote!([[L; 3]; 3]), "the components at a point by the slopes of the displacement")
             }
             _ if pairs.under_stress => (

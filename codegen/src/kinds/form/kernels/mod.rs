@@ -9,7 +9,7 @@ use quote::{format_ident, quote};
 
 use super::{Form, FormSpec, Structure};
 use crate::diagnostic::Diagnostics;
-use crate::emit::{Head, Loop, Size, Sizes, Value, Work, count, documented, identifier};
+use crate::emit::{Head, Loop, Size, Value, Work, count, documented, identifier};
 use crate::kinds::cells;
 use crate::kinds::kernel::{text, unscheduled};
 use block::Block;
@@ -83,7 +83,7 @@ pub(in crate::kinds) fn by_values(form: &Form, pairs: &Pairs) -> bool {
 
 /// Name of the function of a form, or of a stress.
 pub(in crate::kinds) fn pairs_name(form: &Form) -> Ident {
-    match at_points(form) {
+    match form.at_points() {
         true => format_ident!("{}_points_", identifier(&form.name)),
         false => format_ident!("{}_pairs_", identifier(&form.name)),
     }
@@ -94,9 +94,10 @@ fn function(spec: &FormSpec, form: &Form, pairs: &Pairs) -> TokenStream {
     let name = pairs_name(form);
     let parts = count(pairs.parts().len());
     let block = Block::new(form, pairs);
-    let (both, length, work) = (block.functions(spec), count(block.once.len()), work(form, pairs));
+    let (both, length, work) =
+        (block.functions(spec), count(block.once.len()), work(form, pairs, Sizes::default()));
     if pairs.under_stress {
-        let (about, matrix) = match at_points(form) {
+        let (about, matrix) = match form.at_points() {
             true => (about_points(form, pairs), quote!(mut stresses)),
             false => (about_stress(form, pairs), quote!(matrix)),
         };
@@ -147,107 +148,93 @@ fn function(spec: &FormSpec, form: &Form, pairs: &Pairs) -> TokenStream {
     }
 }
 
-/// What the function of a form takes for so many functions, of which those of nodes have rows in a matrix under a
-/// stress.
-pub(in crate::kinds) fn operations(
-    form: &Form,
-    pairs: &Pairs,
-    [functions, nodes, points]: [usize; 3],
-) -> usize {
-    let sizes =
-        [("functions", functions), ("nodes", nodes), ("points", points), ("POINTS", points)];
-    work(form, pairs).operations(&Sizes::from(sizes))
+/// How many functions, those of nodes among them, and points there are.
+#[derive(Debug, Clone, Copy, Default)]
+pub(in crate::kinds) struct Sizes {
+    pub(in crate::kinds) functions: usize,
+    pub(in crate::kinds) nodes: usize,
+    pub(in crate::kinds) points: usize,
 }
 
-/// What the function of a form does.
-fn work(form: &Form, pairs: &Pairs) -> Work {
+/// What the function of a form does, whose text is that for any sizes.
+pub(in crate::kinds) fn work(form: &Form, pairs: &Pairs, sizes: Sizes) -> Work {
     match pairs.under_stress {
-        true => under_stress(form, pairs),
-        false => each_function(form, pairs),
+        true => under_stress(form, pairs, sizes),
+        false => each_function(form, pairs, sizes),
     }
 }
 
 /// A loop over the functions a, and in it one over the functions b.
-fn each_function(form: &Form, pairs: &Pairs) -> Work {
+fn each_function(form: &Form, pairs: &Pairs, sizes: Sizes) -> Work {
     let block = block_name(form);
-    let mut each = Work::new();
-    let in_rows = |b: TokenStream, sums: TokenStream| {
-        let store = quote!(cells::store_block(&mut matrix, rows, #b, #block(#sums, once)));
-        Value::call(store, pairs.flops())
-    };
+    let (mut work, mut each) = (Work::new(), Work::new());
+    let in_rows = |b: TokenStream, sums: TokenStream| quote!(cells::store_block(&mut matrix, rows, #b, #block(#sums, once)));
     let pairs_of_a = match &form.structure {
-        Structure::Kronecker { .. } => each_pair(pairs, Size::Named("a"), |b, sums| {
-            let entry = quote!(#block(#sums, once));
-            let store = quote!(cells::store_entry(&mut matrix, functions, a, #b, #entry));
-            Value::call(store, pairs.flops())
-        }),
+        Structure::Kronecker { .. } => each_pair(
+            pairs,
+            sizes,
+            Size::Index("a"),
+            |b, sums| quote!(cells::store_entry(&mut matrix, functions, a, #b, #block(#sums, once))),
+        ),
         Structure::Symmetric => {
-            let of_own = cells::sums(pairs.different(), Size::Named("points"));
-            let own = Value::sized_call(quote!(cells::own_sums(of_a)), of_own);
+            let operations = cells::sums(pairs.different(), sizes.points) + pairs.own_flops();
             each.name(quote!(rows), quote!(cells::upper_rows(3 * functions, a)));
-            each.bind(quote!(own), own.within(|own| quote!(#block(#own, once)), pairs.own_flops()));
+            let own = quote!(#block(cells::own_sums(of_a), once));
+            each.bind(quote!(own), Value::call(own, operations));
             each.call(Value::free(quote!(cells::store_diagonal(&mut matrix, rows, a, own))));
-            each_pair(pairs, Size::After("a"), in_rows)
+            each_pair(pairs, sizes, Size::After("a"), in_rows)
         }
         Structure::Full => {
             each.name(quote!(rows), quote!(cells::full_rows(3 * functions, a)));
-            each_pair(pairs, Size::Number(0), in_rows)
+            each_pair(pairs, sizes, Size::Number(0), in_rows)
         }
     };
     each.then(pairs_of_a);
     let functions = quote!(basis.chunks_exact(points).enumerate());
-    let mut work = Work::new();
-    work.repeat(Loop {
-        index: "a",
-        from: Size::Number(0),
-        to: Size::Named("functions"),
-        head: Head::Over(quote!((a, of_a)), functions),
-        body: each,
-    });
+    let (from, to) = (Size::Number(0), Size::Named("functions", sizes.functions));
+    let head = Head::Over(quote!((a, of_a)), functions);
+    work.repeat(Loop { index: "a", from, to, head, body: each });
     work
 }
 
-/// A loop over the functions b from `first` on: two at a time where there are registers for their sums.
+/// A loop over the functions b: two at a time where there are registers for their sums. `store`: of b and its sums.
 fn each_pair(
     pairs: &Pairs,
-    first: Size,
-    store: impl Fn(TokenStream, TokenStream) -> Value,
+    sizes: Sizes,
+    from: Size,
+    store: impl Fn(TokenStream, TokenStream) -> TokenStream,
 ) -> Work {
-    let sums = |functions: usize, of_b: TokenStream| {
-        let sums = cells::sums(functions * pairs.moments.len(), Size::Named("points"));
-        Value::sized_call(quote!(cells::sums(of_a, #of_b)), sums)
-    };
-    let mut one = Work::new();
-    one.bind(quote!([sums]), sums(1, quote!([&basis[b * points..]])));
+    let sums = cells::sums(pairs.moments.len(), sizes.points);
+    let store = |b, sums| Value::call(store(b, sums), pairs.flops());
+    let (mut work, mut one) = (Work::new(), Work::new());
+    let of_b = quote!(cells::sums(of_a, [&basis[b * points..]]));
+    one.bind(quote!([sums]), Value::call(of_b, sums));
     one.call(store(quote!(b), quote!(sums)));
     // As many sums as registers hold beside the values.
     let two = (pairs.moments.len() <= 9).then(|| {
         let mut two = Work::new();
-        two.name(
-            quote!((of_b, of_next)),
-            quote!((&basis[b * points..], &basis[(b + 1) * points..])),
-        );
-        two.bind(quote!([sums, next]), sums(2, quote!([of_b, of_next])));
+        let both = quote!((&basis[b * points..], &basis[(b + 1) * points..]));
+        two.name(quote!((of_b, of_next)), both);
+        let of_both = quote!(cells::sums(of_a, [of_b, of_next]));
+        two.bind(quote!([sums, next]), Value::call(of_both, 2 * sums));
         two.call(store(quote!(b), quote!(sums)));
         two.call(store(quote!(b + 1), quote!(next)));
         two
     });
-    let mut work = Work::new();
-    let to = Size::Named("functions");
-    work.repeat(Loop { index: "b", from: first, to, head: Head::ByTwos(two), body: one });
+    let to = Size::Named("functions", sizes.functions);
+    work.repeat(Loop { index: "b", from, to, head: Head::ByTwos(two), body: one });
     work
 }
 
 /// The components at the points by the slopes of a displacement: those of a stress, or the coefficients of sums.
-fn under_stress(form: &Form, pairs: &Pairs) -> Work {
-    let (block, points) = (block_name(form), Size::Named("POINTS"));
-    let slopes = Value::sized_call(
-        quote!(cells::slopes(basis, roots, displacement, q)),
-        cells::slopes(Size::Named("functions")),
+fn under_stress(form: &Form, pairs: &Pairs, sizes: Sizes) -> Work {
+    let (block, points) = (block_name(form), Size::Named("POINTS", sizes.points));
+    let components = Value::call(
+        quote!(#block(cells::slopes(basis, roots, displacement, q), once)),
+        cells::slopes(sizes.functions) + pairs.flops(),
     );
-    let components = slopes.within(|slopes| quote!(#block(#slopes, once)), pairs.flops());
     let (mut work, mut point) = (Work::new(), Work::new());
-    if at_points(form) {
+    if form.at_points() {
         point.bind(quote!([[xx, xy, _], [_, yy, yz], [zx, _, zz]]), components);
         let set = quote!(stresses.set(6 * q, &[xx, yy, zz, xy, yz, zx]));
         point.call(Value::free(set));
@@ -257,17 +244,19 @@ fn under_stress(form: &Form, pairs: &Pairs) -> Work {
         point.store(quote!(coefficients[q]), components);
         work.kept("q", points, point);
         let of_nodes = quote!(&basis[..displacement[0].len()]);
-        work.call(Value::sized_call(
+        work.call(Value::call(
             quote!(cells::weighted_sums(#of_nodes, &coefficients, matrix)),
-            cells::weighted_sums(Size::Named("nodes"), points),
+            cells::weighted_sums(sizes.nodes, sizes.points),
         ));
     }
     work
 }
 
-/// Whether it is a stress at the points, and no matrix.
-fn at_points(form: &Form) -> bool {
-    form.stress.as_ref().is_some_and(|stress| stress.at_points)
+impl Form {
+    /// Whether it is a stress at the points, and no matrix.
+    pub(in crate::kinds) fn at_points(&self) -> bool {
+        self.stress.as_ref().is_some_and(|stress| stress.at_points)
+    }
 }
 
 fn about_points(form: &Form, pairs: &Pairs) -> String {
