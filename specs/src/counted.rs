@@ -180,5 +180,9 @@ fn kernels_of_cells_take_as_many_operations_as_they_say() {
             compare(own.stress, found, own.flops);
         }
     }
-    assert!(wrong.is_empty(), "operations a cell:\n{}", wrong.join("\n"));
+    assert!(
+        wrong.is_empty(),
+        "operations a cell (codegen/src/kinds/cells.rs says those of the functions in this folder):\n{}",
+        wrong.join("\n")
+    );
 }
