@@ -54,7 +54,7 @@ pub struct FormKernel {
     /// Whether the form is one under the stress of a displacement, of which it is linear: then the displacements of the
     /// nodes of every cell (m) are given behind their coordinates.
     pub under_stress: bool,
-    /// Floating-point operations a cell as the kernel's text has them, a·b + c counted as two.
+    /// Floating-point operations a cell that what it writes needs, a·b + c counted as two.
     pub flops: usize,
     /// The kernel.
     pub evaluate: CellKernel,

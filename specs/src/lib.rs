@@ -9,6 +9,8 @@ mod cell_kernel;
 pub mod cells;
 pub mod columns;
 mod condensation;
+#[cfg(test)]
+mod counted;
 mod film;
 pub mod generated;
 mod jacobian;

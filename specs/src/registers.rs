@@ -24,6 +24,8 @@ pub struct Registers(Width);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Width {
     Single,
+    #[cfg(test)]
+    Traced,
     #[cfg(target_arch = "x86_64")]
     Avx2,
     #[cfg(target_arch = "x86_64")]
@@ -37,6 +39,10 @@ thread_local! {
 impl Registers {
     /// One value at a time.
     pub const SINGLE: Registers = Registers(Width::Single);
+
+    /// One value at a time, and where it comes from.
+    #[cfg(test)]
+    pub(crate) const TRACED: Registers = Registers(Width::Traced);
 
     /// All that this processor has, narrow to wide.
     pub fn all() -> Vec<Registers> {
@@ -83,6 +89,8 @@ impl Registers {
     pub fn width(self) -> usize {
         match self.0 {
             Width::Single => 1,
+            #[cfg(test)]
+            Width::Traced => 1,
             #[cfg(target_arch = "x86_64")]
             Width::Avx2 => 4,
             #[cfg(target_arch = "x86_64")]
@@ -100,6 +108,8 @@ impl Registers {
     pub fn run<T: Task>(self, task: T) -> T::Output {
         match self.0 {
             Width::Single => task.run::<f64>(),
+            #[cfg(test)]
+            Width::Traced => task.run::<crate::counted::Traced>(),
             // SAFETY: a value of this kind is made only where the processor has the instructions.
             #[cfg(target_arch = "x86_64")]
             Width::Avx2 => unsafe { avx2(task) },
@@ -114,6 +124,8 @@ impl Width {
     fn name(self) -> &'static str {
         match self {
             Width::Single => "one value at a time",
+            #[cfg(test)]
+            Width::Traced => "where values come from",
             #[cfg(target_arch = "x86_64")]
             Width::Avx2 => "AVX2 with FMA",
             #[cfg(target_arch = "x86_64")]

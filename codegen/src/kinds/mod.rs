@@ -1,5 +1,6 @@
 //! What a spec file may say, read with every error at once, and what is made of it: a folder a kind.
 
+mod cells;
 pub mod clearance;
 pub mod element;
 pub mod film;

@@ -6,15 +6,9 @@ use quote::{format_ident, quote};
 use super::cell::CellForm;
 use super::modes::Aligned;
 use super::table::{Tables, row, slopes};
-use crate::emit::{Numbers, count, names, operand, statements};
+use crate::emit::{Numbers, Size, Value, Work, count, names, operand};
+use crate::kinds::cells;
 use crate::kinds::element::{ModeJacobian, Table};
-
-/// det J by one column's cofactors.
-pub(super) const DET_FLOPS: usize = 14;
-/// The other columns' cofactors.
-const COFACTOR_FLOPS: usize = 18;
-/// A gradient by a 3 × 3 map.
-const GRADIENT_FLOPS: usize = 15;
 
 impl CellForm<'_> {
     /// Fills `basis[function][point]` with √(w det J) times the parts that the form uses.
@@ -24,13 +18,14 @@ impl CellForm<'_> {
         table: &Table,
         with_values: bool,
         aligned: Option<&Aligned>,
-    ) -> (TokenStream, usize) {
+    ) -> Work {
         let form = self.form.integrated_as();
         let enhanced = self.element.enhanced_in(form);
         let nodes = self.element.nodes.len();
         let modes = enhanced.map_or(0, |enhanced| enhanced.modes.len());
         let program = self.point;
-        let scales = statements(program, 0, Numbers::Fused);
+        let mut scales = Work::new();
+        scales.stage(program, 0, Numbers::Fused);
         let scale = |name: &str| match program.output(name) {
             Some(found) => operand(program, found, Numbers::Lanes),
             None => TokenStream::new(),
@@ -60,21 +55,17 @@ impl CellForm<'_> {
             quote! {
                 cells::values_and_gradients(
                     &workspace.maps, #slopes_text, &workspace.roots, #values.as_flattened(), #rows.as_flattened_mut()
-                );
+                )
             }
         } else {
-            quote!(cells::gradients(&workspace.maps, #slopes_text, #rows.as_flattened_mut());)
+            quote!(cells::gradients(&workspace.maps, #slopes_text, #rows.as_flattened_mut()))
         };
         let points = table.weights.len();
-        let (tangents, tangent_flops) = self.tangents(tables, table);
-        let mut flops = tangent_flops
-            + points * (DET_FLOPS + COFACTOR_FLOPS + 9 + program.total_counts().arithmetic())
-            + points * nodes * (GRADIENT_FLOPS + usize::from(with_values));
-        let (mut centre, mut mode_maps) = (TokenStream::new(), TokenStream::new());
-        let (mut keep_mode_map, mut mode_loop) = (TokenStream::new(), TokenStream::new());
+        let node = Value::call(node, cells::gradients(points, nodes, with_values));
+        let [mut work, mut mode_maps, mut at_mode, mut of_modes] = [const { Work::new() }; 4];
         if let Some(enhanced) = enhanced {
             let uses_centre = enhanced.jacobian == ModeJacobian::Centre;
-            let used = scales.iter().chain([&mode]).any(|text| names(text).contains("det0"));
+            let used = names(&quote!(#scales #mode)).contains("det0");
             if uses_centre || used {
                 let rows = [0, 1, 2].map(|k| {
                     let values: Vec<f64> = table.centre_slopes.iter().map(|s| s[k]).collect();
@@ -86,14 +77,16 @@ impl CellForm<'_> {
                     quote!([[f64; #nodes_count]; 3]),
                     quote!([#(#rows),*]),
                 );
-                flops += 18 * nodes + DET_FLOPS;
-                centre = quote!(let centre = cells::centre(x, &CENTRE_TANGENTS_););
+                let along = |k| uses_centre && aligned.is_none_or(|modes| modes.along(k));
+                let operations = cells::tangents(nodes, 3) + cells::jacobian(used, along);
+                let centre = quote!(cells::centre(x, &CENTRE_TANGENTS_));
+                work.bind(quote!(centre), Value::call(centre, operations));
             }
             if used {
-                centre.extend(quote!(let det0 = centre.det;));
+                work.name(quote!(det0), quote!(centre.det));
             }
             if let Some(aligned) = aligned {
-                [mode_maps, keep_mode_map] = aligned.fill(tables, form, &mode);
+                [mode_maps, at_mode] = aligned.fill(tables, form, &mode);
             } else {
                 let mode_slopes = tables.named("MODE_SLOPES", form);
                 let rows = table.mode_slopes.iter().map(|rows| slopes(rows));
@@ -107,59 +100,53 @@ impl CellForm<'_> {
                     ModeJacobian::Centre => quote!(centre),
                     ModeJacobian::Point => quote!(at),
                 };
-                flops += points * (9 + modes * GRADIENT_FLOPS);
-                mode_maps = quote!(let mut mode_maps = [[[L::splat(0.0); 3]; 3]; #points_count];);
-                keep_mode_map = quote!(mode_maps[q] = #map.map(#mode););
+                let zeros = quote!([[[L::splat(0.0); 3]; 3]; #points_count]);
+                mode_maps.name(quote!(mut mode_maps), zeros);
+                let map = Value::call(quote!(#map.map(#mode)), cells::MAP);
+                at_mode.store(quote!(mode_maps[q]), map);
                 let (slopes_text, rows) = (
                     quote!(#mode_slopes.as_flattened()),
                     quote!(workspace.basis[#nodes_count..].as_flattened_mut()),
                 );
-                mode_loop = if with_values {
-                    quote! {
-                        let (none, zeros) =
-                            ([L::splat(0.0); #points_count], [0.0; #points_count * #modes_count]);
-                        cells::values_and_gradients(&mode_maps, #slopes_text, &none, &zeros, #rows);
-                    }
+                let gradients = if with_values {
+                    of_modes.name(
+                        quote!((none, zeros)),
+                        quote!(([L::splat(0.0); #points_count], [0.0; #points_count * #modes_count])),
+                    );
+                    quote!(cells::values_and_gradients(&mode_maps, #slopes_text, &none, &zeros, #rows))
                 } else {
-                    quote!(cells::gradients(&mode_maps, #slopes_text, #rows);)
+                    quote!(cells::gradients(&mode_maps, #slopes_text, #rows))
                 };
+                let operations = cells::gradients(points, modes, with_values);
+                of_modes.call(Value::call(gradients, operations));
             }
         }
-        let maps = match enhanced {
-            None => {
-                let columns = tables.named("COLUMNS", form);
-                quote! {
-                    let least_det = cells::maps(
-                        &workspace.tangents, &#columns, &#weights, &mut workspace.maps, &mut workspace.roots
-                    );
-                }
+        work.then(self.tangents(tables, table));
+        if enhanced.is_none() {
+            let columns = tables.named("COLUMNS", form);
+            let maps = quote! {
+                cells::maps(
+                    &workspace.tangents, &#columns, &#weights, &mut workspace.maps, &mut workspace.roots
+                )
+            };
+            work.bind(quote!(least_det), Value::call(maps, cells::maps(points)));
+        } else {
+            let whole = cells::jacobian(true, |_| true);
+            let mut point = self.jacobian(tables, &quote!(workspace.tangents), whole);
+            point.name(quote!((det, weight)), quote!((at.det, L::splat(#weights[q]))));
+            point.store(quote!(least_det), Value::free(quote!(cells::least(least_det, det))));
+            point.then(scales);
+            point.store(quote!(workspace.maps[q]), Value::call(quote!(at.map(#nodal)), cells::MAP));
+            if with_values || self.form.stress.is_some() {
+                point.store(quote!(workspace.roots[q]), Value::free(root));
             }
-            Some(_) => {
-                let jacobian = self.jacobian(tables, &quote!(workspace.tangents));
-                let with_roots = with_values || self.form.stress.is_some();
-                let keep_root = with_roots.then(|| quote!(workspace.roots[q] = #root;));
-                quote! {
-                    let mut least_det = L::splat(f64::INFINITY);
-                    #mode_maps
-                    for q in 0..cells::looped(#points_count) {
-                        #jacobian
-                        let (det, weight) = (at.det, L::splat(#weights[q]));
-                        least_det = cells::least(least_det, det);
-                        #(#scales)*
-                        workspace.maps[q] = at.map(#nodal);
-                        #keep_root
-                        #keep_mode_map
-                    }
-                }
-            }
-        };
-        let text = quote! {
-            #centre
-            #tangents
-            #maps
-            #node
-            #mode_loop
-        };
-        (text, flops)
+            point.then(at_mode);
+            work.name(quote!(mut least_det), quote!(L::splat(f64::INFINITY)));
+            work.then(mode_maps);
+            work.kept("q", Size::Number(points), point);
+        }
+        work.call(node);
+        work.then(of_modes);
+        work
     }
 }

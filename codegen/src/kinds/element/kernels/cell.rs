@@ -2,14 +2,17 @@
 //! of the form takes them pair by pair.
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use super::linear::Linear;
 use super::modes::Aligned;
 use super::table::{Tables, Tangents, row};
-use crate::emit::{count, documented, identifier};
+use crate::emit::{Size, Value, Work, count, documented, identifier};
+use crate::kinds::cells;
 use crate::kinds::element::{ElementSpec, Table};
-use crate::kinds::form::kernels::{Pairs, block_name, by_values, once_name, pairs_name};
+use crate::kinds::form::kernels::{
+    Pairs, Sizes, block_name, by_values, once_name, pairs_name, work as form_work,
+};
 use crate::kinds::form::{Form, FormSpec, Structure};
 use crate::schedule::Program;
 
@@ -19,6 +22,8 @@ pub(super) struct CellForm<'a> {
     pub(super) spec: &'a FormSpec,
     pub(super) form: &'a Form,
     pub(super) pairs: &'a Pairs,
+    /// The form that gives the stress, of the same set, where there is one.
+    pub(super) of_stress: Option<(&'a Form, &'a Pairs)>,
     /// Scale factors at a point.
     pub(super) point: &'a Program,
     /// An element with the same functions at the same points, whose kernel this form calls.
@@ -35,12 +40,12 @@ impl CellForm<'_> {
     ) -> (TokenStream, usize) {
         let pairs = self.pairs;
         tables.elsewhere = self.same_kernel.is_some();
-        let Body { workspace, matrix, text, about, flops } = match by_values(self.form, pairs) {
+        let Body { workspace, matrix, work, about } = match by_values(self.form, pairs) {
             true => self.values_only(pairs, tables),
             false if pairs.under_stress => self.under_stress(pairs, tables),
             false => self.general(pairs, tables),
         };
-        let flops = flops + pairs.once_flops();
+        let (text, flops) = (work.to_token_stream(), work.operations());
         // Behind the positions of the nodes come their displacements, where there is a stress.
         let given = if pairs.under_stress { 2 } else { 1 };
         let (nodes, len) = (count(given * self.element.nodes.len()), count(self.stored()));
@@ -100,14 +105,9 @@ impl CellForm<'_> {
         (text, flops)
     }
 
-    /// Whether it is a stress at the points, and no matrix.
-    pub(super) fn at_points(&self) -> bool {
-        self.form.stress.as_ref().is_some_and(|stress| stress.at_points)
-    }
-
     /// Stored values of a cell.
     fn stored(&self) -> usize {
-        if self.at_points() {
+        if self.form.at_points() {
             return 6 * self.element.rule(self.form.integrated_as()).points.len();
         }
         let (nodes, size) = (self.element.nodes.len(), 3 * self.element.nodes.len());
@@ -122,7 +122,7 @@ impl CellForm<'_> {
         let (nodes, form) = (self.element.nodes.len(), self.form);
         let (size, stored) = (3 * nodes, self.stored());
         let matrix = match &form.structure {
-            _ if self.at_points() => {
+            _ if self.form.at_points() => {
                 format!(
                     "σ_xx, σ_yy, σ_zz, σ_xy, σ_yz, σ_zx (Pa) at every point of the rule: {stored} values"
                 )
@@ -146,7 +146,7 @@ impl CellForm<'_> {
             ),
             None => String::new(),
         };
-        let what = match self.at_points() {
+        let what = match self.form.at_points() {
             true => format!("the stress of a displacement as `{}` has it", form.text.text()),
             false => format!("∫ `{}` dV, rows from v, columns from u", form.text.text()),
         };
@@ -190,43 +190,55 @@ impl CellForm<'_> {
         table
     }
 
-    /// Fills `workspace.tangents`, and the operations that it takes.
-    pub(super) fn tangents(&self, tables: &Tables, table: &Table) -> (TokenStream, usize) {
+    /// Fills `workspace.tangents`.
+    pub(super) fn tangents(&self, tables: &Tables, table: &Table) -> Work {
         let rows = Tangents::new(&table.slopes).rows;
+        let mut work = Work::new();
         match Linear::new(&rows) {
             None => {
                 let name = tables.named("TANGENTS", self.form.integrated_as());
-                let text = quote!(cells::tangents(x, &#name, &mut workspace.tangents););
-                (text, 6 * self.element.nodes.len() * rows.len())
+                let text = quote!(cells::tangents(x, &#name, &mut workspace.tangents));
+                let operations = cells::tangents(self.element.nodes.len(), rows.len());
+                work.call(Value::call(text, operations));
             }
             Some(linear) => {
-                let steps = self.linear_tangents(&linear, &quote!(workspace.tangents));
-                (quote!(for i in 0..cells::looped(3) { #steps }), 3 * linear.flops())
+                work.kept(
+                    "i",
+                    Size::Number(3),
+                    self.linear_tangents(&linear, &quote!(workspace.tangents)),
+                );
             }
         }
+        work
     }
 
     /// Component i of the tangents.
-    pub(super) fn linear_tangents(&self, linear: &Linear, target: &TokenStream) -> TokenStream {
+    pub(super) fn linear_tangents(&self, linear: &Linear, target: &TokenStream) -> Work {
         let node = |a: usize| {
             let a = count(a);
             quote!(x[#a][i])
         };
-        let (steps, rows) = linear.text(self.element.nodes.len(), node);
-        let places = (0..rows.len()).map(count);
-        quote! {
-            #steps
-            #(#target[#places][i] = #rows;)*
+        let (mut work, rows) = linear.work(self.element.nodes.len(), node);
+        for (place, row) in rows.into_iter().enumerate() {
+            let place = count(place);
+            work.store(quote!(#target[#place][i]), row);
         }
+        work
     }
 
-    /// Inside a loop over q, declares `at` from the tangents.
-    pub(super) fn jacobian(&self, tables: &Tables, tangents: &TokenStream) -> TokenStream {
+    /// Inside a loop over q, declares `at` from the tangents; `operations`: those of what is used of it.
+    pub(super) fn jacobian(
+        &self,
+        tables: &Tables,
+        tangents: &TokenStream,
+        operations: usize,
+    ) -> Work {
         let columns = tables.named("COLUMNS", self.form.integrated_as());
-        quote! {
-            let [xi, eta, zeta] = #columns[q];
-            let at = cells::Jacobian::new([#tangents[xi], #tangents[eta], #tangents[zeta]]);
-        }
+        let at = quote!(cells::Jacobian::new([#tangents[xi], #tangents[eta], #tangents[zeta]]));
+        let mut work = Work::new();
+        work.name(quote!([xi, eta, zeta]), quote!(#columns[q]));
+        work.bind(quote!(at), Value::call(at, operations));
+        work
     }
 
     /// Values and gradients of all basis functions at all points, then sums of their products.
@@ -243,7 +255,7 @@ impl CellForm<'_> {
         let parts = pairs.parts();
         let with_values = parts.contains(&0);
         let aligned = Aligned::of(self.element, form, pairs, table);
-        let (fill, fill_flops) = self.fill(tables, table, with_values, aligned.as_ref());
+        let fill = self.fill(tables, table, with_values, aligned.as_ref());
         // Functions whose products are summed in full.
         let total = if aligned.is_some() { nodes } else { total };
         let (total_count, nodes_size) = (count(total), count(3 * nodes));
@@ -254,56 +266,48 @@ impl CellForm<'_> {
         };
         let (module, sum) = (identifier(&self.spec.name), pairs_name(self.form));
         let (once_name, block) = (once_name(self.form), block_name(self.form));
-        let sums = quote! {
-            forms::#module::#sum(workspace.basis.as_flattened(), #points_count, once, #target);
-        };
-        let (whole, after) = match &aligned {
+        let once = quote!(forms::#module::#once_name(material));
+        let sums = quote!(forms::#module::#sum(workspace.basis.as_flattened(), #points_count, once, #target));
+        let mut work = Work::new();
+        work.bind(quote!(once), Value::call(once, pairs.once().operations()));
+        work.then(fill);
+        let sizes = Sizes { functions: total, nodes, points };
+        work.call(Value::call(sums, form_work(self.form, pairs, sizes).operations()));
+        let condensing = cells::take_off(3 * nodes, 3 * modes);
+        let whole = match &aligned {
             Some(aligned) => {
-                (aligned.workspace(), aligned.condense(&quote!(forms::#module::#block)))
+                work.then(aligned.condense(&quote!(forms::#module::#block), pairs));
+                aligned.workspace()
             }
             None if modes > 0 => {
                 let modes_size = count(3 * modes);
-                let condense = quote!(cells::condense::<L, #nodes_size, #modes_size>(&matrix.beside(&mut workspace.whole), matrix););
+                let condense = quote!(cells::condense::<L, #nodes_size, #modes_size>(&matrix.beside(&mut workspace.whole), matrix));
+                work.call(Value::call(condense, condensing));
                 let whole = count(3 * total * (3 * total + 1) / 2);
-                (quote!([Batch; #whole]), condense)
+                quote!([Batch; #whole])
             }
-            None => (quote!(()), TokenStream::new()),
+            None => quote!(()),
         };
-        let text = quote! {
-            let once = forms::#module::#once_name(material);
-            #fill
-            #sums
-            #after
-            least_det
-        };
+        work.give(Value::free(quote!(least_det)));
         let parts = count(parts.len());
         let rows = count(Tangents::new(&table.slopes).rows.len());
         let workspace =
             quote!(cells::Workspace<L, #total_count, #points_count, #parts, #rows, #whole>);
-        let below = total * (total - 1) / 2;
-        let (pair_count, summed) = match self.form.structure {
-            Structure::Full => (total * total, total * total * pairs.moments.len()),
-            Structure::Symmetric => {
-                (below + total, below * pairs.moments.len() + total * pairs.different())
-            }
-            Structure::Kronecker { .. } => (below + total, (below + total) * pairs.moments.len()),
+        let pair_count = match self.form.structure {
+            Structure::Full => total * total,
+            _ => total * (total + 1) / 2,
         };
-        let mut flops = fill_flops + 2 * points * summed + pair_count * pairs.flops();
         let mut about = format!("{pair_count} pairs × {points} points.");
-        if let Some(aligned) = &aligned {
-            flops += aligned.flops(pairs);
+        if aligned.is_some() {
             about += &format!(" The gradients of the {modes} modes each lie along one vector.");
         }
         if modes > 0 {
-            let (n, m) = (3 * nodes, 3 * modes);
-            let condensing = m * m * m / 3 + n * m * m + n * (n + 1) * m;
-            flops += condensing;
-            about += &format!(" {condensing} operations to condense {m} parameters.");
+            about += &format!(" {condensing} operations to condense {} parameters.", 3 * modes);
         }
         let (cell, pair) = (pairs.once_counts(), pairs.pair_counts());
         about += &format!(" Once a cell: {cell}; once a pair: {pair}.");
         let matrix = if aligned.is_some() { quote!(mut matrix) } else { quote!(matrix) };
-        Body { workspace: Some(workspace), matrix, text, about, flops }
+        Body { workspace: Some(workspace), matrix, work, about }
     }
 }
 
@@ -315,14 +319,12 @@ pub(super) struct Known {
     function: TokenStream,
 }
 
-/// The text of a kernel.
+/// What a kernel does.
 pub(super) struct Body {
     /// Type of the workspace that it needs; none if all that it computes stays in registers.
     pub(super) workspace: Option<TokenStream>,
     /// Pattern of the matrix that it fills.
     pub(super) matrix: TokenStream,
-    pub(super) text: TokenStream,
+    pub(super) work: Work,
     pub(super) about: String,
-    /// Operations a cell.
-    pub(super) flops: usize,
 }

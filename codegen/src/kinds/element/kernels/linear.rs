@@ -2,9 +2,9 @@
 //! coordinate make its rows alike group by group, so that sums over a group serve many rows.
 
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
 
-use crate::emit::number;
+use crate::emit::{Value, Work, number};
 
 /// How the rows follow from the entries of the vector. In every sum the coefficient of largest size is 1, of two
 /// such the positive one: what is left to scale rows with then takes few values, often one.
@@ -49,45 +49,34 @@ impl Linear {
     }
 
     /// The steps and the rows over lanes; `entry`: text of an entry of the vector, which has `columns`.
-    pub(super) fn text(
+    pub(super) fn work(
         &self,
         columns: usize,
         entry: impl Fn(usize) -> TokenStream,
-    ) -> (TokenStream, Vec<TokenStream>) {
-        let value = |id: usize| match id.checked_sub(columns) {
-            Some(place) => {
-                let name = format_ident!("part_{place}");
-                quote!(#name)
-            }
-            None => entry(id),
-        };
-        let steps = self.steps.iter().enumerate().map(|(place, step)| {
-            let name = format_ident!("part_{place}");
+    ) -> (Work, Vec<Value>) {
+        let name = |place: usize| format_ident!("part_{place}").to_token_stream();
+        let value =
+            |id: usize| Value::free(id.checked_sub(columns).map_or_else(|| entry(id), name));
+        let mut steps = Work::new();
+        for (place, step) in self.steps.iter().enumerate() {
             let (first, second) = (value(step.first), value(step.second));
             let factor = number(step.factor);
-            match step.factor {
-                1.0 => quote!(let #name = #first + #second;),
-                -1.0 => quote!(let #name = #first - #second;),
-                _ => quote!(let #name = #second.mul_add(L::splat(#factor), #first);),
-            }
-        });
-        let steps = steps.collect();
+            let sum = match step.factor {
+                1.0 => first + second,
+                -1.0 => first - second,
+                _ => second.mul_add(Value::free(quote!(L::splat(#factor))), first),
+            };
+            steps.bind(name(place), sum);
+        }
         let rows = self.rows.iter().map(|row| match row {
             Some((id, 1.0)) => value(*id),
             Some((id, scale)) => {
-                let (value, scale) = (value(*id), number(*scale));
-                quote!(#value * (#scale))
+                let scale = number(*scale);
+                value(*id) * Value::free(quote!((#scale)))
             }
-            None => quote!(L::splat(0.0)),
+            None => Value::free(quote!(L::splat(0.0))),
         });
         (steps, rows.collect())
-    }
-
-    /// Multiplications and additions.
-    pub(super) fn flops(&self) -> usize {
-        let steps = self.steps.iter().map(|step| if step.factor.abs() == 1.0 { 1 } else { 2 });
-        let scaled = self.rows.iter().flatten().filter(|(_, scale)| *scale != 1.0);
-        steps.sum::<usize>() + scaled.count()
     }
 
     /// The scale that all rows have in common, if it is positive; they are left without it.

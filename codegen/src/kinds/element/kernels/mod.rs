@@ -36,16 +36,20 @@ impl ElementSpec {
         let mut tables = Tables::new(self);
         let mut functions = TokenStream::new();
         let (mut entries, mut stresses, mut known) = (Vec::new(), Vec::new(), Vec::new());
-        for FormKernels { spec, pairs, .. } in forms {
-            for (form, pairs) in spec.kernels().zip(pairs) {
+        for FormKernels { spec, pairs: all, .. } in forms {
+            for (form, pairs) in spec.kernels().zip(all) {
                 let integrated_as = form.integrated_as();
                 let same_kernel =
                     before.iter().find(|other| other.integrates_as(self, integrated_as));
                 let point = &point_program(self, integrated_as).map_err(refused)?;
-                let cell = CellForm { element: self, spec, form, pairs, point, same_kernel };
+                let mut others = spec.kernels().zip(all);
+                let of_stress = (form.stress.as_ref())
+                    .and_then(|_| others.find(|(other, _)| other.name == integrated_as));
+                let cell =
+                    CellForm { element: self, spec, form, pairs, of_stress, point, same_kernel };
                 let (text, flops) = cell.functions(&mut tables, &mut known);
                 functions.extend(text);
-                match cell.at_points() {
+                match cell.form.at_points() {
                     true => stresses.push(stress_entry(&cell, flops)),
                     false => entries.push(entry(&cell, flops)),
                 }

@@ -5,7 +5,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::table::{Tables, row};
-use crate::emit::count;
+use crate::emit::{Head, Loop, Size, Value, Work, count};
+use crate::kinds::cells;
 use crate::kinds::element::{ElementSpec, ModeJacobian, Table};
 use crate::kinds::form::kernels::Pairs;
 
@@ -59,22 +60,13 @@ impl Aligned {
         quote!([[L; #parameters]; #size])
     }
 
-    /// Operations: factors and sums, products, components, apart from the condensation.
-    pub(super) fn flops(&self, pairs: &Pairs) -> usize {
-        let (nodes, points, modes) = (self.nodes, self.points, self.modes());
-        let products = pairs.moments.len() + pairs.flops();
-        points * modes
-            + nodes * modes * (6 * points + products)
-            + modes * (modes + 1) / 2 * (2 * points + 3 + products)
+    /// Whether a mode is along the coordinate k.
+    pub(super) fn along(&self, k: usize) -> bool {
+        self.directions.contains(&k)
     }
 
-    /// Statements before the loop over points, and in it with the scale of the modes.
-    pub(super) fn fill(
-        &self,
-        tables: &mut Tables,
-        form: &str,
-        scale: &TokenStream,
-    ) -> [TokenStream; 2] {
+    /// What is done before the loop over points, and in it with the scale of the modes.
+    pub(super) fn fill(&self, tables: &mut Tables, form: &str, scale: &TokenStream) -> [Work; 2] {
         let name = tables.named("MODE_FACTORS", form);
         let (points, modes) = (count(self.points), count(self.modes()));
         let rows = self.factors.iter().map(|factors| row(factors));
@@ -85,42 +77,45 @@ impl Aligned {
             quote!([#(#rows),*]),
         );
         let directions = self.directions.iter().map(|k| count(*k));
-        [
-            quote! {
-                let directions = [#(centre.cofactors[#directions]),*];
-                let mut factors = [[L::splat(0.0); #modes]; #points];
-            },
-            quote! {
-                for m in 0..#modes {
-                    factors[q][m] = #scale * #name[q][m];
-                }
-            },
-        ]
+        let [mut before, mut factor, mut at_point] = [const { Work::new() }; 3];
+        before.name(quote!(directions), quote!([#(centre.cofactors[#directions]),*]));
+        before.name(quote!(mut factors), quote!([[L::splat(0.0); #modes]; #points]));
+        let [scale, component] = [scale.clone(), quote!(#name[q][m])].map(Value::free);
+        factor.store(quote!(factors[q][m]), scale * component);
+        at_point.each("m", self.modes(), factor);
+        [before, at_point]
     }
 
     /// Coupling and own matrix of the modes, and their condensation out of `matrix`.
     /// `block`: the form's function of sums.
-    pub(super) fn condense(&self, block: &TokenStream) -> TokenStream {
-        let modes = count(self.modes());
-        let (nodes, parameters) = (count(self.nodes), count(3 * self.modes()));
-        quote! {
-            let coupling = &mut workspace.whole;
-            for a in 0..cells::looped(#nodes) {
-                let sums = cells::along_modes(&workspace.basis[a], &factors);
-                for m in 0..cells::looped(#modes) {
-                    let products = cells::outer(sums[m], directions[m]);
-                    cells::store_coupling(coupling, a, m, #block(products, once));
-                }
-            }
-            let mut own = [[L::splat(0.0); #parameters]; #parameters];
-            for m in 0..#modes {
-                for n in m..#modes {
-                    let left = cells::between_modes(&factors, [m, n], &directions[m]);
-                    let products = cells::outer(left, directions[n]);
-                    cells::store_own(&mut own, m, n, #block(products, once));
-                }
-            }
-            cells::take_off(&mut own, coupling, matrix);
-        }
+    pub(super) fn condense(&self, block: &TokenStream, pairs: &Pairs) -> Work {
+        let (nodes, points, modes) = (self.nodes, self.points, self.modes());
+        let parameters = count(3 * modes);
+        let outer = |a: TokenStream, b: TokenStream| {
+            Value::call(quote!(cells::outer(#a, #b)), cells::OUTER)
+        };
+        let [mut work, mut node, mut mode, mut pair, mut first] = [const { Work::new() }; 5];
+        work.name(quote!(coupling), quote!(&mut workspace.whole));
+        let sums = quote!(cells::along_modes(&workspace.basis[a], &factors));
+        node.bind(quote!(sums), Value::call(sums, cells::along_modes(points, modes)));
+        mode.bind(quote!(products), outer(quote!(sums[m]), quote!(directions[m])));
+        let store = quote!(cells::store_coupling(coupling, a, m, #block(products, once)));
+        mode.call(Value::call(store, pairs.flops()));
+        node.kept("m", Size::Number(modes), mode);
+        work.kept("a", Size::Number(nodes), node);
+        work.name(quote!(mut own), quote!([[L::splat(0.0); #parameters]; #parameters]));
+        let left = quote!(cells::between_modes(&factors, [m, n], &directions[m]));
+        pair.bind(quote!(left), Value::call(left, cells::between_modes(points)));
+        pair.bind(quote!(products), outer(quote!(left), quote!(directions[n])));
+        let store = quote!(cells::store_own(&mut own, m, n, #block(products, once)));
+        pair.call(Value::call(store, pairs.flops()));
+        let (from, to) = (Size::Index("m"), Size::Number(modes));
+        first.repeat(Loop { index: "n", from, to, head: Head::Range, body: pair });
+        // On the diagonal a triangle is used.
+        first.unused(pairs.flops() - pairs.own_flops());
+        work.each("m", modes, first);
+        let take_off = quote!(cells::take_off(&mut own, coupling, matrix));
+        work.call(Value::call(take_off, cells::take_off(3 * nodes, 3 * modes)));
+        work
     }
 }

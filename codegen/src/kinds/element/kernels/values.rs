@@ -1,13 +1,12 @@
 //! Kernels of forms in which only the values of the functions occur: Σ_q det J w N_a N_b for every pair of nodes.
 
-use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::basis::DET_FLOPS;
 use super::cell::{Body, CellForm};
 use super::linear::Linear;
 use super::table::{Tables, Tangents, row};
-use crate::emit::{NumberText, Numbers, count, identifier, number, operand, statements};
+use crate::emit::{Head, Loop, NumberText, Numbers, Size, Value, Work, count, identifier, number};
+use crate::kinds::cells;
 use crate::kinds::element::{Products, Table};
 use crate::kinds::form::kernels::{PAIR, Pairs};
 
@@ -41,22 +40,14 @@ impl CellForm<'_> {
         // det J over that of the tangents without their scale.
         let volume = scale.map(|scale| scale.powi(3));
         let factor = number(volume.unwrap_or(1.0) * sums.take_largest());
-        let steps = self.linear_tangents(&tangents, &quote!(tangents));
         let rows = count(tangents.rows.len());
-        let least = match volume {
-            Some(volume) => {
-                let volume = number(volume);
-                quote!(least_det * #volume)
-            }
-            None => quote!(least_det),
-        };
         let number_of_points = self.element.table(form).weights.len();
         let points = count(number_of_points);
         let det = |q: usize| {
             let q = count(q);
             quote!(det[#q])
         };
-        let (sum_steps, entries) = sums.text(number_of_points, det);
+        let (sum_steps, entries) = sums.work(number_of_points, det);
         let places_name = tables.named("PLACES", form);
         let (places, values) =
             (count(products.places.len()), products.places.iter().map(|p| count(*p)));
@@ -66,26 +57,33 @@ impl CellForm<'_> {
             quote!([usize; #places]),
             quote!([#(#values),*]),
         );
-        let scaled = in_matrix(pairs, &factor);
-        let jacobian = self.jacobian(tables, &quote!(tangents));
-        let text = quote! {
-            let factor = #scaled;
-            let mut tangents = [[L::splat(0.0); 3]; #rows];
-            for i in 0..3 { #steps }
-            let mut det = [L::splat(0.0); #points];
-            let mut least_det = L::splat(f64::INFINITY);
-            for q in 0..#points {
-                #jacobian
-                least_det = cells::least(least_det, at.det);
-                det[q] = at.det * factor;
-            }
-            #sum_steps
-            let entries = [#(#entries),*];
-            for (entry, place) in #places_name.iter().enumerate() {
-                matrix.set(entry, &[entries[*place]]);
-            }
-            #least
-        };
+        let mut work = Work::new();
+        work.bind(quote!(factor), in_matrix(pairs, &factor));
+        work.name(quote!(mut tangents), quote!([[L::splat(0.0); 3]; #rows]));
+        work.each("i", 3, self.linear_tangents(&tangents, &quote!(tangents)));
+        work.name(quote!(mut det), quote!([L::splat(0.0); #points]));
+        work.name(quote!(mut least_det), quote!(L::splat(f64::INFINITY)));
+        let mut point = self.jacobian(tables, &quote!(tangents), cells::jacobian(true, |_| false));
+        let [det, factor] = [quote!(at.det), quote!(factor)].map(Value::free);
+        point.store(quote!(least_det), Value::free(quote!(cells::least(least_det, at.det))));
+        point.store(quote!(det[q]), det * factor);
+        work.each("q", number_of_points, point);
+        work.then(sum_steps);
+        work.bind(quote!(entries), Value::list(&entries));
+        let mut write = Work::new();
+        write.call(Value::free(quote!(matrix.set(entry, &[entries[*place]]))));
+        work.repeat(Loop {
+            index: "entry",
+            from: Size::Number(0),
+            to: Size::Number(products.places.len()),
+            head: Head::Over(quote!((entry, place)), quote!(#places_name.iter().enumerate())),
+            body: write,
+        });
+        let least = Value::free(quote!(least_det));
+        work.give(match volume.map(number) {
+            Some(volume) => least * Value::free(quote!(#volume)),
+            None => least,
+        });
         let about = format!(
             "{} different entries of {}. Once a cell: {}, then {}.",
             products.rows.len(),
@@ -93,19 +91,13 @@ impl CellForm<'_> {
             pairs.once_counts(),
             pairs.pair_counts()
         );
-        let flops = 3 * tangents.flops()
-            + number_of_points * (DET_FLOPS + 1)
-            + pairs.flops()
-            + usize::from(volume.is_some())
-            + sums.flops();
-        Body { workspace: None, matrix: quote!(mut matrix), text, about, flops }
+        Body { workspace: None, matrix: quote!(mut matrix), work, about }
     }
 
     /// A loop over the pairs of nodes and one over the points.
     fn in_loops(&self, pairs: &Pairs, tables: &mut Tables, table: &Table) -> Body {
         let form = &self.form.name;
         let (nodes, points) = (self.element.nodes.len(), table.weights.len());
-        let (tangents, tangent_flops) = self.tangents(tables, table);
         let (columns, shapes) = (tables.named("COLUMNS", form), tables.named("SHAPES", form));
         let weights = tables.weights(form, &table.weights);
         let (node_count, point_count) = (count(nodes), count(points));
@@ -119,47 +111,42 @@ impl CellForm<'_> {
             quote!([[f64; #point_count]; #node_count]),
             quote!([#(#values),*]),
         );
-        let scaled = in_matrix(pairs, &number(1.0));
-        let text = quote! {
-            let factor = #scaled;
-            #tangents
-            let least_det = cells::determinants(
+        let mut work = Work::new();
+        work.bind(quote!(factor), in_matrix(pairs, &number(1.0)));
+        work.then(self.tangents(tables, table));
+        let det = quote! {
+            cells::determinants(
                 &workspace.tangents, &#columns, &#weights, factor, &mut workspace.det
-            );
-            cells::products(&workspace.det, #shapes.as_flattened(), &mut workspace.weighted, matrix);
-            least_det
+            )
         };
+        work.bind(quote!(least_det), Value::call(det, cells::determinants(points)));
+        let products = quote! {
+            cells::products(&workspace.det, #shapes.as_flattened(), &mut workspace.weighted, matrix)
+        };
+        work.call(Value::call(products, cells::products(nodes, points)));
+        work.give(Value::free(quote!(least_det)));
         let pairs_of_nodes = nodes * (nodes + 1) / 2;
         let about = format!(
             "{pairs_of_nodes} pairs × {points} points. Once a cell: {}, then {}.",
             pairs.once_counts(),
             pairs.pair_counts()
         );
-        let flops = tangent_flops
-            + points * (DET_FLOPS + 2)
-            + pairs.flops()
-            + nodes * points
-            + 2 * pairs_of_nodes * points;
         let rows = count(Tangents::new(&table.slopes).rows.len());
         let workspace = Some(quote!(cells::Scalars<L, #point_count, #rows>));
-        Body { workspace, matrix: quote!(matrix), text, about, flops }
+        Body { workspace, matrix: quote!(matrix), work, about }
     }
 }
 
 /// What the form makes of a product N_a N_b whose sum over the points is `sum`; the material's names hold in
 /// there only.
-fn in_matrix(pairs: &Pairs, sum: &NumberText) -> TokenStream {
+fn in_matrix(pairs: &Pairs, sum: &NumberText) -> Value {
     let material = pairs.material.iter().map(|name| identifier(name));
-    let (once, pair) = (pairs.once(), statements(&pairs.program, PAIR, Numbers::Fused));
     let name = identifier(&Pairs::name((0, 0)));
-    let result = operand(&pairs.program, pairs.program.outputs[0].operand, Numbers::Fused);
-    quote! {
-        {
-            let [#(#material),*] = material;
-            #once
-            let #name = L::splat(#sum);
-            #(#pair)*
-            #result
-        }
-    }
+    let mut work = Work::new();
+    work.name(quote!([#(#material),*]), quote!(material));
+    work.then(pairs.once());
+    work.name(quote!(#name), quote!(L::splat(#sum)));
+    work.stage(&pairs.program, PAIR, Numbers::Fused);
+    work.give(Value::free(pairs.outputs()[0].clone()));
+    Value::block(&work)
 }

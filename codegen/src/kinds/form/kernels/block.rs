@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, TokenStream, TokenTree};
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
 
 use super::pairs::{PAIR, Pairs};
 use crate::emit::{Numbers, count, documented, identifier, names, statements};
@@ -40,7 +40,7 @@ impl<'a> Block<'a> {
         let used = names(&body);
         let material = pairs.material.iter().map(|name| identifier(name));
         let mut known: Vec<Ident> = material.collect();
-        known.extend(bound(&pairs.once()));
+        known.extend(bound(&pairs.once().to_token_stream()));
         let mut seen = BTreeSet::new();
         let once = known.into_iter().filter(|name| {
             let name = name.to_string();
@@ -72,9 +72,8 @@ impl<'a> Block<'a> {
             properties.join(", "),
             pairs.once_counts()
         );
-        let at_points = form.stress.as_ref().is_some_and(|stress| stress.at_points);
         let (result, what) = match form.structure {
-            _ if at_points => {
+            _ if form.at_points() => {
                 (quote!([[L; 3]; 3]), "the components at a point by the slopes of the displacement")
             }
             _ if pairs.under_stress => (

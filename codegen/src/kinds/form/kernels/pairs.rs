@@ -7,7 +7,7 @@ use num_traits::One;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::emit::{Numbers, identifier, operand, statements};
+use crate::emit::{Numbers, Work, identifier, operand};
 use crate::expression::{Graph, Id, Rational};
 use crate::kinds::form::stress::slope;
 use crate::kinds::form::{Form, FormSpec, Structure};
@@ -158,26 +158,31 @@ impl Pairs {
         quote!([#(#rows),*])
     }
 
-    /// The statements that run once a cell.
-    pub(in crate::kinds) fn once(&self) -> TokenStream {
-        let coefficients = statements(&self.coefficients, 0, Numbers::Fused);
-        let bound = self.coefficients.outputs.iter().filter_map(|output| {
+    /// What is done once a cell.
+    pub(in crate::kinds) fn once(&self) -> Work {
+        let mut work = Work::new();
+        work.stage(&self.coefficients, 0, Numbers::Fused);
+        for output in &self.coefficients.outputs {
             let name = identifier(&output.name);
             let value = operand(&self.coefficients, output.operand, Numbers::Fused);
-            (name != value.to_string()).then(|| quote!(let #name = #value;))
-        });
-        let material = statements(&self.program, MATERIAL, Numbers::Fused);
-        quote!(#(#coefficients)* #(#bound)* #(#material)*)
-    }
-
-    /// Operations once a cell.
-    pub(in crate::kinds) fn once_flops(&self) -> usize {
-        self.coefficients.total_counts().arithmetic() + self.program.counts(MATERIAL).arithmetic()
+            if name != value.to_string() {
+                work.name(quote!(#name), value);
+            }
+        }
+        work.stage(&self.program, MATERIAL, Numbers::Fused);
+        work
     }
 
     /// Operations once a pair, without the sums.
     pub(in crate::kinds) fn flops(&self) -> usize {
         self.program.counts(PAIR).arithmetic()
+    }
+
+    /// The same where no more than the upper triangle of the components is used.
+    pub(in crate::kinds) fn own_flops(&self) -> usize {
+        let upper =
+            |name: &str| (0..9).any(|n| n / 3 <= n % 3 && name == Self::component(n / 3, n % 3));
+        self.program.restricted(upper).counts(PAIR).arithmetic()
     }
 
     /// The same in words.
