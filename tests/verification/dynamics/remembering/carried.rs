@@ -52,7 +52,7 @@ fn a_resumed_march_with_states_has_the_bits_of_one_never_interrupted() {
         }
         finish(&mut whole, None);
         let quality = whole.outcome().quality;
-        assert!(quality.states.expect("has states").share > 0.0);
+        assert!(quality.states.expect("has states").local.0 > 0.0);
     }
 }
 
