@@ -44,6 +44,7 @@ pub use film_law::FilmLaw;
 pub use frequency_law::FrequencyLaw;
 pub use gear::{Flank, Gear};
 pub use hold::{Hold, LawStates};
+pub(crate) use states::LONG;
 pub use law::{Remembered, SpringLaw, Validity};
 pub use other::{MotionKind, OtherMotion};
 pub use over_frequency::{Coefficients, FrequencyTable, OverFrequency, OverWhat};
