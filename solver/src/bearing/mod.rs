@@ -44,7 +44,6 @@ pub use film_law::FilmLaw;
 pub use frequency_law::FrequencyLaw;
 pub use gear::{Flank, Gear};
 pub use hold::{Hold, LawStates};
-pub(crate) use states::LONG;
 pub use law::{Remembered, SpringLaw, Validity};
 pub use other::{MotionKind, OtherMotion};
 pub use over_frequency::{Coefficients, FrequencyTable, OverFrequency, OverWhat};
@@ -61,6 +60,7 @@ pub(crate) use on_section::OnJournal;
 pub(crate) use plane::Plane;
 pub(crate) use rounding::SpringRounding;
 pub(crate) use state::TurnedRows;
+pub(crate) use states::LONG;
 pub(crate) use tied::Tied;
 
 /// A journal in its bore, as a case describes it.
