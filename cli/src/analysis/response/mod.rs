@@ -212,8 +212,9 @@ pub(super) fn peaks(
 ) -> Result<Vec<Peak>, Error> {
     let mut found: Vec<Peak> = Vec::new();
     for seed in seeds.iter().take_while(|_| !interruption.asked()) {
-        let width = seed.speed * seed.mode.damping_ratio().abs().max(1e-6);
-        let Some(own) = peak(response, (seed.speed, width), range)? else { continue };
+        let width = seed.speed.abs() * seed.mode.damping_ratio().abs().max(1e-6);
+        let begin = if range[1] > 0.0 { seed.speed.abs() } else { seed.speed };
+        let Some(own) = peak(response, (begin, width), range)? else { continue };
         if found.iter().all(|other| (other.speed / own.speed - 1.0).abs() > SAME) {
             found.push(own);
         }
