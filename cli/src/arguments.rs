@@ -167,7 +167,7 @@ pub(crate) struct SweepArguments {
     #[arg(long)]
     pub(crate) no_report: bool,
     /// Number of points to run at a time [default: one per core]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = jobs, allow_negative_numbers = true)]
     pub(crate) jobs: Option<NonZeroUsize>,
     /// Resume an unfinished sweep in the same folder
     #[arg(long)]
@@ -232,7 +232,7 @@ pub(crate) struct MapArguments {
     #[arg(long, value_name = "BODY")]
     pub(crate) of: Option<String>,
     /// How many critical speeds, the slowest ones
-    #[arg(long, value_name = "N", default_value_t = MODES)]
+    #[arg(long, value_name = "N", default_value_t = MODES, value_parser = modes, allow_negative_numbers = true)]
     pub(crate) count: usize,
     /// Where results go
     #[command(flatten)]
@@ -251,7 +251,7 @@ pub(crate) struct ModesArguments {
     #[arg(long, value_name = "BODY")]
     pub(crate) of: Option<String>,
     /// Number of modes, lowest first
-    #[arg(long, value_name = "N", default_value_t = MODES)]
+    #[arg(long, value_name = "N", default_value_t = MODES, value_parser = modes, allow_negative_numbers = true)]
     pub(crate) count: usize,
     /// Orders for critical speeds, such as 1,2
     #[arg(long, value_name = "ORDERS", value_delimiter = ',', allow_hyphen_values = true)]
@@ -422,6 +422,16 @@ pub(crate) struct SchemaArguments {
     /// Print the keys as a page in Markdown
     #[arg(long, requires = "kind")]
     pub(crate) page: bool,
+}
+
+/// A number of modes; 0 is told where it is used.
+fn modes(text: &str) -> Result<usize, String> {
+    text.parse().map_err(|_| "write a whole number of modes, such as 10".to_owned())
+}
+
+/// A number of points that run at a time.
+fn jobs(text: &str) -> Result<NonZeroUsize, String> {
+    text.parse().map_err(|_| "write a whole number from 1 on, such as 4".to_owned())
 }
 
 fn schema_kinds() -> PossibleValuesParser {

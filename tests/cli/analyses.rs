@@ -6,6 +6,7 @@ mod coaxial;
 mod driven;
 mod figures;
 mod forces;
+mod integrating;
 mod invariance;
 mod lateral;
 mod matrices;
@@ -14,6 +15,7 @@ mod notes;
 mod over_frequency;
 mod refused;
 mod sections;
+mod unheld;
 
 use std::f64::consts::TAU;
 use std::fs::{File, read_to_string};

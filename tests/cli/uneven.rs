@@ -4,6 +4,8 @@
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
+use num_complex::Complex64;
+
 use crate::analyses::{Known, column, numbers, ran, reference};
 use crate::workbench::Workbench;
 
@@ -196,4 +198,73 @@ fn a_rectangular_shaft_is_unstable_between_its_critical_speeds() {
         let apart = (found / known.value - 1.0).abs();
         assert!(apart <= known.tolerance, "{end}: {found}, {apart:e}");
     }
+}
+
+/// As it stands and in the mean over a turn, the shear along a shaft that is not round is what its weight, its disc and its joints
+/// say; twice a turn that of the response changes at the disc by what moves its mass.
+#[test]
+fn forces_along_a_rectangular_shaft_are_those_of_statics_in_the_mean() {
+    const GRAVITY: f64 = 9.81;
+    let joint = |name: &str, set: &str| {
+        format!(
+            "[joint.{name}]\nkind = \"bushing\"\nfirst = {{ body = \"shaft\", sets = \"{set}\" }}\n\
+             stiffness = {{ xx = \"1e7 N/m\", yy = \"2e7 N/m\" }}\ndamping = {{ xx = \"1e3 N*s/m\", yy = \"1e3 N*s/m\" }}\n"
+        )
+    };
+    let case = format!(
+        "title = \"a rectangular shaft\"\ngravity = [\"0 m/s^2\", \"-9.81 m/s^2\", \"0 m/s^2\"]\n\
+         [material.steel]\nyoungs_modulus = \"200e9 Pa\"\npoissons_ratio = 0.3\ndensity = \"7860 kg/m^3\"\n\
+         [body.shaft]\nturns = \"prescribed\"\nspeed = \"100 rad/s\"\nmesh = \"bar.inp\"\nunits = \"m, N, kg\"\n\
+         material = \"steel\"\nmodes = 12\naxial_restraint = \"LEFT\"\n\
+         [body.shaft.sets]\nLEFT = {{ plane = \"0 m\" }}\nRIGHT = {{ plane = \"0.8 m\" }}\n\
+         [body.shaft.disc.disc]\nmass = \"10 kg\"\npolar_inertia = \"0.05 kg*m^2\"\n\
+         transverse_inertia = \"0.03 kg*m^2\"\nz = \"0.4 m\"\n{}{}",
+        joint("left", "LEFT"),
+        joint("right", "RIGHT")
+    );
+    let workbench = Workbench::new().file("case.toml", &case).file("bar.inp", &bar());
+    ran(&workbench, &["forces", "case.toml", "--speed", "100 rad/s", "--out", "out"]);
+    let weight = 7860.0 * 0.030 * 0.024 * GRAVITY;
+    let (whole, disc) = (0.8 * weight, 10.0 * GRAVITY);
+    let known = |z: f64| {
+        let beyond = |place: f64| f64::from(u8::from(place > z + 1e-9));
+        let reaction = 0.5 * (whole + disc);
+        reaction * (beyond(0.0) + beyond(0.8)) - disc * beyond(0.4) - weight * (0.8 - z)
+    };
+    let along = |file: &str, order: Option<f64>| -> Vec<[Complex64; 3]> {
+        let of = |name: &str| numbers(&workbench, file, name);
+        let polar = |name: &str, unit: &str| -> Vec<Complex64> {
+            let sizes = of(&format!("{name}_{unit}"));
+            match order {
+                None => sizes.into_iter().map(Complex64::from).collect(),
+                Some(_) => {
+                    let phases = of(&format!("{name}_deg"));
+                    let both = sizes.into_iter().zip(phases);
+                    both.map(|(size, own)| Complex64::from_polar(size, own.to_radians())).collect()
+                }
+            }
+        };
+        let (z, shear, moved) = (of("z_mm"), polar("shear_y", "N"), polar("uy", "um"));
+        let orders = order.map(|_| of("order"));
+        let is_own = |row: &usize| orders.as_ref().is_none_or(|own| Some(own[*row]) == order);
+        let rows = (0..z.len()).filter(is_own);
+        rows.map(|row| [(1e-3 * z[row]).into(), shear[row], 1e-6 * moved[row]]).collect()
+    };
+    for (file, order) in [("out/forces.csv", None), ("out/forces.response.csv", Some(0.0))] {
+        let rows = along(file, order);
+        assert!(rows.len() > 30, "{file}: {}", rows.len());
+        for [z, shear, _] in rows {
+            let known = known(z.re);
+            // Of what varies with the angle, reduction leaves fast motions out.
+            assert!((shear - known).norm() < 1e-3 * disc, "{file} {z}: {shear}, not {known}");
+        }
+    }
+    let twice = along("out/forces.response.csv", Some(2.0));
+    let at = twice.iter().position(|own| own[0].re > 0.4 - 1e-6).expect("a section of the disc");
+    let [before, at] = [twice[at - 1], twice[at]];
+    let between = weight / GRAVITY * (at[0] - before[0]);
+    let square = (2.0 * 100.0_f64).powi(2);
+    let moved = 10.0 * at[2] + 0.5 * between * (at[2] + before[2]);
+    let (change, known) = (at[1] - before[1], -square * moved);
+    assert!((change - known).norm() < 1e-2 * known.norm(), "{change}, not {known}");
 }

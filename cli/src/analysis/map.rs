@@ -59,6 +59,12 @@ pub(super) fn found(
     );
     text.push_str(&shown(&all));
     let mut facts = Facts::default();
+    let left_out = linear.left_out_of_map();
+    if !left_out.is_empty() {
+        let note = format!("note: left out is what joints do otherwise: {}\n", left_out.join(", "));
+        facts.lines(&note);
+        text.push_str(&note);
+    }
     if let [(_, speeds)] = all.as_slice() {
         facts.undamped(speeds, |own| whirl(own) == "forward");
     }

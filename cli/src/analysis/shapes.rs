@@ -132,6 +132,7 @@ impl Seen<'_> {
                 let (style, name) = match orbit.whirl(speed) {
                     Whirl::Forward => (Style::First, "orbit, forward"),
                     Whirl::Backward => (Style::Second, "orbit, backward"),
+                    Whirl::None if speed == 0.0 => (Style::Third, "orbit"),
                     Whirl::None => (Style::Third, "orbit, in a plane"),
                 };
                 let points = (0..=POINTS).map(|k| moved(z, own, TAU * k as f64 / POINTS as f64));

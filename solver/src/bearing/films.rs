@@ -184,7 +184,7 @@ impl FilmAt {
         let steady = motion(&self.taken, None);
         let still = JournalMotion { velocity: [0.0; 2], tilting: [0.0; 2], ..steady };
         self.solved = match given.hold {
-            Hold::Rest => {
+            Hold::Rest | Hold::Settled => {
                 self.oil = Oil::full(&journal.film);
                 self.settle(journal, if squeezed { &steady } else { &still })
             }

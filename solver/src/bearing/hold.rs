@@ -5,13 +5,15 @@ use serde::{Deserialize, Serialize};
 /// How the states of laws follow from what is known of them.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub enum Hold {
-    /// Their rates are zero, whatever is known of them.
+    /// Their rates are zero, whatever is known of them; those that only integrate stay as they are known, or as they begin.
     #[default]
     Rest,
     /// They are as the laws begin.
     Start,
     /// s = known + weight · ṡ, with the weight of a step (s); they are what is known of them where it is 0.
     Implicit(f64),
+    /// Their rates are zero, those of states that only integrate as well: their inputs are such.
+    Settled,
 }
 
 /// What is known of the states of all laws: law after law, state after state, spring after spring. All of it is empty where

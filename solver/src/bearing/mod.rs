@@ -60,6 +60,7 @@ pub(crate) use on_section::OnJournal;
 pub(crate) use plane::Plane;
 pub(crate) use rounding::SpringRounding;
 pub(crate) use state::TurnedRows;
+pub(crate) use states::LONG;
 pub(crate) use tied::Tied;
 
 /// A journal in its bore, as a case describes it.

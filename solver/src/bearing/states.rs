@@ -5,11 +5,19 @@
 //! F = σ s − b − h g(x, s) = 0, with σ = 1, or 0, b = 0 and h = 1 where the rates are zero. With J = σ − h ∂g/∂s it is
 //! ds/dx = J⁻¹ h ∂g/∂x, and the forces have the slopes ∂Q/∂x + ∂Q/∂s ds/dx: those of the step, exactly. Newton's method
 //! begins at b + h ṡ_n, so that s is a function of the motion and of what is known, whatever was evaluated before.
+//!
+//! A state that only integrates, whose rate hangs on no state that does more, has no s of its own where the rate is zero: ∂g/∂s has a
+//! row of nothing. It stays as it is known, or, where all is to settle, it is s = h g with a long h, so that its input is where
+//! g = 0 and s is what the balance asks of it.
 
 use super::hold::{Hold, LawStates};
 use super::law_memory::LawMemory;
 use super::placed_law::PlacedLaw;
 use super::springs::Springs;
+
+/// Time (s) after which a state that only integrates is taken for settled, s = h ṡ: its rate is then this part of it a second,
+/// and forces have no more than that to do with it.
+pub(crate) const LONG: f64 = 1e6;
 
 /// Multiples of eps · Σ |terms of F| that rounding may leave in F.
 const ROUNDING: f64 = 16.0;
@@ -33,6 +41,8 @@ pub(super) struct Remembering {
     taken: Vec<f64>,
     merit: Vec<f64>,
     solved: Vec<bool>,
+    /// By states, rows of springs, whether they only integrate, where rates are zero.
+    integrates: Vec<bool>,
     /// J with columns beside it, row after row, of one spring.
     system: Vec<f64>,
 }
@@ -48,6 +58,11 @@ struct Known {
 
 impl Known {
     const AT_REST: Known = Known { own: 0.0, known: 0.0, weight: 1.0, guess: 0.0 };
+
+    /// Of a state that has a value.
+    fn stays(value: f64) -> Known {
+        Known { own: 1.0, known: value, weight: 0.0, guess: value }
+    }
 }
 
 /// What a law with states gives in a step: rows as those of a law, forces and slopes as without states.
@@ -138,6 +153,7 @@ impl Remembering {
             taken: vec![0.0; most],
             merit: vec![0.0; most],
             solved: vec![false; most],
+            integrates: vec![false; rows],
             system: vec![0.0; system.max().unwrap_or(0)],
         }
     }
@@ -145,16 +161,22 @@ impl Remembering {
     /// What is known of a state of a law at a spring.
     fn known(&self, law: &PlacedLaw, place: usize, state: usize, spring: usize) -> Known {
         let start = law.bound.states[state].start;
+        let at = self.first[place] + state * law.springs + spring;
+        let begins = start.unwrap_or(0.0);
+        let integrates = self.integrates[state * law.springs + spring];
         match self.given.hold {
-            Hold::Rest => Known { guess: start.unwrap_or(0.0), ..Known::AT_REST },
-            Hold::Start => start.map_or(Known::AT_REST, |start| Known {
-                own: 1.0,
-                known: start,
-                weight: 0.0,
-                guess: start,
-            }),
+            Hold::Rest if integrates => {
+                Known::stays(self.given.known.get(at).copied().unwrap_or(begins))
+            }
+            Hold::Settled if integrates => {
+                Known { own: 1.0, known: 0.0, weight: LONG, guess: begins }
+            }
+            Hold::Rest | Hold::Settled => Known { guess: begins, ..Known::AT_REST },
+            Hold::Start => match start {
+                None if !integrates => Known::AT_REST,
+                _ => Known::stays(begins),
+            },
             Hold::Implicit(weight) => {
-                let at = self.first[place] + state * law.springs + spring;
                 let known = self.given.known[at];
                 let guess = known + weight * self.given.rates[at];
                 Known { own: 1.0, known, weight, guess }
@@ -162,14 +184,37 @@ impl Remembering {
         }
     }
 
+    /// Finds which states at a spring only integrate, of those whose rates are to be zero: no state that does more is in their
+    /// rates. Whether there are any.
+    fn find_integrating(&mut self, law: &PlacedLaw, place: usize, memory: &LawMemory) -> bool {
+        let (n, states) = (law.springs, law.bound.states.len());
+        let mut any = false;
+        for j in 0..n {
+            let given = AtSpring::new(law, &memory.outputs, j);
+            loop {
+                let does_more = |state: &usize| !self.integrates[state * n + j];
+                let next = (0..states).filter(does_more).find(|&state| {
+                    let rests = self.known(law, place, state, j).own == 0.0;
+                    let by = |other: usize| given.rate_by_state(state, other) == 0.0;
+                    rests && (0..states).filter(does_more).all(by)
+                });
+                let Some(state) = next else { break };
+                self.integrates[state * n + j] = true;
+                any = true;
+            }
+        }
+        any
+    }
+
     /// Puts the states behind the inputs of a law, and leaves what the law gives there.
     pub(super) fn find(&mut self, law: &PlacedLaw, place: usize, memory: &mut LawMemory) {
-        let (n, inputs, states) = (law.springs, law.bound.inputs.len(), law.bound.states.len());
-        for state in 0..states {
-            for j in 0..n {
-                let guess = self.known(law, place, state, j).guess;
-                memory.inputs[(inputs + state) * n + j] = guess;
-                (self.before[state * n + j], self.correction[state * n + j]) = (guess, 0.0);
+        let (n, states) = (law.springs, law.bound.states.len());
+        self.integrates[..states * n].fill(false);
+        self.guess(law, place, memory);
+        if !matches!(self.given.hold, Hold::Implicit(_)) {
+            memory.evaluate(law);
+            if self.find_integrating(law, place, memory) {
+                self.guess(law, place, memory);
             }
         }
         self.solved[..n].fill(false);
@@ -186,6 +231,18 @@ impl Remembering {
             }
             if all_solved {
                 return;
+            }
+        }
+    }
+
+    /// Puts where states are looked for from behind the inputs of a law.
+    fn guess(&mut self, law: &PlacedLaw, place: usize, memory: &mut LawMemory) {
+        let (n, inputs) = (law.springs, law.bound.inputs.len());
+        for state in 0..law.bound.states.len() {
+            for j in 0..n {
+                let guess = self.known(law, place, state, j).guess;
+                memory.inputs[(inputs + state) * n + j] = guess;
+                (self.before[state * n + j], self.correction[state * n + j]) = (guess, 0.0);
             }
         }
     }
@@ -247,6 +304,18 @@ impl Remembering {
         }
     }
 
+    /// Whether all is to settle and the rate of a state that only integrates is not zero, and hangs on nothing.
+    fn goes_on(&self, given: &AtSpring, springs: usize, spring: usize) -> bool {
+        let states = given.rows_in - given.inputs;
+        self.given.hold == Hold::Settled
+            && (0..states).any(|state| {
+                self.integrates[state * springs + spring]
+                    && given.rate(state) != 0.0
+                    && (0..given.inputs).all(|own| given.rate_by_input(state, own) == 0.0)
+                    && (0..states).all(|own| given.rate_by_state(state, own) == 0.0)
+            })
+    }
+
     /// Takes states, rates, forces and their slopes from what a law gives where its states were found.
     pub(super) fn condense(
         &mut self,
@@ -271,15 +340,15 @@ impl Remembering {
                     *entry = known.weight * given.rate_by_input(state, input);
                 }
             }
-            let system = &mut self.system[..states * width];
-            eliminate(system, width);
-            // A law whose states are not found has no force.
-            let lost = if self.solved[j] { 0.0 } else { f64::NAN };
+            eliminate(&mut self.system[..states * width], width);
+            // A law whose states are not found has no force, nor one of which a state goes on for ever, whatever its inputs are.
+            let found = self.solved[j] && !self.goes_on(&given, n, j);
+            let lost = if found { 0.0 } else { f64::NAN };
             for (k, &force) in bound.forces.iter().enumerate() {
                 own.forces[force * n + j] = given.force(k, 0) + lost;
                 for (by, &input) in bound.inputs.iter().enumerate() {
                     let by_states = (0..states).map(|state| {
-                        given.force_by_state(k, state) * system[state * width + states + by]
+                        given.force_by_state(k, state) * self.system[state * width + states + by]
                     });
                     let slope = given.force(k, 1 + by) + by_states.sum::<f64>();
                     own.slopes[(force * bound.kind.inputs.len() + input) * n + j] = slope;

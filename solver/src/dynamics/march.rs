@@ -202,7 +202,7 @@ impl<'m> March<'m> {
         machine.set_given(0.0, false, [&mut state.q, &mut state.v, &mut state.a]);
         state.laws = machine.springs.beginning();
         if options.laws_at_rest {
-            state.laws.hold = Hold::Rest;
+            state.laws.hold = Hold::Settled;
         }
         let released = machine.loads.iter().map(|load| {
             let theta = machine.places()[load.body].rotation;

@@ -101,6 +101,11 @@ pub enum Doubt {
         /// How.
         counted: Counted,
     },
+    /// Bodies that nothing holds where the machine stands.
+    Unheld {
+        /// Their names, with how they move.
+        bodies: Vec<String>,
+    },
     /// Equations that vary with angles though all bodies are round: joints that are not.
     Varies {
         /// The largest share of an entry.
@@ -201,6 +206,11 @@ impl fmt::Display for Doubt {
                     write!(f, "{load} is left out, as it starts only at {} s", rounded(*from, 4))
                 }
             },
+            Doubt::Unheld { bodies } => write!(
+                f,
+                "nothing holds {} where the machine stands: such motions have no frequency and are not listed. A journal floats in its clearance without a load, and a film carries only at speed: add a load, such as the weight, or what holds it",
+                bodies.join(", ")
+            ),
             Doubt::Varies { share } => write!(
                 f,
                 "the joints are not uniform around their circumference, so that the equations vary by {} % over a turn: modes are those at angle 0",
@@ -257,6 +267,12 @@ impl LinearMachine {
             if modes != [0; 2] {
                 let joint = self.machine.monitors[joint.joint].name.clone();
                 doubts.push(Doubt::BeyondRows { joint, rows: rows.map(|own| own / TAU), modes });
+            }
+        }
+        if equations.frame == 0.0 {
+            let bodies = self.unheld(at, equations)?;
+            if !bodies.is_empty() {
+                doubts.push(Doubt::Unheld { bodies });
             }
         }
         if equations.frame == 0.0 && equations.varying.is_none() {

@@ -5,10 +5,11 @@
 
 use num_complex::Complex64;
 
+use crate::bearing::LONG;
 use crate::linalg::{FirstOrder, Matrix, solve_complex};
 
-/// Adds what states do at a frequency (rad/s) to C′ and K′; at rest, where they follow at once, to K′ alone. No numbers where a motion
-/// of that frequency does not determine them, such as an integral of a constant.
+/// Adds what states do at a frequency (rad/s) to C′ and K′; at rest, where they follow at once, to K′ alone. Those that only
+/// integrate let nothing stand but where their rates are zero: they are as stiff as after a [`LONG`] time.
 pub(super) fn add(
     states: &FirstOrder,
     frequency: f64,
@@ -16,13 +17,19 @@ pub(super) fn add(
     stiffness: &mut Matrix,
 ) {
     let (m, n) = (states.rates.rows, states.forces.rows);
-    let matrix: Vec<Complex64> = (0..m * m)
-        .map(|k| {
+    let at = |rate: Complex64| -> Vec<Complex64> {
+        let entry = |k: usize| {
             let (i, j) = (k % m, k / m);
-            let own = if i == j { Complex64::new(0.0, frequency) } else { Complex64::ZERO };
+            let own = if i == j { rate } else { Complex64::ZERO };
             own - states.rates[(i, j)]
-        })
-        .collect();
+        };
+        (0..m * m).map(entry).collect()
+    };
+    let mut matrix = at(Complex64::new(0.0, frequency));
+    let nothing = vec![Complex64::ZERO; m];
+    if frequency == 0.0 && solve_complex(m, &matrix, &nothing).is_err() {
+        matrix = at(Complex64::new(1.0 / LONG, 0.0));
+    }
     for j in 0..n {
         let column: Vec<Complex64> = (0..m)
             .map(|i| Complex64::new(states.by_position[(i, j)], frequency * states.by_rate[(i, j)]))

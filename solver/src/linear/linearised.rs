@@ -168,7 +168,8 @@ impl LinearMachine {
             self.machine.bodies.iter().zip(at).filter_map(|(body, speed)| {
                 Some(format!("{} at {} rpm", body.name(), rpm((*speed)?)))
             });
-        known.collect::<Vec<_>>().join(", ")
+        let known: Vec<String> = known.collect();
+        if known.is_empty() { "no body turning".to_owned() } else { known.join(", ") }
     }
 
     /// The machine that stands in a state.

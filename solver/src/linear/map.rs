@@ -35,6 +35,21 @@ pub struct Unsupported {
 }
 
 impl LinearMachine {
+    /// What joints do beside holding their journals along x and y, and not in such a machine, in words.
+    pub fn left_out_of_map(&self) -> Vec<String> {
+        let joints = self.machine.monitors.iter();
+        let words = joints.flat_map(|joint| {
+            let acts = [
+                (joint.tilts.is_some(), "against tilting"),
+                (joint.along.is_some(), "along the axis"),
+                (joint.torque, "about the axis"),
+            ];
+            let acts = acts.into_iter().filter(|own| own.0);
+            acts.map(|(_, how)| format!("{} {how}", joint.name))
+        });
+        words.collect()
+    }
+
     /// The machine without its joints at speeds in the ratios of `speeds`, one body at 1 rad/s and the bodies that are found at
     /// rest; its joints held by nothing.
     pub fn unsupported(&self, speeds: &[Option<f64>]) -> Unsupported {

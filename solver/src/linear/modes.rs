@@ -26,7 +26,7 @@ pub enum Whirl {
     Forward,
     /// Against it.
     Backward,
-    /// In a plane, along the axis, or about it.
+    /// In a plane, along the axis, or about it; or seen by a body at rest, of which nothing is forward.
     None,
 }
 
@@ -76,6 +76,7 @@ impl Mode {
     pub fn whirl(&self, speed: f64) -> Whirl {
         let sense = if speed < 0.0 { -self.sense } else { self.sense };
         match sense {
+            _ if speed == 0.0 => Whirl::None,
             own if own > CIRCULAR => Whirl::Forward,
             own if own < -CIRCULAR => Whirl::Backward,
             _ => Whirl::None,
@@ -112,6 +113,7 @@ impl Orbit {
         let share =
             2.0 * self.major * self.minor / (self.major * self.major + self.minor * self.minor);
         match if speed < 0.0 { -share } else { share } {
+            _ if speed == 0.0 => Whirl::None,
             own if own > CIRCULAR => Whirl::Forward,
             own if own < -CIRCULAR => Whirl::Backward,
             _ => Whirl::None,

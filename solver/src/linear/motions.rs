@@ -8,8 +8,8 @@ use super::round::LinearMachine;
 use super::shapes::{apply, inner};
 use crate::error::Error;
 use crate::linalg::{
-    Matrix, QuadraticPair, congruence, multiply, quadratic_eigen_with, symmetric_eigen,
-    transpose_multiply,
+    Matrix, QuadraticPair, congruence, generalised_symmetric_eigen, multiply, quadratic_eigen_with,
+    symmetric_eigen, transpose_multiply,
 };
 
 /// Motions with a larger damping ratio are not listed: those that creep in the frame of a body that turns are seen from space
@@ -35,8 +35,8 @@ pub(super) struct Motion {
 
 impl LinearMachine {
     /// All motions that go round or to and fro with a frequency above zero, and those that do not; in a basis of slow ones, if
-    /// there is one. `count`: how many of the slowest must stand where harmonics are cut off. Beside them the square below
-    /// which a rate is rounding.
+    /// there is one. `count`: how many of the slowest must stand where harmonics are cut off. Those that nothing holds are left
+    /// out.
     ///
     /// # Errors
     /// A mass that is not positive definite, or values that are not finite.
@@ -46,13 +46,21 @@ impl LinearMachine {
         basis: Option<&Matrix>,
         count: usize,
     ) -> Result<Vec<Motion>, Error> {
-        if let Some(periodic) = &equations.varying {
-            return self.varying_motions(equations, periodic, count);
-        }
         let Linearised { mass, damping, stiffness, remembered, .. } = equations;
+        let is_held = |own: &Motion, largest: f64| {
+            own.value.norm_sqr() > self.unheld_below(mass.rows, largest)
+        };
+        if let Some(periodic) = &equations.varying {
+            let mut all = self.varying_motions(equations, periodic, count)?;
+            let squares = generalised_symmetric_eigen(&stiffness.symmetric_part(), mass)?.values;
+            let largest = squares.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+            all.retain(|own| is_held(own, largest));
+            return Ok(all);
+        }
         let (pairs, largest) = match basis {
             _ if !equations.dependent.is_empty() => {
-                let (mut pairs, largest) = own_frequency::motions(equations, basis, count)?;
+                let least = |largest| self.unheld_below(mass.rows, largest);
+                let (mut pairs, largest) = own_frequency::motions(equations, basis, &least, count)?;
                 if let Some(basis) = basis {
                     pairs.iter_mut().for_each(|own| own.vector = apply(basis, &own.vector));
                 }
@@ -80,14 +88,12 @@ impl LinearMachine {
                 (pairs, largest)
             }
         };
-        let least = mass.rows as f64 * f64::EPSILON * largest;
-        // Slower ones are rounding of what nothing holds, where they are seen.
-        let is_held = |own: &Motion| own.value.norm_sqr() > least;
         let seen = pairs.into_iter().map(|own| match equations.frame == 0.0 {
             true => Motion { value: own.value, shape: own.vector, beside: Vec::new() },
             false => self.seen_from_space(equations, own.value, &own.vector),
         });
-        Ok(seen.filter(is_held).collect())
+        // Slower ones are rounding of what nothing holds, where they are seen.
+        Ok(seen.filter(|own| is_held(own, largest)).collect())
     }
 
     /// A motion of a frame that turns with Ω_f, as space sees it: its parts that circle forward have Im λ + Ω_f there, those that

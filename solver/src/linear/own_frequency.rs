@@ -188,17 +188,18 @@ fn off_line(rows: &[Coefficients], (a, b): (usize, usize), k: usize, share: f64)
 }
 
 /// All motions: the slowest `count` that are listed, and those that grow, each with the coefficients at its own frequency;
-/// slower ones than any row and faster ones than all rows, too. The rest have those of the last row that was looked at. Beside
+/// slower ones than any row and faster ones than all rows, too. |λ|² up to `least` of the largest ω² is rounding. The rest have those of the last row that was looked at. Beside
 /// them the largest ω² of K.
 pub(super) fn motions(
     equations: &Linearised,
     basis: Option<&Matrix>,
+    least: &dyn Fn(f64) -> f64,
     count: usize,
 ) -> Result<(Vec<QuadraticPair>, f64), Error> {
     let problem = Problem::new(equations, basis);
     let ends = problem.ends();
     let mut before = problem.held(ends[0])?;
-    let least = equations.mass.rows as f64 * f64::EPSILON * before.largest;
+    let least = least(before.largest);
     let is_seen = |own: &QuadraticPair| {
         own.value.norm_sqr() > least && -own.value.re < LISTED * own.value.norm()
     };

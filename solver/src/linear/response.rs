@@ -16,11 +16,9 @@ use crate::output::{Motion, Wanted};
 use crate::plane_rows::PlaneRows;
 
 /// Turns over which forces are sampled, as those of engines come again after two.
-const HALVES: f64 = 2.0;
+pub(super) const HALVES: f64 = 2.0;
 /// Samples of them.
 const SAMPLES: usize = 96;
-/// Harmonics on both sides, in steps of the equations, of a machine with a body that is not round.
-const HARMONICS: i32 = 3;
 /// What is smaller than this share of the largest is nothing.
 const NOTHING: f64 = 1e-6;
 /// Share of the forces that act that is rounding of them.
@@ -104,17 +102,11 @@ impl LinearMachine {
         body: usize,
         points: &[Point],
     ) -> Result<Vec<(f64, Vec<Vibration>)>, Error> {
-        let moved = self.responded((at, equations), body)?;
+        let moved = self.excited((at, equations), body)?.by_orders();
         let all: Vec<(f64, Vec<Vibration>)> = moved
             .iter()
             .map(|(order, own)| {
                 let motions = points.iter().map(|point| self.vibration(at, point, own));
-                let motions = motions.map(|mut own| {
-                    if *order == 0.0 {
-                        own.amplitudes.iter_mut().for_each(|own| own.im = 0.0);
-                    }
-                    own
-                });
                 (*order, motions.collect())
             })
             .collect();
@@ -128,75 +120,9 @@ impl LinearMachine {
         speed != 0.0 || at.angles.is_empty() && self.not_round().next().is_none()
     }
 
-    /// The coordinates of what [`LinearMachine::response`] is of, by orders.
-    ///
-    /// # Errors
-    /// As there.
-    pub fn responded(
-        &self,
-        (at, equations): (&Standstill, &Linearised),
-        body: usize,
-    ) -> Result<Vec<(f64, Vec<Complex64>)>, Error> {
-        let speed = at.speeds[body];
-        if !self.responds_at(at, speed) {
-            return Ok(Vec::new());
-        }
-        let forces = self.forces(at, body);
-        let angles = equations.angles;
-        let uneven = self.uneven_at(at)?.map(|(_, own)| own);
-        let mut moved: Vec<(i32, Vec<Complex64>)> = Vec::new();
-        let mut add = |order: i32, own: Vec<Complex64>| {
-            // Re(z e^{−iωt}) is Re(z̄ e^{iωt}).
-            let own: Vec<Complex64> = match order < 0 {
-                true => own.iter().map(Complex64::conj).collect(),
-                false => own,
-            };
-            match moved.iter_mut().find(|other| other.0 == order.abs()) {
-                Some((_, sum)) => sum.iter_mut().zip(own).for_each(|(sum, own)| *sum += own),
-                None => moved.push((order.abs(), own)),
-            }
-        };
-        if let Some(uneven) = uneven {
-            let periodic = self.periodic(at)?;
-            let is_alike = at.speeds[uneven] == speed;
-            for (order, force) in &forces {
-                let frequency = f64::from(*order) / HALVES * speed;
-                let of = |k: i32| (k == 0).then(|| force.clone());
-                let parts = periodic.forced(HARMONICS, frequency, &of)?.into_iter();
-                // Another body makes other frequencies of it, which are no orders of this one.
-                for (k, own) in parts.filter(|(k, _)| is_alike || *k == 0) {
-                    add(order + k * HALVES as i32, own);
-                }
-            }
-            if uneven == body {
-                add(0, self.standing_at_coordinates(at, angles));
-            }
-        } else {
-            for (order, force) in &forces {
-                let omega = f64::from(*order) / HALVES * speed;
-                add(*order, equations.moved_by(omega, force)?);
-            }
-        }
-        moved.sort_by_key(|own| own.0);
-        Ok(moved.into_iter().map(|(order, own)| (f64::from(order) / HALVES, own)).collect())
-    }
-
-    /// The coordinates of small motions at the state that stands.
-    fn standing_at_coordinates(&self, at: &Standstill, angles: usize) -> Vec<Complex64> {
-        let first = self.machine.rotations();
-        let mut own = at.found.state.q[first..].to_vec();
-        for body in self.turning() {
-            let block = self.block(0, body);
-            let turned = self.in_space(at, body, &own[block.clone()]);
-            own[block].copy_from_slice(&turned);
-        }
-        let own = own.into_iter().map(Complex64::from);
-        std::iter::repeat_n(Complex64::ZERO, angles).chain(own).collect()
-    }
-
     /// What acts by harmonics of half the angle of a body beside what stands: (2/N) Σ e^{−inθ/2} R⁻ᵀ r, r sampled over two
     /// turns.
-    fn forces(&self, at: &Standstill, body: usize) -> Vec<(i32, Vec<Complex64>)> {
+    pub(super) fn forces(&self, at: &Standstill, body: usize) -> Vec<(i32, Vec<Complex64>)> {
         let (angles, kept) = (at.angles.len(), self.kept(at));
         let loads = self.loaded.loads.iter().zip(&at.found.released).zip(&at.found.ended);
         let released: Vec<bool> = loads
@@ -204,12 +130,7 @@ impl LinearMachine {
             .collect();
         let mut equations = Equations::new(&self.loaded);
         equations.release(&released);
-        // Bodies that are not round and turn alike are one.
-        let uneven: Vec<usize> = self.not_round().collect();
-        let turns = |other: usize| {
-            let both = [body, other].iter().all(|own| uneven.contains(own));
-            other == body || both && at.speeds[other] == at.speeds[body]
-        };
+        let turns = |other: usize| self.turns_as_one(at, body, other);
         let in_space = |own: &mut Vec<f64>, on: &dyn Fn(usize) -> f64| {
             for other in self.turning() {
                 let block = self.block(angles, other);

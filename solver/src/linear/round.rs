@@ -4,6 +4,7 @@ use std::num::NonZero;
 use std::ops::Range;
 use std::thread;
 
+use super::rigid::rounding;
 use super::standing_loads::{Counted, begun, counted, mean, nothing, spins_with};
 use crate::bearing::Plane;
 use crate::bodies::{Body, Rotation};
@@ -35,6 +36,8 @@ pub struct LinearMachine {
     pub(super) counted: Vec<(String, Counted)>,
     /// Whether all bodies that turn freely swing about their speed, known or not.
     pub(super) all_swing: bool,
+    /// The largest ω² that rounding gives rigid motions of a body ((rad/s)²).
+    pub(super) rounding: f64,
     /// On which speeds are looked at side by side; the numbers do not depend on it.
     pub(super) threads: usize,
 }
@@ -121,6 +124,7 @@ impl LinearMachine {
         let all_swing = false;
         let threads = thread::available_parallelism().map_or(1, NonZero::get);
         let roundness = all;
+        let rounding = rounding(&machine)?;
         Ok(LinearMachine {
             machine,
             still,
@@ -131,6 +135,7 @@ impl LinearMachine {
             roundness,
             counted: all_counted,
             all_swing,
+            rounding,
             threads,
         })
     }

@@ -13,6 +13,7 @@ use crate::bodies::Body;
 use crate::body::BodyNode;
 use crate::error::Error;
 use crate::linalg::{Cholesky, Matrix, dot};
+use crate::loads::TimeFunction;
 
 /// Rows along z from which motions along the axis are taken, at most.
 const ROWS: usize = 24;
@@ -90,6 +91,30 @@ pub(super) fn along_axis(body: &Body, square: &Matrix) -> Result<Vec<Vec<f64>>, 
 }
 
 impl LinearMachine {
+    /// What of a case makes couples that vary, by bodies of the trains of joints or one body, in words: unbalance, and loads over time
+    /// or over an angle.
+    pub fn exciting_torsion(&self, of: usize) -> Vec<String> {
+        let tied = self.machine.tied_bodies();
+        let is_own = |body: &usize| *body == of || tied.contains(body);
+        let name = |body: usize| self.machine.bodies[body].name();
+        let unbalanced = self.unbalanced().filter(is_own);
+        let mut all: Vec<String> =
+            unbalanced.map(|body| format!("the unbalance of {}", name(body))).collect();
+        for load in self.loaded.loads.iter().filter(|own| is_own(&own.body)) {
+            if matches!(load.time_function, TimeFunction::Constant) {
+                continue;
+            }
+            let own = match load.name.as_str() {
+                "" => format!("a load of {}", name(load.body)),
+                own => own.to_owned(),
+            };
+            if !all.contains(&own) {
+                all.push(own);
+            }
+        }
+        all
+    }
+
     /// How a mode turns about the axis. `turning`: the bodies whose angles take part, as [`super::Linearised::turning`] has them.
     ///
     /// # Errors

@@ -91,3 +91,21 @@ fn a_machine_that_does_not_stand_says_with_which_speeds() {
     refused(&film, &["modes", "case.toml"], words);
     refused(&film, &["campbell", "case.toml", "--speeds", "0 rpm .. 3000 rpm, 3"], words);
 }
+
+/// A law that gives way at 10 N carries no 98 N; nothing turns, which is said in the place of speeds.
+#[test]
+fn a_machine_without_bodies_that_turn_says_so_where_it_does_not_stand() {
+    let law = "kind = \"law\"\nname = \"own\"\ntitle = \"gives way\"\nsource = \"closed form\"\n[inputs]\n\
+               e_x = { unit = \"m\", range = [-1e-3, 1e-3] }\ne_y = { unit = \"m\", range = [-1e-3, 1e-3] }\n\
+               [parameters]\nF = { value = 10, unit = \"N\" }\na = { value = 1e-5, unit = \"m\" }\n\
+               [outputs.F_x]\nunit = \"N\"\nvalue = '-F*tanh(e_x/a)'\n\
+               [outputs.F_y]\nunit = \"N\"\nvalue = '-F*tanh(e_y/a)'\n";
+    let case = "title = \"a block\"\ngravity = [\"0 m/s^2\", \"-9.81 m/s^2\", \"0 m/s^2\"]\n\
+                [body.block]\nturns = \"no\"\nmass = \"10 kg\"\n\
+                [joint.hold]\nkind = \"bearing\"\njournal = { body = \"block\" }\nlaw = \"own.toml\"\n";
+    let workbench = Workbench::new().file("own.toml", law).file("case.toml", case);
+    let outcome = workbench.whirl(&["modes", "case.toml"]);
+    assert_eq!(outcome.status, 2, "{}{}", outcome.stdout, outcome.stderr);
+    let words = "no equilibrium was found with no body turning: out of balance";
+    assert!(outcome.stderr.contains(words), "{}", outcome.stderr);
+}

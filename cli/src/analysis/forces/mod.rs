@@ -4,15 +4,16 @@
 mod figure;
 mod quantities;
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use num_complex::Complex64;
 use whirl_solver::cache::Cache;
-use whirl_solver::linear::{Along, LinearMachine, Standstill};
+use whirl_solver::linear::{Along, Excited, LinearMachine, Linearised, Standstill};
 use whirl_solver::section::planes;
 use whirl_text::shown;
 
-use self::quantities::{QUANTITIES, values};
+use self::quantities::{QUANTITIES, size, values};
 use super::facts::Facts;
 use super::found::{Found, drawn};
 use super::speeds::{self, Wanted};
@@ -43,15 +44,29 @@ const NUMBERS: [(&str, &[usize]); 5] = [
 /// The largest displacement of a mode (m).
 const UNIT: f64 = 1e-6;
 
-/// Shares of the largest deflection below which an order of a response is none, or is in files only.
+/// Shares of the largest deflection, and of the largest force, below which an order of a response is none, or is in files only.
 const NOTHING: f64 = 1e-6;
 const SMALL: f64 = 1e-2;
+
+/// Motions of one kind that are drawn at most.
+const DRAWN: usize = 4;
 
 /// Share of the largest force of a body that is rounding of others.
 const ROUNDING: f64 = 1e-6;
 
 /// What is seen along bodies, by their names.
 type Bodies = Vec<(String, Vec<Along>)>;
+
+/// Motions at a speed by their names, with what is seen along bodies.
+type Motions = Vec<(String, Bodies)>;
+
+/// What is drawn of a speed: what stands, responses and modes.
+struct Seen {
+    speed: f64,
+    standing: Bodies,
+    responses: Motions,
+    modes: Motions,
+}
 
 /// The machine with sections along its bodies, and the names of those that have none.
 struct Cut {
@@ -75,15 +90,23 @@ pub(super) fn found(
     let mut files = Files::new();
     let mut text = String::new();
     let gravity = case.machine.field_at_start();
-    let mut last: Option<(f64, Bodies)> = None;
+    let mut last: Option<Seen> = None;
     let mut work = |speed: f64, at: &Standstill| -> Result<(), Failure> {
-        let standing = bodies(&linear, |body| linear.standing_along(at, body, gravity));
-        text.push_str(&head(case, &linear, at));
+        let equations = linear.linearised(at)?;
+        let excited: Vec<Excited> = linear
+            .turning()
+            .map(|source| linear.excited((at, &equations), source))
+            .collect::<Result<_, _>>()?;
+        let uneven = excited.iter().find(|own| own.is_of_uneven());
+        let standing = bodies(&linear, |body| linear.standing_along(at, body, gravity, uneven));
+        text.push_str(&head(case, &linear, at, uneven.is_some()));
         files.stand(speed, &standing);
         let standing = without_rounding(standing);
         text.push_str(&largest(&standing));
-        moving(&linear, (analysis, &wanted), (speed, at), &mut files, &mut text)?;
-        last = Some((speed, standing));
+        let responses = responses(&linear, (at, &excited), (speed, gravity), &mut files, &mut text);
+        let modes =
+            modes(&linear, (analysis, &wanted), (speed, at, &equations), &mut files, &mut text)?;
+        last = Some(Seen { speed, standing, responses, modes });
         Ok(())
     };
     let Ended { notes, interrupted } =
@@ -95,9 +118,17 @@ pub(super) fn found(
     }
     let name = &analysis.name;
     let mut files = files.written(name);
-    let mut facts = last.as_ref().map_or(Facts::default(), |own| self::facts(&own.1));
-    if let (true, Some((speed, standing))) = (figures, last) {
+    let mut facts = last.as_ref().map_or(Facts::default(), |own| self::facts(&own.standing));
+    if let (true, Some(Seen { speed, standing, responses, modes })) = (figures, last) {
         files.extend(drawn(name, &figure::of(case, speed, &standing)));
+        for (word, what, motions) in
+            [("response", "what turns with bodies", responses), ("modes", "modes", modes)]
+        {
+            if !motions.is_empty() {
+                let figure = figure::of_motions(case, speed, what, &motions);
+                files.extend(drawn(&format!("{name}.{word}"), &figure));
+            }
+        }
     }
     facts.lines(&text[before..]);
     facts.lines(&notes);
@@ -143,53 +174,80 @@ fn cut(
     Ok(Cut { linear: LinearMachine::new(built.machine)?, whole })
 }
 
-/// What a function gives of each body that has sections.
-fn bodies(linear: &LinearMachine, of: impl Fn(usize) -> Vec<Along>) -> Bodies {
+/// The bodies that have sections, by their places.
+fn cut_bodies(linear: &LinearMachine) -> impl Iterator<Item = (usize, &str)> {
     let all = linear.machine().bodies.iter().enumerate();
-    let cut = all.filter(|(_, own)| !own.sections().is_empty());
-    cut.map(|(body, own)| (own.name().to_owned(), of(body))).collect()
+    all.filter(|(_, own)| !own.sections().is_empty()).map(|(body, own)| (body, own.name()))
 }
 
-/// The response to what turns with each body, and modes; what cannot be had is noted.
-fn moving(
+/// What a function gives of each of these.
+fn bodies(linear: &LinearMachine, of: impl Fn(usize) -> Vec<Along>) -> Bodies {
+    cut_bodies(linear).map(|(body, name)| (name.to_owned(), of(body))).collect()
+}
+
+/// The response to what turns with each body; the largest ones.
+fn responses(
     linear: &LinearMachine,
-    (analysis, wanted): (&Analysis, &Wanted),
-    (speed, at): (f64, &Standstill),
+    (at, excited): (&Standstill, &[Excited]),
+    (speed, gravity): (f64, [f64; 3]),
     files: &mut Files,
     text: &mut String,
-) -> Result<(), Failure> {
-    let equations = linear.linearised(at)?;
-    let mut responses: Vec<(String, f64, Bodies)> = Vec::new();
-    for source in linear.turning() {
-        let name = linear.machine().bodies[source].name();
-        for (order, shape) in linear.responded((at, &equations), source)? {
-            let value = Complex64::new(0.0, order * at.speeds[source]);
-            let all = bodies(linear, |body| {
-                let turns = body == source && order == 1.0;
-                linear.moving_along(at, body, (value, &shape), turns)
-            });
-            responses.push((name.to_owned(), order, all));
+) -> Motions {
+    let mut responses: Vec<(&str, f64, Bodies)> = Vec::new();
+    for own in excited {
+        let name = linear.machine().bodies[own.body()].name();
+        let mut orders: BTreeMap<u64, (f64, Bodies)> = BTreeMap::new();
+        for (body, other) in cut_bodies(linear) {
+            for (order, all) in linear.excited_along(at, own, body, gravity) {
+                // Orders are zero or more, and so in the order of their bits.
+                let (_, bodies) =
+                    orders.entry(order.to_bits()).or_insert_with(|| (order, Vec::new()));
+                bodies.push((other.to_owned(), all));
+            }
         }
+        responses.extend(orders.into_values().map(|(order, all)| (name, order, all)));
     }
-    let most = responses.iter().map(|own| moved(&own.2)).fold(0.0, f64::max);
+    let largest_of = |of: fn(&Along) -> [Complex64; 3]| {
+        responses.iter().map(|own| most(&own.2, of)).fold(0.0, f64::max)
+    };
+    let (moves, passes) = (largest_of(|own| own.displacement), largest_of(|own| own.force));
+    let mut largest_ones = Motions::new();
     for (name, order, all) in &responses {
-        let share = moved(all) / most;
+        let moved = most(all, |own| own.displacement) / moves;
+        let passed = most(all, |own| own.force) / passes;
+        let share = moved.max(passed);
         if share > SMALL {
             let _ = writeln!(text, "amplitudes by what turns with {name}, order {order}");
-            text.push_str(&largest(&without_rounding(all.clone())));
+            let all = without_rounding(all.clone());
+            text.push_str(&largest(&all));
+            if largest_ones.len() < DRAWN {
+                largest_ones.push((format!("{name}, order {order}"), all));
+            }
         }
         if share > NOTHING {
             files.response.of(&format!("{},{name},{order}", words::rpm(speed)), all);
         }
     }
+    largest_ones
+}
+
+/// The modes; the first ones. What cannot be had is noted.
+fn modes(
+    linear: &LinearMachine,
+    (analysis, wanted): (&Analysis, &Wanted),
+    (speed, at, equations): (f64, &Standstill, &Linearised),
+    files: &mut Files,
+    text: &mut String,
+) -> Result<Motions, Failure> {
     if !equations.stands_in_space() {
         text.push_str("note: a body that turns is not round: its modes are left out here\n\n");
-        return Ok(());
+        return Ok(Motions::new());
     }
-    let modes = linear.modes(&equations, analysis.count)?;
+    let mut first = Motions::new();
+    let modes = linear.modes(equations, analysis.count)?;
     for (place, mode) in modes.oscillating.iter().take(analysis.count).enumerate() {
         let mut all =
-            bodies(linear, |body| linear.moving_along(at, body, (mode.value, &mode.shape), false));
+            bodies(linear, |body| linear.moving_along(at, body, (mode.value, &mode.shape)));
         let moves = all.iter().flat_map(|(_, own)| own).flat_map(|own| own.displacement);
         let most = moves.fold(
             Complex64::ZERO,
@@ -209,27 +267,25 @@ fn moving(
         let (hertz, damping) = (mode.hertz(), mode.damping_ratio());
         let before = format!("{},{},{hertz},{damping},{whirl}", words::rpm(speed), place + 1);
         files.modes.of(&before, &all);
+        if first.len() < DRAWN {
+            first.push((format!("{} Hz", words::hertz(mode)), all));
+        }
     }
-    Ok(())
+    Ok(first)
 }
 
-fn head(case: &Case, linear: &LinearMachine, at: &Standstill) -> String {
+fn head(case: &Case, linear: &LinearMachine, at: &Standstill, is_mean: bool) -> String {
     let mut text = format!("{}: {}\n", case.name, case.title);
     for (body, own) in linear.machine().bodies.iter().enumerate() {
         if at.speeds[body] != 0.0 {
             let _ = writeln!(text, "{} at {} rpm", own.name(), words::speed(at.speeds[body]));
         }
     }
-    text.push_str("as it stands, unbalance left out\n");
+    text.push_str(match is_mean {
+        true => "as it stands in the mean over a turn, unbalance left out\n",
+        false => "as it stands, unbalance left out\n",
+    });
     text
-}
-
-/// How much there is of some quantities together: of two that are at right angles the major semi-axis.
-fn size(own: &[Complex64; 9], which: &[usize]) -> f64 {
-    match *which {
-        [x, y] => whirl_solver::linear::Orbit::new([own[x], own[y]]).major,
-        _ => which.iter().map(|&k| own[k].norm()).fold(0.0, f64::max),
-    }
 }
 
 /// For people: forces and moments that are rounding of the largest of their body are none.
@@ -251,9 +307,9 @@ fn without_rounding(mut all: Bodies) -> Bodies {
     all
 }
 
-/// The largest deflection (m).
-fn moved(all: &[(String, Vec<Along>)]) -> f64 {
-    let every = all.iter().flat_map(|(_, own)| own).flat_map(|own| own.displacement);
+/// The largest value of a quantity.
+fn most(all: &[(String, Vec<Along>)], of: fn(&Along) -> [Complex64; 3]) -> f64 {
+    let every = all.iter().flat_map(|(_, own)| own).flat_map(of);
     every.map(Complex64::norm).fold(0.0, f64::max)
 }
 

@@ -21,3 +21,11 @@ pub(super) fn values(own: &Along) -> [Complex64; 9] {
     let all = [own.displacement, own.force, own.moment].concat();
     std::array::from_fn(|k| all[k] * QUANTITIES[k].2)
 }
+
+/// How much there is of some quantities together: of two that are at right angles the major semi-axis.
+pub(super) fn size(own: &[Complex64; 9], which: &[usize]) -> f64 {
+    match *which {
+        [x, y] => whirl_solver::linear::Orbit::new([own[x], own[y]]).major,
+        _ => which.iter().map(|&k| own[k].norm()).fold(0.0, f64::max),
+    }
+}

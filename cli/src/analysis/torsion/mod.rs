@@ -138,6 +138,14 @@ pub(super) fn found(
             "note: {name} turns freely in these modes, though its speed is prescribed: a drive holds no end of a train"
         );
     }
+    let exciting = linear.exciting_torsion(of);
+    if !exciting.is_empty() {
+        let _ = writeln!(
+            text,
+            "note: amplitudes are not computed here: {} count by the orders that `orders` names alone. Run the case in time for the torques that they make",
+            exciting.join(", ")
+        );
+    }
     facts.lines(&text[before..]);
     text += &words::doubts(&campbell.doubts);
     facts.doubts(&campbell.doubts);

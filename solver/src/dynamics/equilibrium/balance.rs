@@ -11,6 +11,7 @@ mod tangent;
 use self::memory::Memory;
 use super::rotations::{Rotations, Turn, Twisting};
 use super::turning::TurningStart;
+use crate::bearing::Hold;
 use crate::equations::{Equations, SpringTangent, State, frame_of, instant, placed};
 use crate::error::Error;
 use crate::linalg::{add_product, dot, multiply};
@@ -74,6 +75,7 @@ impl<'m> Balance<'m> {
         step: Option<f64>,
     ) -> Result<Self, Error> {
         let mut state = State::new(machine.size());
+        state.laws.hold = Hold::Settled;
         machine.set_given(0.0, false, [&mut state.q, &mut state.v, &mut state.a]);
         Balance::of(machine, speeds, (step, true), state, &|_, shaft, speed| {
             TurningStart::new(shaft, speed)
@@ -88,6 +90,7 @@ impl<'m> Balance<'m> {
         turning: &dyn Fn(usize) -> TurningStart<'m>,
     ) -> Result<Self, Error> {
         let mut state = State::new(machine.size());
+        state.laws.hold = Hold::Settled;
         machine.set_given(0.0, false, [&mut state.q, &mut state.v, &mut state.a]);
         for (place, speed) in machine.places().iter().zip(speeds) {
             if let (Some(theta), Some(speed)) = (place.rotation, speed) {

@@ -25,7 +25,7 @@ use turning::TurningStart;
 use super::march::BodyStart;
 #[cfg(doc)]
 use super::march::MarchOptions;
-use crate::bearing::Plane;
+use crate::bearing::{Hold, Plane};
 use crate::equations::{Equations, State, Tangents, frame_of};
 use crate::error::Error;
 use crate::linalg::{FirstOrder, Matrix};
@@ -96,9 +96,13 @@ pub(crate) fn standing_at(
     let mut tangents = balance.equations.tangents(&state);
     let mut remembered = None;
     if machine.springs.states() > 0 {
-        // Small motions have states of their own; joints are told as they are when these have come to rest.
-        let planes = tangents.planes;
+        // Small motions have states of their own; joints are told as they are when these have come to rest, and with what they have
+        // integrated.
         balance.equations.springs.keep_states(&mut state.laws);
+        let mut rest = state.clone();
+        rest.laws.hold = Hold::Rest;
+        balance.equations.evaluate(0.0, &rest);
+        let planes = balance.equations.tangents(&rest).planes;
         balance.equations.evaluate(0.0, &state);
         tangents = Tangents { planes, ..balance.equations.tangents(&state) };
         remembered = balance.equations.first_order(&state);
