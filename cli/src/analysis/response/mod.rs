@@ -73,7 +73,8 @@ pub(super) fn found(
                     sources.push(Source { body, order, motions, peaks, near: Vec::new() });
                     sources.len() - 1
                 });
-                let all = sums.iter_mut().zip(&motions);
+                let seen = linear.seen_by_laws((body, order), &motions);
+                let all = sums.iter_mut().zip(&seen);
                 all.filter(|_| order != 0.0).for_each(|(sum, own)| *sum += own.orbit().major);
                 let own = &mut sources[place];
                 own.motions.resize(speeds.len(), still(points.len()));
@@ -123,7 +124,7 @@ pub(super) fn found(
             };
             let campbell = linear.campbell(&range, &|| !interruption.asked())?;
             if !is_told && campbell.stable.contains(&false) {
-                notes += &words::thresholds(&campbell);
+                notes += &words::thresholds(&campbell, false);
                 notes += "where the machine is not stable this response is not reached: something grows\n";
                 is_told = true;
             }
