@@ -22,9 +22,7 @@ impl Drive {
     pub(super) fn fastest(&self) -> f64 {
         let over_speed = |own: &&Arc<Columns>| own.measures[0] == Dimension::ANGULAR_SPEED;
         match self.table.as_ref().filter(over_speed) {
-            Some(columns) => {
-                columns.rows.iter().fold(0.0, |most: f64, row| farther(most, row[0]))
-            }
+            Some(columns) => columns.rows.iter().fold(0.0, |most: f64, row| farther(most, row[0])),
             None => self.target_speed,
         }
     }

@@ -105,8 +105,11 @@ impl LinearMachine {
             all.push(Some(roundness));
         }
         let mut loaded = machine.clone();
-        let spinning: Vec<bool> =
-            loaded.bodies.iter().map(|body| body.rotation().is_some_and(|own| !turns(own))).collect();
+        let spinning: Vec<bool> = loaded
+            .bodies
+            .iter()
+            .map(|body| body.rotation().is_some_and(|own| own.spin().is_some()))
+            .collect();
         loaded.run_true(|body| spinning[body]);
         for (place, body) in loaded.bodies.iter_mut().enumerate() {
             if uneven.contains(&place) {

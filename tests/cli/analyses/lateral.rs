@@ -343,7 +343,10 @@ fn a_rotor_that_turns_the_other_way_round_is_its_mirror_image() {
             .next()
             .expect("a case")
             .replace("speed = \"6000 rpm\"", &format!("speed = \"{speed}\""))
-            .replace("kind = \"lateral\"", "kind = \"lateral\"\nseals = [\"seal\"]\nunbalance_modes = [1]");
+            .replace(
+                "kind = \"lateral\"",
+                "kind = \"lateral\"\nseals = [\"seal\"]\nunbalance_modes = [1]",
+            );
         let seal = format!(
             "[joint.seal]\nkind = \"bushing\"\nfirst = {{ body = \"rotor\", z = \"250 mm\" }}\n\
              stiffness = {{ xx = \"1e4 N/m\", yy = \"1e4 N/m\", xy = \"{across} N/m\", yx = \"{} N/m\" }}\n",
@@ -391,8 +394,16 @@ fn a_rotor_that_turns_the_other_way_round_is_its_mirror_image() {
 fn signs_against_the_rotation_are_refused() {
     let whole = FILMS.split("[analysis.api.variants.wide]").next().expect("a case");
     for (from, to, words) in [
-        ("maximum_speed = \"6000 rpm\"", "maximum_speed = \"-6000 rpm\"", "`maximum_speed` is not above zero"),
-        ("kind = \"lateral\"", "kind = \"lateral\"\nspeeds = \"-8000 rpm .. 0 rpm, 9\"", "turns the other way round"),
+        (
+            "maximum_speed = \"6000 rpm\"",
+            "maximum_speed = \"-6000 rpm\"",
+            "`maximum_speed` is not above zero",
+        ),
+        (
+            "kind = \"lateral\"",
+            "kind = \"lateral\"\nspeeds = \"-8000 rpm .. 0 rpm, 9\"",
+            "turns the other way round",
+        ),
     ] {
         let bench = Workbench::new().file("case.toml", &whole.replace(from, to));
         let outcome = bench.whirl(&["lateral", "case.toml", "--out", "out"]);

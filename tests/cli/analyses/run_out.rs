@@ -21,16 +21,12 @@ fn mass(law: &str, more: &str, body: &str) -> Workbench {
 
 /// The motion of the mass along x and y (µm) at order 1.
 fn moved(bench: &Workbench, speed: &str) -> [Complex64; 2] {
-    ran(
-        bench,
-        &["response", "case.toml", "--speeds", speed, "--out", "out", "--no-figures"],
-    );
-    let (points, orders) = (
-        column(bench, "out/response.csv", "point"),
-        numbers(bench, "out/response.csv", "order"),
-    );
+    ran(bench, &["response", "case.toml", "--speeds", speed, "--out", "out", "--no-figures"]);
+    let (points, orders) =
+        (column(bench, "out/response.csv", "point"), numbers(bench, "out/response.csv", "order"));
     let of = |name: &str| numbers(bench, "out/response.csv", name);
-    let [x, y] = ["x", "y"].map(|axis| (of(&format!("{axis}_um")), of(&format!("{axis}_phase_deg"))));
+    let [x, y] =
+        ["x", "y"].map(|axis| (of(&format!("{axis}_um")), of(&format!("{axis}_phase_deg"))));
     let row = (0..points.len())
         .find(|row| points[*row] == "output.o" && orders[*row] == 1.0)
         .expect("order 1 of the mass");
@@ -70,7 +66,10 @@ fn run_out_is_no_part_of_the_state_that_stands() {
             &bench,
             &["coefficients", "case.toml", "--speeds", "3000 rpm", "--out", "out", "--no-figures"],
         );
-        ran(&bench, &["modes", "case.toml", "--speeds", "3000 rpm", "--out", "modes", "--no-figures"]);
+        ran(
+            &bench,
+            &["modes", "case.toml", "--speeds", "3000 rpm", "--out", "modes", "--no-figures"],
+        );
         ["k_xx_N_m", "k_xy_N_m", "c_xx_Ns_m", "e_x_um"]
             .map(|name| column(&bench, "out/coefficients.csv", name))
             .into_iter()

@@ -142,7 +142,7 @@ fn of_variant(
     let probes = probes(&model, lateral)?;
     let closes = closes(&model, lateral)?;
     let (unbalance, mut notes) = placement::placed(&model, analysis, lateral)?;
-    let mut speeds = match analysis.speeds.as_slice() {
+    let mut speeds: Vec<f64> = match analysis.speeds.as_slice() {
         [] => (0..FINE).map(|k| BEYOND * lateral.trip * k as f64 / (FINE - 1) as f64).collect(),
         own => own.iter().map(|own| own.abs()).collect(),
     };
@@ -150,10 +150,8 @@ fn of_variant(
     speeds.sort_by(f64::total_cmp);
     speeds.dedup_by(|a, b| (*a - *b).abs() <= 1e-12 * b.abs());
     // From y to x they are negative, as the speed of the case.
-    let wanted = Wanted {
-        of: Some(model.of),
-        speeds: speeds.iter().map(|own| model.sense * own).collect(),
-    };
+    let wanted =
+        Wanted { of: Some(model.of), speeds: speeds.iter().map(|own| model.sense * own).collect() };
     let of = (analysis, lateral);
     let responses =
         response::found(&model, of, (&probes, &closes), &unbalance, &wanted, interruption)?;
