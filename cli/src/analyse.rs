@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use whirl_codegen::diagnostic::{Diagnostics, Located, suggest};
+use whirl_codegen::diagnostic::{Code, Diagnostics, Located, suggest};
 use whirl_solver::cache::write_whole;
 use whirl_solver::linear::LinearMachine;
 
@@ -245,6 +245,7 @@ fn run(
     };
     let (mut done, mut interrupted) = (Vec::new(), false);
     let mut unfinished: Option<Failure> = None;
+    let mut refused = Diagnostics::new();
     for analysis in analyses {
         let name = &analysis.name;
         let work = || streams::warned(|warnings| subject.found(analysis, warnings));
@@ -261,7 +262,12 @@ fn run(
                 unfinished.get_or_insert(error);
                 continue;
             }
-            Err(error) => return Err(error),
+            Err(error) if analyses.len() == 1 => return Err(error),
+            // Nor does one that cannot be done.
+            Err(error) => {
+                refused.append(located(analysis, error));
+                continue;
+            }
         };
         if !arguments.quiet {
             say(&found.text)?;
@@ -307,5 +313,25 @@ fn run(
             help: None,
         });
     }
+    refused.into_result(())?;
     unfinished.map_or(Ok(()), Err)
+}
+
+/// Why an analysis among others cannot be done, with the place of its table.
+fn located(analysis: &Analysis, error: Failure) -> Diagnostics {
+    let error = match error {
+        Failure::Input(all) => return all,
+        other => other,
+    };
+    let alone = Located::alone("analysis", &analysis.name);
+    let table = analysis.table.as_ref().unwrap_or(&alone);
+    let message = format!("the analysis `{}` cannot be done: {error}", analysis.name);
+    let diagnostic = table.error_here(Code::BAD_VALUE, message);
+    let diagnostic = match error {
+        Failure::Argument { help, .. } => diagnostic.help(help),
+        _ => diagnostic,
+    };
+    let mut all = Diagnostics::new();
+    all.push(diagnostic);
+    all
 }

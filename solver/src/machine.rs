@@ -7,7 +7,7 @@ use whirl_specs::{Clearance, Motion};
 
 pub use crate::bodies::{Body, BodyPlace, Rotation};
 
-use crate::bearing::{Bearing, Plane, SpringLaw, Springs};
+use crate::bearing::{Bearing, Plane, SpringLaw, SpringState, Springs};
 use crate::bodies::{Layout, Owner};
 use crate::body::BodyNode;
 use crate::error::Error;
@@ -117,6 +117,25 @@ impl Machine {
             outputs: Vec::new(),
             fields: Vec::new(),
         })
+    }
+
+    /// Leaves out the run-out of the journals of some bodies, by their places, and of no others.
+    pub(crate) fn run_true(&mut self, bodies: impl Fn(usize) -> bool) {
+        self.monitors.iter_mut().for_each(|own| own.runs_true = bodies(own.bodies[0]));
+    }
+
+    /// Whether a body turns in a frame that stands still.
+    pub(crate) fn spins(&self, body: usize) -> bool {
+        self.bodies[body].rotation().is_some_and(|own| own.spin().is_some())
+    }
+
+    /// The state of its springs, to be evaluated.
+    pub(crate) fn spring_state(&self) -> SpringState {
+        let mut own = SpringState::new(&self.springs);
+        own.run_true(&self.springs, |bearing| {
+            self.monitors.get(bearing).is_some_and(|own| own.runs_true)
+        });
+        own
     }
 
     /// Number of coordinates that are marched: the 226 of the reference system.

@@ -35,12 +35,19 @@ pub(crate) struct Monitor {
     pub(crate) bore: [Vec<f64>; 2],
     /// Run-out of the journal, offset of the bore (m; each in the frame of its body) and how far the body of the
     /// journal stands from the axis of the bore (m, in space).
-    pub(crate) run_out: [f64; 2],
+    run_out: [f64; 2],
     pub(crate) offset: [f64; 2],
     pub(crate) apart: [f64; 2],
+    /// Whether the run-out is left out, here and in what the laws see.
+    pub(crate) runs_true: bool,
 }
 
 impl Monitor {
+    /// The run-out of the journal (m, in the frame of its body), where it is not left out.
+    pub(crate) fn run_out(&self) -> [f64; 2] {
+        if self.runs_true { [0.0; 2] } else { self.run_out }
+    }
+
     /// Of a bearing by its number.
     pub(crate) fn new(
         number: usize,
@@ -87,6 +94,7 @@ impl Monitor {
                 None => axis_motion(bearing, bore),
             },
             run_out: sides.run_out[1],
+            runs_true: false,
             offset: sides.offset[1],
             apart: sides.apart,
         }
@@ -121,7 +129,7 @@ impl Monitor {
         let [journal, bore] = self.displacements(places, q);
         let bore = turned.bore.to_space([0, 1].map(|axis| bore[axis] + self.offset[axis]));
         let journal = turned.journal.to_space(journal);
-        let run_out = turned.run_out.to_space(self.run_out);
+        let run_out = turned.run_out.to_space(self.run_out());
         let deformation =
             [0, 1].map(|axis| journal[axis] + run_out[axis] + self.apart[axis] - bore[axis]);
         Displaced { journal, deformation }

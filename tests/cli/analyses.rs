@@ -14,6 +14,7 @@ mod not_round;
 mod notes;
 mod over_frequency;
 mod refused;
+mod run_out;
 mod sections;
 mod unheld;
 

@@ -35,7 +35,7 @@ pub(super) fn found(
         let stem = format!("{name}.roots");
         files.extend(drawn(&stem, &roots::figure(&case.name, body, &all)));
     }
-    let mut text = text(case, linear, of, &all);
+    let mut text = text(case, linear, of, (&all, interrupted));
     text += &words::doubts(&all.doubts);
     let facts = Facts::of_campbell(&all);
     Ok(Found { text, files, interrupted, facts })
@@ -88,7 +88,12 @@ fn values(mode: &Mode, speed: f64) -> String {
     format!("{numbers},{whirl},{sense},{},{},{beside}", value.re, value.im)
 }
 
-fn text(case: &Case, linear: &LinearMachine, of: usize, all: &Campbell) -> String {
+fn text(
+    case: &Case,
+    linear: &LinearMachine,
+    of: usize,
+    (all, interrupted): (&Campbell, bool),
+) -> String {
     let body = linear.machine().bodies[of].name();
     let mut text = format!("{}: {}\n", case.name, case.title);
     let ends = [all.speeds.first(), all.speeds.last()];
@@ -120,7 +125,7 @@ fn text(case: &Case, linear: &LinearMachine, of: usize, all: &Campbell) -> Strin
         text.push_str(&table(&rows));
     }
     text.push('\n');
-    text.push_str(&words::thresholds(all));
+    text.push_str(&words::thresholds(all, interrupted));
     if let Some(own) = &all.reduced {
         let error = whirl_text::shown(own.error, 1, 1e-3..1e4);
         let _ = writeln!(

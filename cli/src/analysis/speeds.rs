@@ -58,7 +58,7 @@ pub(super) fn wanted(
     if !analysis.speeds.is_empty() {
         return Ok(Wanted { of: Some(of), speeds: analysis.speeds.clone() });
     }
-    let top = top(of);
+    let top = case.machine.fastest(of, case.run());
     if at_one || analysis.kind == AnalysisKind::Map {
         return Ok(Wanted { of: Some(of), speeds: vec![top] });
     }
@@ -72,5 +72,10 @@ pub(super) fn wanted(
     }
     let count = if analysis.kind == AnalysisKind::Response { FINE } else { COUNT };
     let at = |k: usize| BEYOND * top * k as f64 / (count - 1) as f64;
-    Ok(Wanted { of: Some(of), speeds: (0..count).map(at).collect() })
+    let mut speeds: Vec<f64> = (0..count).map(at).collect();
+    if top < 0.0 {
+        speeds.reverse();
+        speeds[count - 1] = 0.0;
+    }
+    Ok(Wanted { of: Some(of), speeds })
 }

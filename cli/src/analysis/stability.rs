@@ -53,7 +53,7 @@ pub(super) fn found(
     text.push('\n');
     text.push_str(&table(&lines));
     text.push('\n');
-    text.push_str(&words::thresholds(&all));
+    text.push_str(&words::thresholds(&all, interrupted));
     text.push_str(&words::doubts(&all.doubts));
     let facts = Facts::of_stability(&all);
     Ok(Found { text, files, interrupted, facts })

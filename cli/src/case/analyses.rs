@@ -31,6 +31,8 @@ const STATIONS: usize = 41;
 pub(crate) struct Analysis {
     /// Its name.
     pub(crate) name: String,
+    /// Its table; none of one that the command line describes.
+    pub(crate) table: Option<Located>,
     /// What it finds.
     pub(crate) kind: AnalysisKind,
     /// The body whose speed it is over, by its place, where the case says it.
@@ -95,6 +97,7 @@ impl Analysis {
     pub(crate) fn of_kind(kind: AnalysisKind) -> Analysis {
         Analysis {
             name: kind.word().to_owned(),
+            table: None,
             kind,
             of: None,
             speeds: Vec::new(),
@@ -206,11 +209,11 @@ pub(super) fn read(file: &Table, joined: Option<&JoinedMachine>) -> Vec<Analysis
     names::distinct(file, "analysis", &labels);
     tables
         .into_iter()
-        .filter_map(|(name, table)| table.read(|table| read_one(name.text(), table, joined)))
+        .filter_map(|(name, table)| table.read(|table| read_one(&name, table, joined)))
         .collect()
 }
 
-fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option<Analysis> {
+fn read_one(name: &Located, table: &Table, joined: Option<&JoinedMachine>) -> Option<Analysis> {
     let word = table.optional_word("kind");
     let kind = AnalysisKind::ALL.into_iter().find(|own| Some(own.word()) == word);
     let (of, speeds) = (table.optional_string("of"), table.optional_string("speeds"));
@@ -248,7 +251,8 @@ fn read_one(name: &str, table: &Table, joined: Option<&JoinedMachine>) -> Option
     };
     let kind = kind?;
     let mut analysis = Analysis {
-        name: name.to_owned(),
+        name: name.text().to_owned(),
+        table: Some(name.clone()),
         count,
         orders: if orders.is_empty() { kind.orders() } else { each_once(&orders) },
         mesh_orders: if mesh_orders.is_empty() {

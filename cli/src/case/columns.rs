@@ -248,17 +248,22 @@ fn row(line: &[Located], units: &[(Unit, Dimension); 2]) -> Result<[f64; 2], Box
     Ok(values)
 }
 
+/// Of two values the one that is farther from zero, the first of equal ones.
+pub(crate) fn farther(first: f64, second: f64) -> f64 {
+    if second.abs() > first.abs() { second } else { first }
+}
+
 impl Columns {
     /// The largest value of the second column, whatever its sign.
     pub(crate) fn largest(&self) -> f64 {
         self.rows.iter().fold(0.0, |most: f64, row| most.max(row[1].abs()))
     }
 
-    /// The same of all that is there from x = 0 to `end`, on straight lines between rows.
-    pub(crate) fn largest_upto(&self, end: f64) -> f64 {
+    /// The same of all that is there from x = 0 to `end`, on straight lines between rows, with its sign.
+    pub(crate) fn farthest_upto(&self, end: f64) -> f64 {
         let within = self.rows.iter().filter(|row| (0.0..=end).contains(&row[0]));
-        let ends = [0.0, end].map(|x| self.at(x).abs());
-        within.map(|row| row[1].abs()).chain(ends).fold(0.0, f64::max)
+        let ends = [0.0, end].map(|x| self.at(x));
+        within.map(|row| row[1]).chain(ends).fold(0.0, farther)
     }
 
     /// The last value, where it is there from some x up to `end` on.

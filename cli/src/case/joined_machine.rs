@@ -7,6 +7,7 @@ use whirl_solver::bearing::MotionKind;
 use whirl_solver::bodies::Rotation;
 use whirl_specs::Motion;
 
+use super::columns::farther;
 use super::gravity::Gravity;
 use super::ground::GroundMotion;
 use super::joint::{Joint, Side};
@@ -107,21 +108,30 @@ impl JoinedMachine {
 
     /// The largest speed that the case gives a body in a run: of its drive, at its start, or as prescribed (rad/s).
     pub(crate) fn top_speed(&self, body: usize, run: Run) -> f64 {
-        let aims = self.drives.iter().filter(|drive| drive.body == body && drive.couple.acts);
-        aims.map(|drive| drive.couple.top_speed()).fold(self.told_speed(body, run), f64::max)
+        self.fastest(body, run).abs()
     }
 
-    /// The same without the speeds at which drives aim, which it may never reach.
+    /// The same with its sign: positive from x to y.
+    pub(crate) fn fastest(&self, body: usize, run: Run) -> f64 {
+        let aims = self.drives.iter().filter(|drive| drive.body == body && drive.couple.acts);
+        aims.map(|drive| drive.couple.fastest()).fold(self.told(body, run), farther)
+    }
+
+    /// The top speed without those at which drives aim, which a body may never reach.
     pub(super) fn told_speed(&self, body: usize, run: Run) -> f64 {
+        self.told(body, run).abs()
+    }
+
+    fn told(&self, body: usize, run: Run) -> f64 {
         let own = &self.bodies[body];
         if let Some(columns) = &own.speeds {
-            return columns.largest_upto(run.end());
+            return columns.farthest_upto(run.end());
         }
         match own.rotation {
             Some(Rotation::Prescribed { speed, acceleration }) => {
-                speed.abs().max((speed + acceleration * run.duration).abs())
+                farther(speed, speed + acceleration * run.duration)
             }
-            _ => own.initial_speed.filter(|_| !run.goes_on).unwrap_or(0.0).abs(),
+            _ => own.initial_speed.filter(|_| !run.goes_on).unwrap_or(0.0),
         }
     }
 

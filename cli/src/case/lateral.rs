@@ -149,17 +149,30 @@ pub(super) fn read(table: &Table, joined: Option<&JoinedMachine>) -> Option<Late
     }
     let [minimum, maximum, trip] =
         ["minimum_speed", "maximum_speed", "trip_speed"].map(|key| table.quantity(key));
+    for (key, own, least) in [
+        ("minimum_speed", minimum, 0.0),
+        ("maximum_speed", maximum, f64::MIN_POSITIVE),
+        ("trip_speed", trip, f64::MIN_POSITIVE),
+    ] {
+        if own.is_some_and(|own| own < least) {
+            let message = format!("`{key}` is not above zero");
+            let help = "write it without a sign: the sense is that of the `speed` of the body";
+            let place = table.written(key);
+            table.push(place.error_here(Code::BAD_VALUE, message).help(help));
+        }
+    }
+    let are_right = table.errors() == before;
     let (minimum, maximum) = (minimum.unwrap_or(1.0), maximum.unwrap_or(f64::INFINITY));
     let trip_speed = trip.unwrap_or(TRIP * maximum);
     let above = |key: &str, message: &str, help: &str| {
         table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help.to_owned()));
     };
-    if minimum > maximum {
+    if are_right && minimum > maximum {
         let help =
             "N_ma, the minimum allowable speed, is at most N_mc, the maximum continuous speed";
         above("minimum_speed", "`minimum_speed` is above `maximum_speed`", help);
     }
-    if trip.is_some_and(|trip| trip < maximum) && maximum.is_finite() {
+    if are_right && trip.is_some_and(|trip| trip < maximum) {
         let help = "leave it out for 105 % of `maximum_speed`";
         above("trip_speed", "`trip_speed` is below `maximum_speed`", help);
     }

@@ -11,21 +11,19 @@ use whirl_solver::mesh::Material;
 use whirl_solver::mesh::format::MeshUnits;
 use whirl_solver::mesh::matrices::Request;
 
-use super::columns::Columns;
+use super::columns::{Columns, farther};
 use super::dimensions::Dimensions;
 use super::law::NamedLaw;
 use super::parameters::{BearingFacts, SetParameter};
 use super::selections::NamedSelection;
 
 impl Drive {
-    /// The speed at which it ends, or the fastest in its table (rad/s); 0 of a table over time.
-    pub(super) fn top_speed(&self) -> f64 {
+    /// The speed at which it ends, or the fastest in its table (rad/s), with its sign; 0 of a table over time.
+    pub(super) fn fastest(&self) -> f64 {
         let over_speed = |own: &&Arc<Columns>| own.measures[0] == Dimension::ANGULAR_SPEED;
         match self.table.as_ref().filter(over_speed) {
-            Some(columns) => {
-                columns.rows.iter().fold(0.0, |most, row| f64::max(most, row[0].abs()))
-            }
-            None => self.target_speed.abs(),
+            Some(columns) => columns.rows.iter().fold(0.0, |most: f64, row| farther(most, row[0])),
+            None => self.target_speed,
         }
     }
 

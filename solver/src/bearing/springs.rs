@@ -38,6 +38,11 @@ impl Springs {
         self.laws.iter().map(|law| law.bound.states.len() * law.springs).sum()
     }
 
+    /// Whether a journal has a run-out.
+    pub(crate) fn have_run_out(&self) -> bool {
+        self.planes.iter().any(|plane| plane.run_out != [0.0; 2])
+    }
+
     /// The first plane whose law has states, among those that are asked for.
     pub(crate) fn remembering(&self, asked: impl Fn(&Plane) -> bool) -> Option<&Plane> {
         let states = |plane: &&Plane| !self.laws[plane.law].bound.states.is_empty();

@@ -63,6 +63,8 @@ pub(super) struct PlaneState {
     /// them, and their rates.
     pub(super) position: [f64; 3],
     pub(super) velocity: [f64; 3],
+    /// ε0 in the plane (m), where it is not left out.
+    run_out: [f64; 2],
     /// The turn of the journal in its frame, where it spins in it.
     pub(super) spin: Option<Spin>,
     /// How the axes of both bodies stand apart, where they do.
@@ -79,6 +81,7 @@ impl PlaneState {
             rows: plane.rows.clone(),
             position: [0.0; 3],
             velocity: [0.0; 3],
+            run_out: plane.run_out,
             spin: None,
             apart: Seen::default(),
             ring: Ring::default(),
@@ -110,8 +113,8 @@ impl PlaneState {
             None => Ring { position: self.position, velocity: self.velocity, c },
         };
         ring.position[0] += plane.flank.map_or(0.0, |own| own.first_angle());
-        ring.position[1] += plane.run_out[0];
-        ring.position[2] += plane.run_out[1];
+        ring.position[1] += self.run_out[0];
+        ring.position[2] += self.run_out[1];
         ring
     }
 
@@ -179,6 +182,15 @@ fn from(rows: &[f64], first: usize) -> &[f64] {
 }
 
 impl SpringState {
+    /// Leaves out the run-out of the bearings of some planes.
+    pub(crate) fn run_true(&mut self, springs: &Springs, bearing: impl Fn(usize) -> bool) {
+        for (own, plane) in self.planes.iter_mut().zip(&springs.planes) {
+            if bearing(plane.bearing) {
+                own.run_out = [0.0; 2];
+            }
+        }
+    }
+
     /// Memory for the springs.
     pub(crate) fn new(springs: &Springs) -> Self {
         let sizes = springs.planes.iter().map(|own| springs.laws[own.law].bound.forces.len());

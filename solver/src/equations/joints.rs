@@ -71,7 +71,7 @@ pub(super) fn deformation_rate(
         joint.bodies.map(|body| rotation(machine, body, state));
     let v = moved([angle, speed], u, u_rate);
     let turned = turn(machine, joint.bodies[0], (state, time));
-    let run_out = moved(turned, joint.run_out, [0.0; 2]);
+    let run_out = moved(turned, joint.run_out(), [0.0; 2]);
     let w = moved([of_bore, bore_speed], b, b_rate);
     [0, 1].map(|axis| v[axis] + run_out[axis] - w[axis])
 }

@@ -104,7 +104,7 @@ impl<'m> Equations<'m> {
             elastic: values(),
             load: values(),
             spring: values(),
-            springs: SpringState::new(&machine.springs),
+            springs: machine.spring_state(),
             released: vec![false; machine.loads.len()],
             told: vec![None; machine.loads.len()],
             amplitudes: machine.loads.iter().map(|load| load.action.amplitude()).collect(),

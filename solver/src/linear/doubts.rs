@@ -93,6 +93,8 @@ pub enum Doubt {
         amplitude: f64,
         /// See `speed`.
         within: f64,
+        /// Whether its journal has a run-out.
+        runs_out: bool,
     },
     /// A load that varies, and how it counts.
     Load {
@@ -189,14 +191,15 @@ impl fmt::Display for Doubt {
                     joints.collect::<Vec<_>>().join(", ")
                 )
             }
-            Doubt::NotSmall { joint, speed, amplitude, within } => {
+            Doubt::NotSmall { joint, speed, amplitude, within, runs_out } => {
                 let um = |own: f64| whirl_text::shown(1e6 * own, 3, 1e-3..1e5);
                 write!(
                     f,
-                    "the response is too large for a linear analysis: {joint} moves by {} µm at {} rpm, but its stiffness or damping changes by 10 % within {} µm. Run it in time (`whirl run`), or reduce the unbalance",
+                    "the response is too large for a linear analysis: {joint} moves by {} µm at {} rpm, but its stiffness or damping changes by 10 % within {} µm. Run it in time (`whirl run`), or reduce the {}",
                     um(*amplitude),
                     rounded(speed * 60.0 / TAU, 6),
-                    um(*within)
+                    um(*within),
+                    if *runs_out { "run-out and the unbalance" } else { "unbalance" }
                 )
             }
             Doubt::Load { load, counted } => match counted {

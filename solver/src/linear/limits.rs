@@ -63,7 +63,7 @@ impl LinearMachine {
     /// The joints whose laws are used at a state where they may not be believed, with what is beyond its limit.
     pub(super) fn unbelieved(&self, at: &Standstill) -> Vec<(String, Measure, f64)> {
         let machine = self.machine_of(at);
-        let mut state = SpringState::new(&machine.springs);
+        let mut state = machine.spring_state();
         let found = &at.found.state;
         state.update(&machine.springs, 0.0, [&found.q, &found.v], &found.laws);
         state.observe(&machine.springs, 0.0);
@@ -92,7 +92,7 @@ impl LinearMachine {
 impl<'m> Probe<'m> {
     fn new(machine: &'m Machine, at: &Standstill) -> Self {
         let springs = &machine.springs;
-        let mut state = SpringState::new(springs);
+        let mut state = machine.spring_state();
         let found = &at.found.state;
         state.update(springs, 0.0, [&found.q, &found.v], &found.laws);
         let tangent = springs.planes.iter().map(|plane| {

@@ -22,7 +22,7 @@ impl Peak {
     /// Amplification factor N_c/(N₂ − N₁), where both sides are known.
     pub fn amplification(&self) -> Option<f64> {
         let [Some(below), Some(above)] = self.half_power else { return None };
-        Some(self.speed / (above - below))
+        Some((self.speed / (above - below)).abs())
     }
 }
 

@@ -4,14 +4,17 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
+use super::first_order;
 use super::linearised::{Linearised, Standstill};
 use super::modes::Orbit;
 use super::round::LinearMachine;
 use super::standing_loads::mean;
+use crate::bearing::LawStates;
 use crate::equations::{Equations, instant, placed};
 use crate::error::Error;
 use crate::linalg::dot;
 use crate::loads::Load;
+use crate::machine::Machine;
 use crate::output::{Motion, Wanted};
 use crate::plane_rows::PlaneRows;
 
@@ -23,6 +26,16 @@ const SAMPLES: usize = 96;
 const NOTHING: f64 = 1e-6;
 /// Share of the forces that act that is rounding of them.
 const ROUNDING: f64 = 1e-9;
+
+/// The rates of the states of laws where the springs were evaluated last; empty without states.
+fn state_rates(equations: &Equations, laws: &LawStates) -> Vec<f64> {
+    if equations.machine.springs.states() == 0 {
+        return Vec::new();
+    }
+    let mut laws = laws.clone();
+    equations.springs.keep_states(&mut laws);
+    laws.rates
+}
 
 /// A point whose motion is wanted.
 #[derive(Debug, Clone, PartialEq)]
@@ -115,6 +128,31 @@ impl LinearMachine {
         Ok(all.into_iter().filter(|own| size(&own.1) > NOTHING * most).collect())
     }
 
+    /// The run-out of the journal of a joint that turns (m, in the frame of its body).
+    pub fn run_out(&self, joint: usize) -> [f64; 2] {
+        self.loaded.monitors[joint].run_out()
+    }
+
+    /// How journals move in their bores as the laws see it: at the order 1 of their bodies with their run-outs. `motions`: by the points of
+    /// [`LinearMachine::points`], at an order of a body.
+    pub fn seen_by_laws(
+        &self,
+        (body, order): (usize, f64),
+        motions: &[Vibration],
+    ) -> Vec<Vibration> {
+        let mut seen = motions.to_vec();
+        for (place, (own, joint)) in seen.iter_mut().zip(&self.machine.monitors).enumerate() {
+            if order == 1.0 && joint.bodies[0] == body {
+                // (ε_x, ε_y) turned by θ is Re((1, −i) (ε_x + iε_y) e^{iθ}).
+                let [x, y] = self.run_out(place);
+                let along = Complex64::new(x, y);
+                own.amplitudes[0] += along;
+                own.amplitudes[1] -= Complex64::i() * along;
+            }
+        }
+        seen
+    }
+
     /// Whether there is a response at a speed of a body: at rest there is none of what turns freely, nor of what is not round.
     pub fn responds_at(&self, at: &Standstill, speed: f64) -> bool {
         speed != 0.0 || at.angles.is_empty() && self.not_round().next().is_none()
@@ -138,23 +176,33 @@ impl LinearMachine {
             }
         };
         let stands_at = self.stands_at(at, body);
-        let mut sample = |angle: f64| -> Vec<f64> {
+        let laws = &at.found.state.laws;
+        let mut sample = |angle: f64| -> [Vec<f64>; 2] {
             let on = |other: usize| if turns(other) { angle - stands_at } else { 0.0 };
             equations.evaluate(0.0, &self.turned_on(at, &on));
             let mut own = self.residual(&equations, &kept);
             in_space(&mut own, &on);
-            own
+            [own, state_rates(&equations, laws)]
         };
-        let turned: Vec<Vec<f64>> =
+        let turned: Vec<[Vec<f64>; 2]> =
             (0..SAMPLES).map(|k| sample(HALVES * TAU * k as f64 / SAMPLES as f64)).collect();
-        let mut standing = Equations::new(&self.machine);
+        // The run-out of this body is a part of the samples alone.
+        let without = |machine: &Machine| -> Option<Machine> {
+            machine.springs.have_run_out().then(|| {
+                let mut own = machine.clone();
+                own.run_true(|body| turns(body) || self.loaded.spins(body));
+                own
+            })
+        };
+        let [own_standing, own_others] = [without(&self.machine), without(&self.loaded)];
+        let mut standing = Equations::new(own_standing.as_ref().unwrap_or(&self.machine));
         standing.release(&at.found.released);
         standing.evaluate(0.0, &at.found.state);
         self.add_loads((at, &released), &mut standing, &|load| {
             load.turns_with_its_body().then_some(None)
         });
         // What turns with other bodies stands in the samples, and is theirs.
-        let mut others = Equations::new(&self.loaded);
+        let mut others = Equations::new(own_others.as_ref().unwrap_or(&self.loaded));
         others.release(&at.found.released);
         others.evaluate(0.0, &at.found.state);
         // Of loads in space that go by the angle the mean stands, and is no part of the response.
@@ -171,18 +219,30 @@ impl LinearMachine {
             }
         }
         in_space(&mut still, &|_| 0.0);
-        let part = |order: usize| -> Vec<Complex64> {
+        let still = [still, state_rates(&others, laws)];
+        let harmonic = |of: usize, order: usize| -> Vec<Complex64> {
             let weight = if order == 0 { 1.0 } else { 2.0 } / SAMPLES as f64;
-            let mut sum = vec![Complex64::ZERO; kept.len()];
+            let mut sum = vec![Complex64::ZERO; still[of].len()];
             for (k, own) in turned.iter().enumerate() {
                 // Whole turns are taken off first, so that even angles have even factors.
                 let angle = -TAU * ((k * order) % SAMPLES) as f64 / SAMPLES as f64;
                 let factor = weight * Complex64::from_polar(1.0, angle);
                 sum.iter_mut()
-                    .zip(own.iter().zip(&still))
+                    .zip(own[of].iter().zip(&still[of]))
                     .for_each(|(sum, (own, still))| *sum += factor * (own - still));
             }
             sum
+        };
+        // The samples have the states of laws as they stand: what the states do by this motion comes beside.
+        let states = self.remembered(at);
+        let part = |order: usize| -> Vec<Complex64> {
+            let mut own = harmonic(0, order);
+            if let Some(states) = &states {
+                let frequency = order as f64 / HALVES * at.speeds[body];
+                let driven = first_order::driven(states, frequency, &harmonic(1, order));
+                own.iter_mut().zip(driven).for_each(|(sum, own)| *sum += own);
+            }
+            own
         };
         // Beside the forces of the springs at rest, which rounding is a share of.
         let scale = standing

@@ -72,6 +72,11 @@ impl LinearMachine {
             all_counted.extend(own.filter(|own| !all_counted.contains(own)));
             *load = begun(load);
         }
+        // What turns with a body is no part of a state that stands: its run-out acts as its unbalance does.
+        let spins: Vec<bool> = (machine.bodies.iter())
+            .map(|body| body.rotation().is_some_and(|own| *own != Rotation::Held))
+            .collect();
+        machine.run_true(|body| spins[body]);
         let still = machine.clone();
         let mut uneven = Vec::new();
         let (mut generators, mut senses, mut all) = (Vec::new(), Vec::new(), Vec::new());
@@ -100,6 +105,12 @@ impl LinearMachine {
             all.push(Some(roundness));
         }
         let mut loaded = machine.clone();
+        let spinning: Vec<bool> = loaded
+            .bodies
+            .iter()
+            .map(|body| body.rotation().is_some_and(|own| own.spin().is_some()))
+            .collect();
+        loaded.run_true(|body| spinning[body]);
         for (place, body) in loaded.bodies.iter_mut().enumerate() {
             if uneven.contains(&place) {
                 *body = still.bodies[place].clone();

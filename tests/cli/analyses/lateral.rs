@@ -333,6 +333,85 @@ fn variants_set_keys_as_sweeps_do() {
     assert!(decrements[0] != decrements[1] && decrements[0] != decrements[2], "{decrements:?}");
 }
 
+/// A rotor that turns from y to x, with a seal that drives whirl in that sense, is the mirror image of one that turns from x to y:
+/// all but rounding is the same, what is seen by probes at 45° and 135° in each other's place.
+#[test]
+fn a_rotor_that_turns_the_other_way_round_is_its_mirror_image() {
+    let done = |speed: &str, across: &str| {
+        let case = FILMS
+            .split("[analysis.api.variants.wide]")
+            .next()
+            .expect("a case")
+            .replace("speed = \"6000 rpm\"", &format!("speed = \"{speed}\""))
+            .replace(
+                "kind = \"lateral\"",
+                "kind = \"lateral\"\nseals = [\"seal\"]\nunbalance_modes = [1]",
+            );
+        let seal = format!(
+            "[joint.seal]\nkind = \"bushing\"\nfirst = {{ body = \"rotor\", z = \"250 mm\" }}\n\
+             stiffness = {{ xx = \"1e4 N/m\", yy = \"1e4 N/m\", xy = \"{across} N/m\", yx = \"{} N/m\" }}\n",
+            across.strip_prefix('-').map_or(format!("-{across}"), str::to_owned)
+        );
+        let bench = Workbench::new().file("case.toml", &format!("{case}{seal}"));
+        lateral(&bench);
+        bench
+    };
+    let (one, other) = (done("6000 rpm", "2e5"), done("-6000 rpm", "-2e5"));
+    for (quantity, places) in [
+        ("level II log decrement", [["", ""]; 2]),
+        (
+            "scaled response at clearance",
+            [["joint.left", "joint.left"], ["joint.right", "joint.right"]],
+        ),
+        (
+            "amplification factor",
+            [
+                ["joint.left 45 deg", "joint.left 135 deg"],
+                ["joint.right 135 deg", "joint.right 45 deg"],
+            ],
+        ),
+    ] {
+        let unbalance = if quantity.starts_with("level") { "" } else { "mode 1" };
+        for [place, mirrored] in places {
+            let (a, b) = (
+                lines(&one, unbalance, quantity, place),
+                lines(&other, unbalance, quantity, mirrored),
+            );
+            assert_eq!(a.len(), b.len(), "{quantity}, {place}");
+            assert!(quantity.starts_with("amplification") || !a.is_empty(), "{quantity}");
+            for (a, b) in a.iter().zip(&b) {
+                assert!((a.0 / b.0 - 1.0).abs() < 1e-6, "{quantity}, {place}: {a:?} {b:?}");
+            }
+        }
+    }
+    let driven = done("6000 rpm", "-2e5");
+    let apart = |bench: &Workbench| line(bench, "", "level II log decrement", "").0;
+    assert!(apart(&one) < apart(&driven) - 0.01, "{} {}", apart(&one), apart(&driven));
+}
+
+/// Speeds of API 617 have no sign, and `speeds` have that of the case.
+#[test]
+fn signs_against_the_rotation_are_refused() {
+    let whole = FILMS.split("[analysis.api.variants.wide]").next().expect("a case");
+    for (from, to, words) in [
+        (
+            "maximum_speed = \"6000 rpm\"",
+            "maximum_speed = \"-6000 rpm\"",
+            "`maximum_speed` is not above zero",
+        ),
+        (
+            "kind = \"lateral\"",
+            "kind = \"lateral\"\nspeeds = \"-8000 rpm .. 0 rpm, 9\"",
+            "turns the other way round",
+        ),
+    ] {
+        let bench = Workbench::new().file("case.toml", &whole.replace(from, to));
+        let outcome = bench.whirl(&["lateral", "case.toml", "--out", "out"]);
+        assert_eq!(outcome.status, 2, "{}", outcome.stderr);
+        assert!(outcome.stderr.contains(words), "{}", outcome.stderr);
+    }
+}
+
 #[test]
 fn what_is_wrong_is_told_with_its_place() {
     let refused = |case: &str, words: &[&str]| {

@@ -109,3 +109,19 @@ fn a_machine_without_bodies_that_turn_says_so_where_it_does_not_stand() {
     let words = "no equilibrium was found with no body turning: out of balance";
     assert!(outcome.stderr.contains(words), "{}", outcome.stderr);
 }
+
+/// An analysis that cannot be done, here forces along a body without a mesh, keeps no other from its results.
+#[test]
+fn what_the_other_analyses_come_to_is_kept() {
+    let case = format!(
+        "{}[analysis.along]\nkind = \"forces\"\nspeeds = \"3000 rpm\"\n[analysis.slow]\nkind = \"modes\"\nspeeds = \"3000 rpm\"\n",
+        ROTOR.replace("TABLE", STIFFNESS)
+    );
+    let bench = Workbench::new().file("case.toml", &case);
+    let outcome = bench.whirl(&["analyse", "case.toml", "--out", "out"]);
+    assert_eq!(outcome.status, 2, "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("the analysis `along` cannot be done"), "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("case.toml:"), "{}", outcome.stderr);
+    assert!(bench.path("out/slow.csv").is_file());
+    assert!(!bench.path("out/along.csv").exists());
+}

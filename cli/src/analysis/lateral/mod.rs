@@ -127,17 +127,31 @@ fn of_variant(
     interruption: &Interruption,
 ) -> Result<Done, Failure> {
     let model = Model::new(case, (analysis, lateral), false, (cache, warnings))?;
+    let against = |own: &&f64| **own * model.sense < 0.0;
+    if let Some(speed) = analysis.speeds.iter().find(against) {
+        return Err(Failure::Argument {
+            message: format!(
+                "`speeds` of `{}` go down to {} rpm, and `{}` of the case turns the other way round",
+                analysis.name,
+                words::speed(*speed),
+                case.machine.bodies[model.of].name.text()
+            ),
+            help: "give speeds in the sense of the `speed` of the body; N_ma and N_mc have that sense, too".to_owned(),
+        });
+    }
     let probes = probes(&model, lateral)?;
     let closes = closes(&model, lateral)?;
     let (unbalance, mut notes) = placement::placed(&model, analysis, lateral)?;
-    let mut speeds = match analysis.speeds.as_slice() {
+    let mut speeds: Vec<f64> = match analysis.speeds.as_slice() {
         [] => (0..FINE).map(|k| BEYOND * lateral.trip * k as f64 / (FINE - 1) as f64).collect(),
-        own => own.to_vec(),
+        own => own.iter().map(|own| own.abs()).collect(),
     };
     speeds.extend([lateral.minimum, lateral.maximum, lateral.trip]);
     speeds.sort_by(f64::total_cmp);
     speeds.dedup_by(|a, b| (*a - *b).abs() <= 1e-12 * b.abs());
-    let wanted = Wanted { of: Some(model.of), speeds };
+    // From y to x they are negative, as the speed of the case.
+    let wanted =
+        Wanted { of: Some(model.of), speeds: speeds.iter().map(|own| model.sense * own).collect() };
     let of = (analysis, lateral);
     let responses =
         response::found(&model, of, (&probes, &closes), &unbalance, &wanted, interruption)?;

@@ -37,6 +37,8 @@ pub(super) struct Model {
     pub(super) linear: LinearMachine,
     /// The body whose speed it is.
     pub(super) of: usize,
+    /// The sense in which it turns in the case: 1 from x to y, −1 from y to x.
+    pub(super) sense: f64,
     /// Those that the case knows.
     pub(super) points: Vec<Point>,
     /// z (m), rising, and the motion there.
@@ -65,6 +67,7 @@ impl Model {
     ) -> Result<Model, Failure> {
         let mut own = case.clone();
         let of = body(&own, analysis)?;
+        let sense = if own.machine.fastest(of, own.run()) < 0.0 { -1.0 } else { 1.0 };
         let of_motion =
             |own: &Output| matches!(own.what, Wanted::Motion { motion: Motion::Displacement, .. });
         own.outputs.retain(of_motion);
@@ -131,7 +134,7 @@ impl Model {
         let linear = LinearMachine::new(built.machine)?;
         let mut points = linear.points();
         let stations = points.split_off(points.len() - levels.len());
-        let speeds = linear.speeds(of, lateral.maximum, &analysis.ratios);
+        let speeds = linear.speeds(of, sense * lateral.maximum, &analysis.ratios);
         let at = linear.standing(&speeds, None)?;
         let equations = linear.linearised(&at)?;
         if !equations.stands_in_space() {
@@ -143,6 +146,7 @@ impl Model {
         let mut model = Model {
             linear,
             of,
+            sense,
             points,
             stations: levels.into_iter().zip(stations).collect(),
             journals,

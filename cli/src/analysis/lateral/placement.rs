@@ -79,7 +79,7 @@ pub(super) fn placed(
     let modes = model.linear.modes(&model.equations, analysis.count.max(MODES))?.oscillating;
     let shapes: Vec<Vec<Vibration>> = modes
         .iter()
-        .filter(|own| own.whirl(lateral.maximum) == Whirl::Forward)
+        .filter(|own| own.whirl(model.sense) == Whirl::Forward)
         .map(|mode| {
             let motion = |own: &(f64, Point)| model.linear.motion_in(&model.at, &own.1, mode);
             model.stations.iter().map(motion).collect()

@@ -108,7 +108,7 @@ pub(super) fn found(
             response.readings.push(readings);
             response.orbits.push(orbits);
         }
-        speeds.push(speed);
+        speeds.push(speed.abs());
         Ok(())
     };
     let Ended { notes, interrupted } =
@@ -117,7 +117,7 @@ pub(super) fn found(
     if !interrupted {
         let range = Range {
             of,
-            speeds: coarse(&speeds),
+            speeds: in_sense(model.sense, &coarse(&speeds)),
             ratios: analysis.ratios.clone(),
             count: analysis.count,
             orders: vec![1.0],
@@ -129,7 +129,7 @@ pub(super) fn found(
             let mut near: Option<Standstill> = None;
             let mut at = |speed: f64, point: &Point| -> Result<Vibration, Error> {
                 let here =
-                    linear.standing(&linear.speeds(of, speed, &analysis.ratios), near.as_ref())?;
+                    linear.standing(&linear.speeds(of, model.sense * speed, &analysis.ratios), near.as_ref())?;
                 let equations = linear.linearised(&here)?;
                 let moved = linear.response_to(
                     (&here, &equations),
@@ -153,6 +153,13 @@ pub(super) fn found(
         }
     }
     Ok(Responses { speeds, all, lines, notes, interrupted })
+}
+
+/// Speeds that are counted in the sense of the rotation, rising along the axis.
+fn in_sense(sense: f64, speeds: &[f64]) -> Vec<f64> {
+    let mut all: Vec<f64> = speeds.iter().map(|own| sense * own).collect();
+    all.sort_by(f64::total_cmp);
+    all
 }
 
 /// N_c/(N₂ − N₁); of a peak that falls so far on one side only, by twice that side.

@@ -94,9 +94,9 @@ pub(super) fn found(
         );
         if let Some(density) = lateral.gas_density {
             let machine =
-                bare.linear.unsupported(&bare.linear.speeds(bare.of, 1.0, &analysis.ratios));
+                bare.linear.unsupported(&bare.linear.speeds(bare.of, bare.sense, &analysis.ratios));
             let rigid = bare.linear.undamped(&machine, RIGID, analysis.count)?;
-            let first = rigid.iter().find(|own| own.sense > 0.1);
+            let first = rigid.iter().find(|own| own.sense * bare.sense > 0.1);
             if let Some(first) = first {
                 let csr = lateral.maximum / first.speed;
                 let boundary = standard::region_boundary(density);

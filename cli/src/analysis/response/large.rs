@@ -11,6 +11,7 @@ struct Worst {
     speed: f64,
     amplitude: f64,
     within: f64,
+    runs_out: bool,
 }
 
 impl Large {
@@ -23,13 +24,14 @@ impl Large {
     ) {
         let limits = linear.limits(at);
         self.0.resize_with(limits.len(), || None);
-        for (worst, (limit, &amplitude)) in
-            self.0.iter_mut().zip(limits.into_iter().zip(amplitudes))
+        for (place, (worst, (limit, &amplitude))) in
+            self.0.iter_mut().zip(limits.into_iter().zip(amplitudes)).enumerate()
         {
             let Some(within) = limit.within.filter(|own| amplitude > *own) else { continue };
             let is_worse = |own: &Worst| amplitude / within > own.amplitude / own.within;
             if worst.as_ref().is_none_or(is_worse) {
-                *worst = Some(Worst { joint: limit.joint, speed, amplitude, within });
+                let runs_out = linear.run_out(place) != [0.0; 2];
+                *worst = Some(Worst { joint: limit.joint, speed, amplitude, within, runs_out });
             }
         }
     }
@@ -37,11 +39,12 @@ impl Large {
     /// The joints that move too far.
     pub(super) fn told(self) -> Vec<Doubt> {
         let all = self.0.into_iter().flatten();
-        all.map(|Worst { joint, speed, amplitude, within }| Doubt::NotSmall {
+        all.map(|Worst { joint, speed, amplitude, within, runs_out }| Doubt::NotSmall {
             joint,
             speed,
             amplitude,
             within,
+            runs_out,
         })
         .collect()
     }

@@ -73,7 +73,8 @@ pub(super) fn found(
                     sources.push(Source { body, order, motions, peaks, near: Vec::new() });
                     sources.len() - 1
                 });
-                let all = sums.iter_mut().zip(&motions);
+                let seen = linear.seen_by_laws((body, order), &motions);
+                let all = sums.iter_mut().zip(&seen);
                 all.filter(|_| order != 0.0).for_each(|(sum, own)| *sum += own.orbit().major);
                 let own = &mut sources[place];
                 own.motions.resize(speeds.len(), still(points.len()));
@@ -123,7 +124,7 @@ pub(super) fn found(
             };
             let campbell = linear.campbell(&range, &|| !interruption.asked())?;
             if !is_told && campbell.stable.contains(&false) {
-                notes += &words::thresholds(&campbell);
+                notes += &words::thresholds(&campbell, false);
                 notes += "where the machine is not stable this response is not reached: something grows\n";
                 is_told = true;
             }
@@ -212,8 +213,9 @@ pub(super) fn peaks(
 ) -> Result<Vec<Peak>, Error> {
     let mut found: Vec<Peak> = Vec::new();
     for seed in seeds.iter().take_while(|_| !interruption.asked()) {
-        let width = seed.speed * seed.mode.damping_ratio().abs().max(1e-6);
-        let Some(own) = peak(response, (seed.speed, width), range)? else { continue };
+        let width = seed.speed.abs() * seed.mode.damping_ratio().abs().max(1e-6);
+        let begin = if range[1] > 0.0 { seed.speed.abs() } else { seed.speed };
+        let Some(own) = peak(response, (begin, width), range)? else { continue };
         if found.iter().all(|other| (other.speed / own.speed - 1.0).abs() > SAME) {
             found.push(own);
         }

@@ -165,11 +165,18 @@ fn told(case: &Case, body: usize) -> Option<f64> {
 
 /// Least and largest speed of operation (rad/s).
 fn operation(case: &Case, analysis: &Analysis, wanted: &Wanted) -> [f64; 2] {
-    let top = case.machine.top_speed(wanted.of.unwrap_or(0), case.run());
+    let of = wanted.of.unwrap_or(0);
     let last = wanted.speeds.last().copied().unwrap_or(0.0);
+    // What a drive could reach is no speed of operation, unless the case says no other.
+    let given = [
+        case.machine.constant_speed(of, case.run()),
+        told(case, of),
+        Some(case.machine.fastest(of, case.run())),
+    ];
+    let own = given.into_iter().flatten().find(|own| *own != 0.0);
+    let in_sense = |own: f64| if last > 0.0 { own.abs() } else { own };
     match (analysis.operation.first(), analysis.operation.last()) {
         (Some(first), Some(last)) => [*first, *last],
-        _ if top > 0.0 => [top; 2],
-        _ => [last; 2],
+        _ => [own.map_or(last, in_sense); 2],
     }
 }
