@@ -86,10 +86,10 @@ fn a_state_that_only_integrates_carries_what_stands() {
             history.names().iter().filter(|own| own.ends_with("_at_um")).collect();
         assert!(names.len() >= 2, "{:?}", history.names());
         for name in names {
-            // 98.1 N on the spring alone would be 98 µm.
+            // 98.1 N on the spring alone would be 98 µm; rows are solved to 5e-7 of their largest term.
             let all = history.column(name).iter();
             let worst = all.fold(0.0_f64, |worst, own| worst.max(own.abs()));
-            assert!(worst < 1e-9, "{name}: {worst}");
+            assert!(worst < 5e-7 * 98.1, "{name}: {worst}");
         }
     }
 }
