@@ -14,6 +14,7 @@ use crate::fields::{self, FRAMES};
 use crate::figures;
 use crate::history;
 use crate::lock::{Lock, Locked};
+use crate::room::Room;
 
 /// The summary.
 pub(crate) const SUMMARY: &str = "summary.json";
@@ -38,6 +39,8 @@ pub(crate) struct Results {
     folder: PathBuf,
     /// Given up first: its file stands in the folder.
     lock: Option<Lock>,
+    /// Taken while a run is at work, so that a disk that it fills has room for its summary.
+    room: Option<Room>,
     created: CreatedFolders,
 }
 
@@ -49,7 +52,7 @@ impl Results {
     /// then.
     pub(crate) fn open(folder: &Path, warnings: &mut Vec<String>) -> Result<Results, Failure> {
         let created = CreatedFolders::missing(folder);
-        let mut results = Results { folder: folder.to_path_buf(), lock: None, created };
+        let mut results = Results { folder: folder.to_path_buf(), lock: None, room: None, created };
         fs::create_dir_all(folder).map_err(|error| results.failure(folder, &error.to_string()))?;
         if let Some(name) = names().find(|name| results.path(name).is_dir()) {
             let reason = "a folder has the name of a result: move it or remove it";
@@ -94,7 +97,13 @@ impl Results {
         fields::clear(&self.folder)?;
         let age = if self.lock.is_some() { Duration::ZERO } else { ABANDONED };
         remove_unfinished(&self.folder, age);
+        self.room = Some(Room::take(&self.folder));
         Ok(())
+    }
+
+    /// Gives up the room that was kept for what is written from here on.
+    pub(crate) fn free_room(&mut self) {
+        self.room = None;
     }
 
     /// Writes a file, whole or not at all.
@@ -192,6 +201,17 @@ mod tests {
         }
         let mut results = open(folder.path()).unwrap();
         results.begin(&[history::NAME]).unwrap();
+        // What a full disk gives back for the summary.
+        let kept = |folder: &Path| -> u64 {
+            let files = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap());
+            files
+                .filter(|own| own.file_name() == ".whirl-room.part")
+                .map(|own| own.metadata().unwrap().len())
+                .sum()
+        };
+        assert_eq!(kept(folder.path()), 65_536);
+        results.free_room();
+        assert_eq!(kept(folder.path()), 0);
         results.write(SUMMARY, b"new").unwrap();
         drop(results);
         assert_eq!(listing(folder.path()), ["history.csv", "notes.txt", "summary.json"]);

@@ -92,6 +92,7 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let terminal = Terminal::new(show, &interruption);
     let simulated = simulate((&case, &built), &mut store, from, (&terminal, start))?;
     drop(store);
+    results.free_room();
     simulated.marched.warning.iter().for_each(streams::warn);
     let both = (&results, &identity);
     report(arguments, (&case, &built, told), both, (simulated, &interruption), show)
@@ -244,7 +245,13 @@ fn report(
     Err(Failure::Unfinished {
         reason,
         kept: rows.then(|| results.folder().to_path_buf()),
-        help: goes_on.then(|| "run the same command with `--resume` to continue".to_string()),
+        help: goes_on.then(|| match marched.end {
+            End::NotWritten(..) => {
+                "see that the disk has room, then run the same command with `--resume` to continue"
+                    .to_string()
+            }
+            _ => "run the same command with `--resume` to continue".to_string(),
+        }),
     })
 }
 

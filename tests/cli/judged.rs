@@ -294,3 +294,39 @@ fn a_turn_alone_is_enough_to_be_judged() {
                 [loads.c]\nbody = \"p\"\ncouple = \"1 N*m\"\n[march]\ntime_step = \"1e-2 s\"\nduration = \"1 s\"\n";
     assert_eq!(run(case, "")["verdict"]["sound"], true);
 }
+
+/// A mass that is pushed with half of the force with which a plate yields, which it reaches over a nanometre: Newton's method
+/// jumps from one side to the other. Where it yields over a tenth of a millimetre, no step is halved.
+#[test]
+fn steps_that_are_halved_again_and_again_are_found_with_their_place() {
+    let judged = |width: &str| {
+        let law = format!(
+            "kind = \"law\"\nname = \"plate\"\ntitle = \"a spring that yields\"\nsource = \"none\"\n[inputs.h]\nunit = \"mm\"\n\
+             title = \"clearance\"\nrange = [-3, 3]\n[parameters.F]\nvalue = 100\nunit = \"N\"\ntitle = \"largest force\"\n\
+             [parameters.w]\nvalue = {width}\nunit = \"mm\"\ntitle = \"way to it\"\n[outputs.Q]\nunit = \"N\"\n\
+             title = \"normal force\"\npieces = [\n  {{ when = 'h < -w', value = 'F' }},\n\
+             {{ when = 'h < 0', value = '-F*h/w' }},\n  {{ value = '0' }},\n]\n"
+        );
+        let case = "title = \"a mass on a plate\"\n[mass]\nmass = \"1 kg\"\nforce = \"50 N\"\n[[stop]]\nside = \"above\"\n\
+            gap = \"1 um\"\nlaw = \"plate.law.toml\"\n[march]\ntime_step = \"1e-3 s\"\nduration = \"0.1 s\"\n";
+        let bench = Workbench::new().file("plate.law.toml", &law).file("case.toml", case);
+        let outcome = bench.whirl(&["run", "case.toml", "--no-figures", "--out", "out"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        (bench.summary("out"), outcome.stdout)
+    };
+    let found = |summary: &Value| {
+        let all = summary["verdict"]["findings"].as_array().cloned().unwrap_or_default();
+        all.into_iter().find(|own| own["what"].to_string().contains("could not be solved whole"))
+    };
+    let (summary, said) = judged("1e-6");
+    assert_eq!(summary["verdict"]["sound"], false, "{said}");
+    let (own, halved) = (found(&summary).expect("a finding"), &summary["march"]["halved_steps"]);
+    assert_eq!((own["value"].as_f64(), &own["limit"]), (halved.as_f64(), &10.0.into()), "{own}");
+    assert!(own["value"].as_f64() > Some(10.0), "{own}");
+    for words in ["most often for", "mass", "a law, or a table of a load, that jumps"] {
+        assert!(own.to_string().contains(words), "`{words}`: {own}");
+    }
+    assert!(said.contains("steps that could not be solved whole"), "{said}");
+    let (summary, said) = judged("0.1");
+    assert_eq!((found(&summary), &summary["march"]["halved_steps"]), (None, &0.into()), "{said}");
+}

@@ -19,6 +19,7 @@ mod gears;
 mod good_runs;
 mod ground_motion;
 mod hostile;
+mod idle;
 mod in_memory;
 mod judged;
 mod law_values;

@@ -229,3 +229,26 @@ fn an_archive_for_numpy_has_all_columns() {
     run(&[]);
     assert!(!bench.path("out/history.npz").exists());
 }
+
+/// A mass that meets no stop is joined to nothing: its displacement is what its history is for.
+#[test]
+fn a_machine_without_joints_and_outputs_has_the_displacements_of_its_rigid_bodies() {
+    let case = "title = \"a mass on a spring\"\n[mass]\nmass = \"1 kg\"\nstiffness = \"1e4 N/m\"\ndisplacement = \"1 mm\"\n\
+        [march]\ntime_step = \"1e-4 s\"\nduration = \"0.1 s\"\n";
+    let of = |more: &str| {
+        let bench = Workbench::new().file("case.toml", &format!("{case}{more}"));
+        let outcome = bench.whirl(&["run", "case.toml", "--no-figures", "--out", "out"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        bench.history("out")
+    };
+    let found = of("");
+    assert_eq!(found.rows(), 1000);
+    for (t, x) in found.column("t_s").iter().zip(found.column("x_mass_um")) {
+        // (ωΔt)²/12 of the phase, 8.3e-6, is the error of the period; 10 rad at the end.
+        assert!((x - 1e3 * (100.0 * t).cos()).abs() < 0.1, "{t}: {x}");
+    }
+    assert!(found.column("y_mass_um").iter().all(|y| *y == 0.0));
+    // What is asked for comes alone.
+    let energy = of("[output.e]\nquantity = \"energy\"\nbody = \"mass\"\n");
+    assert!(!energy.names().iter().any(|own| own == "x_mass_um"), "{:?}", energy.names());
+}

@@ -9,7 +9,7 @@ use whirl_solver::body::{BodySpec, Rayleigh};
 use whirl_solver::constraints::Constraints;
 use whirl_solver::linalg::{Matrix, generalised_symmetric_eigen};
 use whirl_solver::mesh::Mesh;
-use whirl_solver::mesh::format::{ReadOptions, read};
+use whirl_solver::mesh::format::{ReadMesh, ReadOptions, read};
 use whirl_solver::stress::{Stress, at_points};
 use whirl_solver::support::Support;
 
@@ -223,4 +223,55 @@ fn cells_with_other_rules_have_the_same_limit() {
         assert!(fall > 2.5, "{name}: {coarse:?} {fine:?}");
         assert!(fine[..3].iter().all(|own| own.abs() < 1e-3), "{name}: {fine:?}");
     }
+}
+
+/// A steel cantilever of 300 × 60 × 50 mm: so many cells along and across, of a type.
+fn bar(kind: &str, [along, wide, high]: [usize; 3]) -> ReadMesh {
+    let label = |i: usize, j: usize, k: usize| 1 + i + (wide + 1) * (j + (high + 1) * k);
+    let mut text = "*NODE\n".to_owned();
+    for k in 0..=along {
+        for j in 0..=high {
+            for i in 0..=wide {
+                let part =
+                    |size: f64, place: usize, count: usize| size * place as f64 / count as f64;
+                let [x, y, z] = [part(60.0, i, wide), part(50.0, j, high), part(300.0, k, along)];
+                text += &format!("{}, {x}, {y}, {z}\n", label(i, j, k));
+            }
+        }
+    }
+    text += &format!("*ELEMENT, TYPE={kind}, ELSET=BAR\n");
+    for cell in 0..along * high * wide {
+        let (i, j, k) = (cell % wide, cell / wide % high, cell / (wide * high));
+        let face = |k: usize| {
+            let nodes = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
+            nodes.map(|(i, j)| label(i, j, k).to_string()).join(", ")
+        };
+        text += &format!("{}, {}, {}\n", cell + 1, face(k), face(k + 1));
+    }
+    text += &format!("*NSET, NSET=BASE, GENERATE\n1, {}\n", (wide + 1) * (high + 1));
+    text += "*MATERIAL, NAME=STEEL\n*ELASTIC\n210000, 0.3\n*DENSITY\n7.85e-9\n*SOLID SECTION, ELSET=BAR, MATERIAL=STEEL\n";
+    let elements = elements();
+    let read = read(text.into_bytes(), "bar.inp", &ReadOptions::new(&elements));
+    read.unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+/// What docs/meshes.md and a warning of the reader say of C3D8.
+#[test]
+fn hexahedra_without_incompatible_modes_bend_too_stiffly_and_are_warned_of() {
+    let mut found = Vec::new();
+    for (counts, higher) in [([6, 1, 1], 0.24), ([6, 2, 2], 0.18), ([12, 4, 4], 0.05)] {
+        let [plain, better] = ["C3D8", "C3D8I"].map(|kind| bar(kind, counts));
+        let said: Vec<&str> = plain.warnings.iter().map(|own| own.what.as_str()).collect();
+        let cells: usize = counts.iter().product();
+        assert_eq!(said, [format!("{cells} cells of C3D8 without incompatible modes")]);
+        let help = &plain.warnings[0].help;
+        assert!(help.contains("18 % higher") && help.contains("`TYPE=C3D8I`"), "{help}");
+        assert!(better.warnings.is_empty(), "{:?}", better.warnings);
+        let [stiff, soft] = [&plain, &better].map(|own| frequencies(&own.mesh)[0]);
+        // To the whole percents that are said.
+        assert!((stiff / soft - 1.0 - higher).abs() < 0.005, "{counts:?}: {stiff} {soft}");
+        found.push(soft);
+    }
+    // The limit by quadratic cells is 459 Hz or a little less.
+    assert!(found.iter().all(|own| (own / 459.0 - 1.0).abs() < 0.02), "{found:?}");
 }

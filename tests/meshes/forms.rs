@@ -103,9 +103,45 @@ fn reduced_hybrid_and_modified_elements_are_read_as_their_like() {
     let read = found(&format!("{tetrahedron}*ELEMENT, TYPE=C3D10M\n1,1,2,3,4,5,6,7,8,9,10\n"));
     assert_eq!(read.mesh.blocks()[0].element.origin.name, "tet10");
     // Solids that are none of these are refused, and say so once.
+    let text = format!("{NODES}*ELEMENT, TYPE=C3D27, ELSET=BAR\n{CELLS}");
+    let errors = open(text.as_bytes(), "bar.inp").map(|_| ()).unwrap_err().to_string();
+    assert!(
+        errors.contains("hexahedra of 27 nodes") && !errors.contains("did you mean"),
+        "{errors}"
+    );
     for name in ["C3D27", "C3D8X", "DC3D8", "AC3D8", "COH3D8", "SC8R", "CCL12", "U1"] {
         let text = format!("{NODES}*ELEMENT, TYPE={name}, ELSET=BAR\n{CELLS}");
         assert_eq!(refused(&text), [format!("14: no element is known for type {name}")]);
+    }
+}
+
+/// Gmsh writes them into files of every format.
+#[test]
+fn hexahedra_of_27_nodes_have_a_remedy_in_every_format() {
+    let all = || (1..=27).map(|node| (node, [node % 3, node / 3 % 3, node / 9].map(f64::from)));
+    let nodes: Vec<String> = (1..=27).map(|node| node.to_string()).collect();
+    let grids = all().map(|(node, [x, y, z])| format!("GRID,{node},,{x:?},{y:?},{z:?}\n"));
+    let rows: Vec<String> =
+        nodes[6..].chunks(8).map(|own| format!(",{}\n", own.join(","))).collect();
+    let bulk = format!(
+        "{}CHEXA,1,1,{}\n{}",
+        grids.collect::<String>(),
+        nodes[..6].join(","),
+        rows.concat()
+    );
+    let points = all().map(|(node, [x, y, z])| format!("{node} 1 1 11\n {x:?} {y:?} {z:?}\n"));
+    let rows: Vec<String> = nodes.chunks(8).map(|own| format!(" {}\n", own.join(" "))).collect();
+    let universal = format!(
+        "    -1\n  2411\n{}    -1\n    -1\n  2412\n1 115 1 1 7 27\n{}    -1\n",
+        points.collect::<String>(),
+        rows.concat()
+    );
+    for (text, path) in [(bulk, "h.bdf"), (universal, "h.unv")] {
+        let errors = open(text.as_bytes(), path).map(|_| ()).unwrap_err().to_string();
+        assert!(
+            errors.contains("27 nodes") && errors.contains("SecondOrderIncomplete"),
+            "{errors}"
+        );
     }
 }
 

@@ -8,7 +8,7 @@ use whirl_solver::output::{self, JointQuantity, Motion};
 
 use super::joined_machine::JoinedMachine;
 use super::joint::JointKind;
-use super::named_body::Form;
+use super::named_body::{Form, NamedBody};
 use super::names;
 
 /// Which point of a body an output is of.
@@ -36,7 +36,27 @@ pub(super) fn read(file: &Table, machine: Option<&JoinedMachine>) -> Vec<Output>
         let what = table.read(|table| read_one(table, machine))?;
         Some(Output { name: name.text().to_owned(), what })
     };
-    tables.into_iter().filter_map(read).collect()
+    match machine {
+        Some(machine) if tables.is_empty() && machine.joints.is_empty() => of_bodies(machine),
+        _ => tables.into_iter().filter_map(read).collect(),
+    }
+}
+
+/// Without joints no usual column shows a motion: the displacement of every rigid body does.
+fn of_bodies(machine: &JoinedMachine) -> Vec<Output> {
+    let bodies = machine.bodies.iter().enumerate();
+    let rigid = bodies.filter(|(_, own)| matches!(own.form, Form::Rigid(_)));
+    let displacement = |(body, own): (usize, &NamedBody)| Output {
+        name: own.name.text().to_owned(),
+        what: Wanted::Motion {
+            body,
+            point: OutputPoint::At(None),
+            motion: Motion::Displacement,
+            frame: Frame::Space,
+            components: vec![0, 1],
+        },
+    };
+    rigid.map(displacement).collect()
 }
 
 /// What can be asked for.

@@ -102,6 +102,8 @@ fn checked(mut draft: Draft, warnings: &mut Vec<String>) -> Result<Case, Failure
 pub(crate) fn plan(case: &Case, warnings: &mut Vec<String>) -> Result<JoinedPlan, Failure> {
     let wanted = (case.outputs.as_slice(), case.fields.as_ref());
     let mut plan = JoinedPlan::new(&case.machine, wanted, warnings)?;
+    let run = case.march.as_ref().map(|_| case.run());
+    warnings.extend(joined::idle_loads(&case.machine, run));
     if let Some(ground) = &case.machine.ground {
         warnings.extend(ground.doubts(case.march.as_ref().map(MarchSettings::duration)));
     }

@@ -39,23 +39,38 @@ impl Inputs {
 
     /// With the texts that were read for the sweep, for this program on this processor.
     pub(super) fn identity(mut self, sweep: &Sweep) -> Identity {
-        for source in sweep.base.noted() {
+        let Sweep {
+            // By which its results are called.
+            name: _,
+            title: _,
+            base,
+            // Points are known by their values and by those from which they go on: a sweep may get further ones.
+            source: _,
+            keys: _,
+            axes: _,
+            along: _,
+            samples: _,
+            keep,
+            marches,
+            analyses,
+        } = sweep;
+        for source in base.noted() {
             let what = format!("the file `{}`", source.path.display());
             self.0.insert(what, Key::of(&source.text).hex());
         }
-        let own = sweep.base.path().display().to_string();
-        self.0.insert(format!("the case `{own}`"), Key::of(&sweep.base.text()).hex());
-        let keep = match sweep.keep {
+        let own = base.path().display().to_string();
+        self.0.insert(format!("the case `{own}`"), Key::of(&base.text()).hex());
+        let keep = match keep {
             Keep::Nothing => "nothing",
             Keep::Histories => "histories",
         };
-        let analyses: Vec<&str> = sweep.analyses.iter().map(|own| own.text()).collect();
+        let analyses: Vec<&str> = analyses.iter().map(|own| own.text()).collect();
         let fixed = [
             ("the program", version::SOURCES.to_owned()),
             ("the kind of processor", instruction_set()),
             ("`keep`", keep.to_owned()),
             ("`analyse`", analyses.join(", ")),
-            ("`march`", sweep.marches.to_string()),
+            ("`march`", marches.to_string()),
         ];
         let fixed = fixed.map(|(what, value)| (what.to_owned(), value));
         Identity::new(fixed.into_iter().chain(self.0).collect())

@@ -20,6 +20,8 @@ enum Remedy {
     GmshShape,
     /// Gmsh reads a surface: a volume has to be made of it.
     Surface,
+    /// Gmsh reads the blocks, whose nodes stand twice where they meet.
+    Plot3d,
     /// The library meshio reads the mesh.
     Meshio,
     /// Something else, in words in which `{}` stands for the file and `{stem}` for its name without extension.
@@ -40,6 +42,10 @@ impl Remedy {
             Remedy::Gmsh => {
                 format!("{read}: convert it, `gmsh {name} -save -format msh41 -o {target}.msh`")
             }
+            Remedy::Plot3d => format!(
+                "{read}: convert it, `gmsh {stem}.p3d -save -format msh41 -o {target}.msh`; blocks that meet are joined by \
+                 `merge = \"1e-6 m\"` in the case"
+            ),
             Remedy::GmshShape => {
                 format!(
                     "it is a shape: mesh it, `gmsh {name} -3 -order 2 -format msh41 -o {target}.msh`"
@@ -222,7 +228,11 @@ pub fn foreign(bytes: &[u8], path: &str) -> Option<Foreign> {
     if words.starts_with("solid") && start.contains("facet") || is_binary_stl(bytes) {
         return named("an STL file", Remedy::Surface);
     }
+    if is_plot3d(&start) {
+        return named("a PLOT3D file", Remedy::Plot3d);
+    }
     let by_name = match extension.as_str() {
+        "p3d" | "p3dfmt" | "plot3d" => named("a PLOT3D file", Remedy::Plot3d),
         "cdb" => named("an archive of ANSYS (CDB)", ANSYS),
         "geo" => named("a script of Gmsh", Remedy::GmshShape),
         "step" | "stp" => named("a STEP file", Remedy::GmshShape),
@@ -243,6 +253,22 @@ pub fn foreign(bytes: &[u8], path: &str) -> Option<Foreign> {
     };
     // An extension says nothing of a file that begins as one that is read.
     by_name.filter(|_| !words.starts_with(['*', '$']))
+}
+
+/// A number of blocks by itself and the size of the first, or the size of the only block and coordinates: numbers between blanks,
+/// where an input of Abaqus has a keyword.
+fn is_plot3d(start: &str) -> bool {
+    let mut lines = start.lines().map(str::trim).filter(|line| !line.is_empty());
+    let mut line = || lines.next().map_or(Vec::new(), |line| line.split_whitespace().collect());
+    let (first, second): (Vec<&str>, Vec<&str>) = (line(), line());
+    let sizes = |line: &[&str]| {
+        !line.is_empty() && line.iter().all(|own| own.parse().is_ok_and(|own: u32| own > 0))
+    };
+    let are_numbers = |line: &[&str]| line.iter().all(|own| own.parse::<f64>().is_ok());
+    let a_coordinate = second.iter().any(|own| own.contains('.'));
+    let blocks = first.len() == 1 && second.len() % 3 == 0 && sizes(&second);
+    let block = first.len() == 3 && a_coordinate && are_numbers(&second);
+    sizes(&first) && (blocks || block)
 }
 
 /// A head of 80 bytes, a count, and 50 bytes a triangle.
@@ -311,6 +337,15 @@ mod tests {
             (b"\n<!DOCTYPE html>", "p.inp", "a web page", "raw"),
             (b"*KEYWORD\n*NODE\n", "p.k", "an input of LS-DYNA", "LS-PrePost"),
             (b"$# LS-DYNA\n*KEYWORD\n*NODE\n", "p.key", "an input of LS-DYNA", "LS-PrePost"),
+            (
+                b"1\n3 3 3\n0 0 0 \n0 0 0 \n",
+                "p.p3d",
+                "a PLOT3D file",
+                "`gmsh p.p3d -save -format msh41 -o p.msh`",
+            ),
+            (b" 2\n 2 2 2 4 2 2\n", "p.p3dfmt", "a PLOT3D file", "`gmsh p.p3d -save"),
+            (b"1\r\n 2 3 4\r\n 0. 1.\r\n", "p.xyz", "a PLOT3D file", "merge"),
+            (b"2 3 4\n 0.0 1.0 -2.5e-1\n", "p", "a PLOT3D file", "merge"),
             (b"(0 \"Fluent\")", "p.msh", "a mesh of Fluent", "`meshio convert p.msh p.inp`"),
         ] {
             let (found, help) = what(bytes, path).unwrap_or_else(|| panic!("{known}"));
@@ -332,6 +367,8 @@ mod tests {
             (b"SOL 101\nCEND\n", "a.dat"),
             (b"GRID,1", "a"),
             (b"1, 0., 0., 0.\n", "nodes.txt"),
+            (b"1 2 3\n4 5 6\n", "sets.txt"),
+            (b"1\n2 3\n", "numbers"),
             (b"", "a.msh"),
         ] {
             assert_eq!(what(bytes, path), None, "{path}");

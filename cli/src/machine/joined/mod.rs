@@ -4,6 +4,7 @@ mod attached;
 mod bodies;
 mod clearance;
 mod compare;
+mod idle;
 mod joints;
 mod of_case;
 mod others;
@@ -20,6 +21,7 @@ use whirl_solver::mesh::measure::Circle;
 use whirl_solver::model::{Attachment, BodyModel, Form, Model, Place};
 use whirl_solver::output;
 
+pub(crate) use self::idle::of_loads as idle_loads;
 pub(crate) use self::planned_body::PlannedBody;
 use self::planned_joint::PlannedJoint;
 use super::forces;

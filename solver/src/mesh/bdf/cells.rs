@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use whirl_specs::Element;
 
-use super::super::raw::{LinePosition, MeshReport, count, list};
+use super::super::raw::{FACE_MIDDLES, LinePosition, MeshReport, count, has_face_middles, list};
 use super::fields::{Card, Field};
 use super::nodes::Grids;
 
@@ -131,7 +131,11 @@ impl Cells {
                 "{name} {label} has {}, it can have {full} at most",
                 count(fields.len(), "node")
             );
-            report.error(fields[full].place, what, "take out what stands behind its last node");
+            let help = match has_face_middles(fields.len()) {
+                true => FACE_MIDDLES,
+                false => "take out what stands behind its last node",
+            };
+            report.error(fields[full].place, what, help);
         } else if let Some(element) = self.called(name).find(|element| element.nodes == full) {
             // Edges without a node get one in their middle.
             return Some(element);

@@ -10,7 +10,7 @@ use super::super::raw::{
 };
 use super::cards::{Card, Token};
 use super::others::OtherElements;
-use super::types::{self, Kind, Substitute};
+use super::types::{self, Kind, Remark};
 use super::values::{label, number, required};
 
 pub(super) fn read_nodes(cards: &[&Card], report: &mut MeshReport) -> NodeTable {
@@ -59,11 +59,11 @@ pub(super) fn read_elements(
 ) -> (Cells, OtherElements) {
     let mut cells = Cells::new();
     let mut others = OtherElements::default();
-    let mut substitutes: BTreeMap<String, (usize, LinePosition, Substitute)> = BTreeMap::new();
+    let mut remarks: BTreeMap<String, (usize, LinePosition, Remark)> = BTreeMap::new();
     for card in cards.iter().filter(|card| card.keyword == "ELEMENT") {
         let set = card.parameter("ELSET").and_then(|parameter| parameter.value);
-        let (element, substitute) = match types::of_card(card, elements, report) {
-            Kind::Solid(element, substitute) => (element, substitute),
+        let (element, remark) = match types::of_card(card, elements, report) {
+            Kind::Solid(element, remark) => (element, remark),
             Kind::LeftOut => {
                 others.read(card, nodes);
                 if let Some(set) = set {
@@ -89,18 +89,18 @@ pub(super) fn read_elements(
                 members.push(index);
             }
         }
-        if let Some(substitute) = substitute {
+        if let Some(remark) = remark {
             let name = card.parameter("TYPE").and_then(|kind| kind.value);
             let name = name.map_or(String::new(), |name| name.text.to_uppercase());
-            let new = (0, card.place.into(), substitute);
-            substitutes.entry(name).or_insert(new).0 += members.len();
+            let new = (0, card.place.into(), remark);
+            remarks.entry(name).or_insert(new).0 += members.len();
         }
         if let Some(set) = set {
             cells.named.sets.add(set.text, members);
         }
     }
-    for (name, (number, place, Substitute { known, difference })) in substitutes {
-        let what = format!("{} of {name} read as {known}", count(number, "cell"));
+    for (name, (number, place, Remark { what, difference })) in remarks {
+        let what = format!("{} of {name} {what}", count(number, "cell"));
         report.warn(place, what, difference);
     }
     others.tell(report);

@@ -2,6 +2,8 @@
 
 use whirl_specs::Element;
 
+use super::super::raw::FACE_MIDDLES;
+
 /// An element type.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Kind {
@@ -89,10 +91,7 @@ impl Kind {
     pub(super) fn refusal(&self, elements: &[&'static Element]) -> (String, String) {
         let what = format!("{} are not read (element type {} of Gmsh)", self.words, self.number);
         let remedy = match self.number {
-            12 | 13 => {
-                "set `Mesh.SecondOrderIncomplete = 1` in Gmsh before meshing, which gives hexahedra of 20 \
-                 nodes and wedges of 15"
-            }
+            12 | 13 => FACE_MIDDLES,
             7 | 14 | 19 | 118 | 119 => {
                 "mesh without pyramids: tetrahedra alone, or hexahedra alone; linear ones \
                  (`Mesh.ElementOrder = 1`) are read if they are among the types below"

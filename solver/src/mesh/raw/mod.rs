@@ -4,6 +4,7 @@
 //! A reader fills a [`RawMesh`] and tells a [`MeshReport`] what is wrong; [`RawMesh::finish`] does the rest.
 
 mod checks;
+mod face_middles;
 mod grid;
 mod labelled;
 mod materials;
@@ -18,6 +19,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use whirl_specs::Element;
 
+pub(super) use self::face_middles::{FACE_MIDDLES, has_face_middles};
 pub(super) use self::labelled::{Labelled, Sets, did_you_mean};
 pub(super) use self::materials::RawMaterial;
 pub(super) use self::onto::{FaceOfCell, onto_faces};

@@ -15,8 +15,8 @@ use whirl_specs::Element;
 use self::contents::{Contents, Group, Listed};
 use self::kinds::{Kind, element, kind};
 use super::raw::{
-    Cells, LinePosition, MeshReport, NodeTable, RawCell, RawMesh, Remedies, count, in_own_order,
-    list,
+    Cells, FACE_MIDDLES, LinePosition, MeshReport, NodeTable, RawCell, RawMesh, Remedies, count,
+    has_face_middles, in_own_order, list,
 };
 use super::reading::{ReadMesh, ReadOptions};
 use super::units::MeshUnits;
@@ -157,7 +157,8 @@ fn solid(
             own.descriptor,
             order.len()
         );
-        report.error(own.place, what, lines::DAMAGED);
+        let help = if has_face_middles(own.nodes.len()) { FACE_MIDDLES } else { lines::DAMAGED };
+        report.error(own.place, what, help);
         return;
     }
     let mut listed: Vec<usize> = Vec::with_capacity(order.len());
