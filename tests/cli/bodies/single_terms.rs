@@ -143,10 +143,10 @@ fn orders_count_by_the_angle_of_the_own_body() {
     }
 }
 
-/// The kinetic energy of a wheel changes by the power of its bushing, which has tilts and an axial part, and that of its loads.
-#[test]
-fn the_power_of_a_joint_has_its_tilts_and_its_axial_part() {
-    let case = r#"title = "x"
+/// A wheel on one joint, under a force and a couple that stand in space.
+fn wheel(joint: &str) -> String {
+    format!(
+        r#"title = "x"
 gravity = ["0 m/s^2", "0 m/s^2", "-9.81 m/s^2"]
 [body.wheel]
 turns = "prescribed"
@@ -158,18 +158,10 @@ z = "20 mm"
 moves_along_z = true
 
 [joint.mount]
-kind = "bushing"
-first = { body = "wheel", z = "20 mm" }
-stiffness = { xx = "1e6 N/m", xy = "2e4 N/m", yx = "-1e4 N/m", yy = "8e5 N/m" }
-damping = { xx = "300 N*s/m", yy = "200 N*s/m" }
-tilting_stiffness = { xx = "2e4 N*m/rad", xy = "1e3 N*m/rad", yx = "-2e3 N*m/rad", yy = "3e4 N*m/rad" }
-tilting_damping = { xx = "20 N*m*s/rad", yy = "30 N*m*s/rad" }
-axial_stiffness = "5e5 N/m"
-axial_damping = "300 N*s/m"
-
+{joint}
 [loads.push]
 body = "wheel"
-force = ["30 N", "-20 N", "40 N"]
+force = ["30 N", "-20 N", "-60 N"]
 
 [loads.turn]
 body = "wheel"
@@ -188,9 +180,14 @@ body = "wheel"
 quantity = "energy"
 body = "wheel"
 
-"#;
+"#
+    )
+}
+
+/// The kinetic energy of a wheel changes by the power of its joint, which has tilts and an axial part, and that of its loads.
+fn powers_change_the_kinetic_energy(joint: &str, files: &[(&str, &str)]) {
     let step = 1e-5;
-    let Run { history, .. } = run(&format!("{case}{}", march("1e-5 s", 3000)), &[]);
+    let Run { history, .. } = run(&format!("{}{}", wheel(joint), march("1e-5 s", 3000)), files);
     let [kinetic, loads, joint] =
         ["kinetic_own_J", "power_wheel_W", "power_mount_W"].map(|name| history.column(name));
     let most = joint.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
@@ -204,6 +201,51 @@ body = "wheel"
             "{i}: {rate} for {power} of {most}"
         );
     }
+}
+
+#[test]
+fn the_power_of_a_joint_has_its_tilts_and_its_axial_part() {
+    let bushing = r#"kind = "bushing"
+first = { body = "wheel", z = "20 mm" }
+stiffness = { xx = "1e6 N/m", xy = "2e4 N/m", yx = "-1e4 N/m", yy = "8e5 N/m" }
+damping = { xx = "300 N*s/m", yy = "200 N*s/m" }
+tilting_stiffness = { xx = "2e4 N*m/rad", xy = "1e3 N*m/rad", yx = "-2e3 N*m/rad", yy = "3e4 N*m/rad" }
+tilting_damping = { xx = "20 N*m*s/rad", yy = "30 N*m*s/rad" }
+axial_stiffness = "5e5 N/m"
+axial_damping = "300 N*s/m"
+"#;
+    powers_change_the_kinetic_energy(bushing, &[]);
+}
+
+/// A spring between displacements and tilts of the whole joint: k along and t about x and y, a along z, and b between them.
+const WHOLE: &str = r#"kind = "law"
+name = "whole"
+title = "A spring of a whole joint"
+source = "a test"
+[inputs]
+e_x = { unit = "m" }
+e_y = { unit = "m" }
+e_z = { unit = "m" }
+alpha_x = { unit = "rad" }
+alpha_y = { unit = "rad" }
+[outputs]
+F_x = { unit = "N", value = '-k*e_x + b*alpha_y' }
+F_y = { unit = "N", value = '-0.8*k*e_y - b*alpha_x' }
+F_z = { unit = "N", value = '-a*e_z' }
+M_x = { unit = "N*m", value = '-t*alpha_x - b*e_y' }
+M_y = { unit = "N*m", value = '-1.5*t*alpha_y + b*e_x' }
+[parameters]
+k = { value = 1e6, unit = "N/m" }
+a = { value = 5e5, unit = "N/m" }
+t = { value = 2e4, unit = "N*m" }
+b = { value = 3e3, unit = "N" }
+"#;
+
+#[test]
+fn the_power_of_a_law_of_a_whole_joint_has_its_moments_and_its_axial_part() {
+    let joint =
+        "kind = \"bearing\"\njournal = { body = \"wheel\", z = \"20 mm\" }\nlaw = \"whole.toml\"\n";
+    powers_change_the_kinetic_energy(joint, &[("whole.toml", WHOLE)]);
 }
 
 /// A law that acts once a plane, 1 N/µm in all directions.
