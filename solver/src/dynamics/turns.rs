@@ -250,7 +250,11 @@ impl QualityMeter {
 mod tests {
     use std::f64::consts::PI;
 
+    use super::super::newmark::Integrator;
+    use super::super::small::machine;
     use super::*;
+    use crate::equations::Equations;
+    use crate::machine::Rotation;
 
     fn turn() -> FreeTurn {
         FreeTurn { body: 0, row: vec![(0, 1.0)], radius: 1.0 }
@@ -277,6 +281,27 @@ mod tests {
             assert_eq!((sums.errors.count(), sums.changes.count()), (1, 1));
             assert!((sums.largest_change - 1.5).abs() < 1e-12, "{sums:?}");
         }
+    }
+
+    /// Parts of a step that was cut are one step of a turn; those that a march chose are steps of their own.
+    #[test]
+    fn cut_parts_are_one_step_and_chosen_ones_count_by_themselves() {
+        let machine = machine(Rotation::Free);
+        let mut equations = Equations::new(&machine);
+        let state =
+            |speed: f64, a: f64| State { v: vec![speed; 5], a: vec![a; 5], ..State::new(5) };
+        let states = [state(10.0, 1.0), state(10.1, 1.5), state(10.3, 2.5)];
+        let counted = [StepLength::Fixed(0.1), StepLength::Most(0.1)].map(|steps| {
+            let mut meter =
+                QualityMeter::new(&mut equations, Integrator::default(), steps, &states[0])
+                    .expect("a machine with mass");
+            for (t, ends) in [0.0, 0.03].into_iter().zip(states.windows(2)) {
+                meter.add_to_turns((t, 0.05), [&ends[0], &ends[1]]);
+            }
+            meter.end_row();
+            meter.sums.turns.iter().map(|own| own.errors.count()).collect::<Vec<_>>()
+        });
+        assert_eq!(counted, [vec![1], vec![2]]);
     }
 
     /// In steps of 1 s from a state, each by the trapezoidal rule: the share of them that resolve the turn, and the error.
