@@ -23,6 +23,8 @@ mod register;
 pub mod registers;
 mod registry;
 mod rows;
+#[cfg(test)]
+mod traced;
 mod triangle;
 pub mod vector;
 mod wide;

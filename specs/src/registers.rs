@@ -109,7 +109,7 @@ impl Registers {
         match self.0 {
             Width::Single => task.run::<f64>(),
             #[cfg(test)]
-            Width::Traced => task.run::<crate::counted::Traced>(),
+            Width::Traced => task.run::<crate::traced::Traced>(),
             // SAFETY: a value of this kind is made only where the processor has the instructions.
             #[cfg(target_arch = "x86_64")]
             Width::Avx2 => unsafe { avx2(task) },

@@ -19,15 +19,23 @@ fn lines_of_figures_have_round_joins() {
     }
 }
 
-/// Histories have columns of supports: without one there is nothing to draw, and nothing is missing.
+/// Figures of reactions and journals are those of supports: without one there is the spectrum of the displacement alone.
 #[test]
-fn a_mass_without_stops_has_a_history_and_no_figures() {
+fn a_mass_without_stops_has_its_displacement_and_the_spectrum_of_it() {
     let case = "title = \"free\"\n[mass]\nmass = \"1 kg\"\nstiffness = \"1e4 N/m\"\nvelocity = \"1 m/s\"\n\
                 [march]\ntime_step = \"1e-4 s\"\nsteps = 90\n";
     let bench = Workbench::new().file("case.toml", case);
     let outcome = bench.whirl(&["run", "case.toml"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-    let expected = ["about.json", "history.csv", "report.html", "state.bin", "summary.json"];
+    let expected = [
+        "about.json",
+        "history.csv",
+        "report.html",
+        "spectrum.png",
+        "spectrum.svg",
+        "state.bin",
+        "summary.json",
+    ];
     assert_eq!(bench.listing_of("results/case"), expected);
     assert_eq!(bench.history("results/case").rows(), 90);
     // Laws that the case names are drawn all the same.
@@ -41,6 +49,8 @@ fn a_mass_without_stops_has_a_history_and_no_figures() {
         "laws.png",
         "laws.svg",
         "report.html",
+        "spectrum.png",
+        "spectrum.svg",
         "state.bin",
         "summary.json",
     ];

@@ -234,7 +234,7 @@ fn bar(kind: &str, [along, wide, high]: [usize; 3]) -> ReadMesh {
             for i in 0..=wide {
                 let part =
                     |size: f64, place: usize, count: usize| size * place as f64 / count as f64;
-                let [x, y, z] = [part(60.0, i, wide), part(50.0, j, high), part(300.0, k, along)];
+                let [x, y, z] = [part(0.06, i, wide), part(0.05, j, high), part(0.3, k, along)];
                 text += &format!("{}, {x}, {y}, {z}\n", label(i, j, k));
             }
         }
@@ -249,7 +249,7 @@ fn bar(kind: &str, [along, wide, high]: [usize; 3]) -> ReadMesh {
         text += &format!("{}, {}, {}\n", cell + 1, face(k), face(k + 1));
     }
     text += &format!("*NSET, NSET=BASE, GENERATE\n1, {}\n", (wide + 1) * (high + 1));
-    text += "*MATERIAL, NAME=STEEL\n*ELASTIC\n210000, 0.3\n*DENSITY\n7.85e-9\n*SOLID SECTION, ELSET=BAR, MATERIAL=STEEL\n";
+    text += "*MATERIAL, NAME=STEEL\n*ELASTIC\n2.1e11, 0.3\n*DENSITY\n7850\n*SOLID SECTION, ELSET=BAR, MATERIAL=STEEL\n";
     let elements = elements();
     let read = read(text.into_bytes(), "bar.inp", &ReadOptions::new(&elements));
     read.unwrap_or_else(|errors| panic!("{errors}"))

@@ -36,13 +36,16 @@ pub(super) fn read(file: &Table, machine: Option<&JoinedMachine>) -> Vec<Output>
         let what = table.read(|table| read_one(table, machine))?;
         Some(Output { name: name.text().to_owned(), what })
     };
+    let marches = file.has("march");
     match machine {
-        Some(machine) if tables.is_empty() && machine.joints.is_empty() => of_bodies(machine),
+        Some(machine) if marches && tables.is_empty() && machine.joints.is_empty() => {
+            of_bodies(machine)
+        }
         _ => tables.into_iter().filter_map(read).collect(),
     }
 }
 
-/// Without joints no usual column shows a motion: the displacement of every rigid body does.
+/// Without joints no usual column of a history shows a motion: the displacement of every rigid body does.
 fn of_bodies(machine: &JoinedMachine) -> Vec<Output> {
     let bodies = machine.bodies.iter().enumerate();
     let rigid = bodies.filter(|(_, own)| matches!(own.form, Form::Rigid(_)));

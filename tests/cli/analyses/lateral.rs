@@ -342,7 +342,7 @@ fn a_rotor_that_turns_the_other_way_round_is_its_mirror_image() {
             .split("[analysis.api.variants.wide]")
             .next()
             .expect("a case")
-            .replace("speed = \"6000 rpm\"", &format!("speed = \"{speed}\""))
+            .replace("\nspeed = \"6000 rpm\"", &format!("\nspeed = \"{speed}\""))
             .replace(
                 "kind = \"lateral\"",
                 "kind = \"lateral\"\nseals = [\"seal\"]\nunbalance_modes = [1]",
@@ -397,7 +397,7 @@ fn signs_against_the_rotation_are_refused() {
         (
             "maximum_speed = \"6000 rpm\"",
             "maximum_speed = \"-6000 rpm\"",
-            "`maximum_speed` is not above zero",
+            "`maximum_speed` must be greater than zero",
         ),
         (
             "kind = \"lateral\"",

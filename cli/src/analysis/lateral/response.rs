@@ -128,8 +128,10 @@ pub(super) fn found(
             let applied = own.applied();
             let mut near: Option<Standstill> = None;
             let mut at = |speed: f64, point: &Point| -> Result<Vibration, Error> {
-                let here =
-                    linear.standing(&linear.speeds(of, model.sense * speed, &analysis.ratios), near.as_ref())?;
+                let here = linear.standing(
+                    &linear.speeds(of, model.sense * speed, &analysis.ratios),
+                    near.as_ref(),
+                )?;
                 let equations = linear.linearised(&here)?;
                 let moved = linear.response_to(
                     (&here, &equations),

@@ -136,12 +136,24 @@ fn a_start_at_equilibrium_has_relaxed() {
     assert!(exact > 1.1 * PUSH / (SLOW + RELAXING));
 }
 
-/// Of a state that no rest determines there is no equilibrium.
+/// Where the rate of a state that only integrates is zero, it carries what stands; where its rate is zero nowhere, nothing stands.
 #[test]
-fn an_integral_has_no_rest() {
-    let machine =
-        mass_on(Box::new(Taped::new(ONE)), (PUSH, TimeFunction::Constant), Rotation::Held);
-    let error = equilibrium(&machine, &[], None).expect_err("an integral has no rest");
+fn an_integral_carries_what_stands_if_its_rate_can_be_zero() {
+    let held = |law: &str| {
+        let law = Box::new(Taped::new(law));
+        let machine = mass_on(law, (PUSH, TimeFunction::Constant), Rotation::Held);
+        equilibrium(&machine, &[], None)
+    };
+    let stands = held(ONE).expect("an integral that carries the push");
+    let apart = stands.bodies[0].position[0];
+    assert!(
+        apart.abs() < 1e-3 * PUSH / 900e3,
+        "{apart}: the spring alone would carry it at 0.56 mm"
+    );
+    let always = ONE
+        .replace("i = 'e_x'", "i = 'a'")
+        .replace("[rates]", "a = { value = 1, unit = \"mm\" }\n[rates]");
+    let error = held(&always).expect_err("an integral that goes on");
     assert!(
         error.to_string().contains("mount") || error.to_string().contains("bearing 1"),
         "{error}"

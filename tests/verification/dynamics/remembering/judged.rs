@@ -89,7 +89,7 @@ rate = { value = 1, unit = \"mm/s\" }
 z = 'rate*exp(-((e_x - place)/width)^2)'
 [outputs]
 F_x = { unit = \"N\", value = '-k*e_x' }
-F_y = { unit = \"N\", value = '-k*e_y' }
+F_y = { unit = \"N\", value = '-k*(e_y + z)' }
 ";
     let push = (0.5, TimeFunction::Constant);
     let machine = mass_on(Box::new(Taped::new(bump)), push, Rotation::Held);
