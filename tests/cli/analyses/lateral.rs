@@ -386,7 +386,8 @@ fn a_rotor_that_turns_the_other_way_round_is_its_mirror_image() {
     }
     let driven = done("6000 rpm", "-2e5");
     let apart = |bench: &Workbench| line(bench, "", "level II log decrement", "").0;
-    assert!(apart(&one) < apart(&driven) - 0.01, "{} {}", apart(&one), apart(&driven));
+    // What drives whirl in the sense of the rotation takes of its damping, what drives it against adds to it.
+    assert!(1.01 * apart(&one) < apart(&driven), "{} {}", apart(&one), apart(&driven));
 }
 
 /// Speeds of API 617 have no sign, and `speeds` have that of the case.
