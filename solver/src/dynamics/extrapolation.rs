@@ -127,9 +127,9 @@ fn interpolated(age: f64, count: usize) -> Shares {
     let points = count.min(4);
     let first = (age.floor() - 1.0).clamp(0.0, (count - points) as f64) as usize;
     let mut shares = [0.0; MOST];
-    for i in first..first + points {
+    for (i, share) in shares.iter_mut().enumerate().skip(first).take(points) {
         let others = (first..first + points).filter(|other| *other != i);
-        shares[i] = others.map(|j| (age - j as f64) / (i as f64 - j as f64)).product();
+        *share = others.map(|j| (age - j as f64) / (i as f64 - j as f64)).product();
     }
     shares
 }
