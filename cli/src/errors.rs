@@ -96,7 +96,7 @@ impl From<Diagnostics> for Failure {
 }
 
 impl Failure {
-    /// Exit status: 1 for a run that could not be finished and for output that could not be written, 2 for bad input.
+    /// Exit status: 1 for a run that could not be finished and for standard output that cannot be written, else 2.
     pub(crate) fn status(&self) -> ExitCode {
         match self {
             Failure::Unfinished { .. } | Failure::StandardOutput { .. } => ExitCode::from(1),

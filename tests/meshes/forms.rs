@@ -99,6 +99,21 @@ fn reduced_hybrid_and_modified_elements_are_read_as_their_like() {
         assert!(warning.what.starts_with("2 cells of C3D8"), "{}", warning.what);
         assert!(warning.help.contains(words), "{name}: {}", warning.help);
     }
+    let brick = "*NODE\n1,0,0,0\n2,2,0,0\n3,2,2,0\n4,0,2,0\n5,0,0,2\n6,2,0,2\n7,2,2,2\n8,0,2,2\n9,1,0,0\n10,2,1,0\n11,1,2,0\n\
+                 12,0,1,0\n13,1,0,2\n14,2,1,2\n15,1,2,2\n16,0,1,2\n17,0,0,1\n18,2,0,1\n19,2,2,1\n20,0,2,1\n";
+    let cell = "1,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,\n16,17,18,19,20\n";
+    for name in ["C3D20R", "c3d20rh"] {
+        let read = found(&format!("{brick}*ELEMENT, TYPE={name}\n{cell}"));
+        assert_eq!(read.mesh.blocks()[0].element.origin.name, "hex20");
+        let warning =
+            read.warnings.iter().find(|own| own.what.contains("read as")).expect("a warning");
+        assert!(warning.what.starts_with("1 cell of C3D20R"), "{}", warning.what);
+        assert!(
+            warning.help.contains("3 % lower") && warning.help.contains("0.1 %"),
+            "{}",
+            warning.help
+        );
+    }
     let tetrahedron = "*NODE\n1,0,0,0\n2,2,0,0\n3,0,2,0\n4,0,0,2\n5,1,0,0\n6,1,1,0\n7,0,1,0\n8,0,0,1\n9,1,0,1\n10,0,1,1\n";
     let read = found(&format!("{tetrahedron}*ELEMENT, TYPE=C3D10M\n1,1,2,3,4,5,6,7,8,9,10\n"));
     assert_eq!(read.mesh.blocks()[0].element.origin.name, "tet10");

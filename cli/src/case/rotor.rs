@@ -125,6 +125,8 @@ pub(crate) struct Body {
 pub(crate) struct StaticCorrection {
     /// To the loads of the case.
     pub(crate) loads: bool,
+    /// To unit forces at the points whose motion the case asks for, along the components that it asks for.
+    pub(crate) outputs: bool,
     /// To loads on its bores; where the case says so, if it does.
     pub(crate) bores: Option<Located>,
 }
@@ -132,7 +134,7 @@ pub(crate) struct StaticCorrection {
 impl Default for StaticCorrection {
     /// What holds where a case says nothing.
     fn default() -> Self {
-        StaticCorrection { loads: true, bores: None }
+        StaticCorrection { loads: true, outputs: false, bores: None }
     }
 }
 

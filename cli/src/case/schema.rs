@@ -14,10 +14,11 @@ use super::march::{AUTOMATIC, ESTIMATE, GENERALIZED_ALPHA, MOST_STEPS, NEWMARK, 
 use super::outputs::QUANTITIES;
 use super::periodic::{BEGINNINGS, METHODS, MOST_MARCHED, MOST_PERIODS, MOST_POINTS, STEPS};
 use super::shapes::{
-    ANGLE, CLEARANCE, CROSS_STIFFNESS, DAMPING, DAMPING_TIME, DENSITY, DURATION, FORCE, FREQUENCY,
-    GAS_DENSITY, GRAVITY, GROUND_SPRING, LENGTH, MASS, MERGE, MODULUS, MOST_CELLS, MOST_MODES,
-    MOST_SPRINGS, MOTION, NAMES, PARAMETERS, PARAMETERS_EXAMPLE, POSITION, POWER, SELECTION, SPEED,
-    START, STIFFNESS, TARGET_SPEED, TIME, TOLERANCE, TORQUE, TURNING_SPEED, VELOCITY,
+    ANGLE, ANSWERS, CLEARANCE, CROSS_STIFFNESS, DAMPING, DAMPING_TIME, DENSITY, DURATION, FORCE,
+    FREQUENCY, GAS_DENSITY, GRAVITY, GROUND_SPRING, LENGTH, MASS, MERGE, MODULUS, MOST_CELLS,
+    MOST_MODES, MOST_SPRINGS, MOTION, NAMES, PARAMETERS, PARAMETERS_EXAMPLE, POSITION, POWER,
+    SELECTION, SPEED, START, STIFFNESS, TARGET_SPEED, TIME, TOLERANCE, TORQUE, TURNING_SPEED,
+    VELOCITY,
 };
 
 impl Case {
@@ -90,7 +91,12 @@ const SHAFT: &[Key] = &[
     merged("axial_restraint", Text, "set of one node held along z").like("\"NAME_OF_A_NODE_SET\""),
     key("motion", MOTION, "how rotation is coupled to deformation"),
     key("stiffening", Flag, "false leaves out the stiffness by the centrifugal stress"),
-    key("static_correction", Flag, "false keeps no static answers to the loads beside the modes"),
+    key(
+        "static_correction",
+        ANSWERS,
+        "static answers kept beside the modes: to its loads if left out; false: none",
+    )
+    .like("[\"loads\", \"outputs\"]"),
 ];
 
 const SHAFT_DIMENSIONS: &[Key] = &[
@@ -116,7 +122,7 @@ const SUPPORT: &[Key] = &[
     key("ground_spring", List(&Table(&[GROUND_SPRING])), "springs to the ground"),
     key(
         "static_correction",
-        Flag,
+        ANSWERS,
         "true keeps the static answers to loads on the bores beside the modes",
     ),
 ];

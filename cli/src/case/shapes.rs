@@ -1,7 +1,7 @@
 //! What tables of a case have in common: quantities, limits, and keys of several tables.
 
 use whirl_codegen::document::schema::Shape::{
-    Either, List, Named, Number, Quantity, Registered, Text, Tuple, Words,
+    Either, Flag, List, Named, Number, Quantity, Registered, Text, Tuple, Words,
 };
 use whirl_codegen::document::schema::{Key, Measure, Range, Shape, key, needed};
 use whirl_codegen::units::Dimension;
@@ -64,6 +64,8 @@ pub(super) const MOST_MODES: usize = 2_000;
 /// Cells or layers along one direction.
 pub(super) const MOST_CELLS: usize = 10_000;
 
+/// True or false, or to what static answers are kept.
+pub(super) const ANSWERS: Shape = Either(&[Flag, List(&Text)]);
 /// Names in a list, or one alone.
 pub(super) const NAMES: Shape = Either(&[Text, List(&Text)]);
 pub(super) const MOTION: Shape = Registered(motions);

@@ -55,6 +55,7 @@ pub(super) fn say_loads(
 ) -> Result<(), Failure> {
     for own in reduced_bodies(case, plan) {
         let (name, _, body) = &own;
+        say_cost(text, name, body);
         if body.loads.is_empty() || !wanted && body.mesh.dof_count() > CHEAP {
             continue;
         }
@@ -87,6 +88,19 @@ pub(super) fn say_loads(
         }
     }
     Ok(())
+}
+
+/// Says what the static answers of a body cost.
+fn say_cost(text: &mut String, name: &str, body: &BodyPlan) {
+    let (answers, modes) = (body.spec.corrections.len(), body.spec.modes);
+    if answers > 0 {
+        line!(
+            text,
+            "the reduced {name} keeps {answers} static answers beside {modes} modes and {} retained motions, a \
+             coordinate each",
+            body.spec.retained.len()
+        );
+    }
 }
 
 /// Says of every body with bores how far these yield less than those of its mesh.

@@ -193,7 +193,15 @@ impl Check<'_> {
                 // The types that kernels of a law, of its measures and energy, and of films belong to, and the kernels.
                 syn::Item::Enum(kernel) => {
                     let known = [
-                        "Kernel", "Forces", "Measures", "Energy", "Nodal", "Stored", "Flow",
+                        "Kernel",
+                        "Forces",
+                        "Skeleton",
+                        "ForcesSkeleton",
+                        "Measures",
+                        "Energy",
+                        "Nodal",
+                        "Stored",
+                        "Flow",
                         "Surface",
                     ];
                     assert!(known.iter().any(|known| kernel.ident == known), "{}", kernel.ident);
@@ -203,7 +211,8 @@ impl Check<'_> {
                     let (path, _) = kernel.trait_.as_ref().expect("a trait of the crate");
                     assert!(kernel.unsafety.is_none() && path.segments.len() == 1);
                     let own = &path.segments[0].ident;
-                    assert!(own == "SpringKernel" || own == "FilmKernel", "{own}");
+                    let known = ["SpringKernel", "SkeletonKernel", "FilmKernel"];
+                    assert!(known.iter().any(|known| own == known), "{own}");
                 }
                 _ => panic!("an item that kernels do not have"),
             }

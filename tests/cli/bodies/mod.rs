@@ -11,6 +11,7 @@ mod rings;
 mod single_terms;
 mod stated_loads;
 mod surfaces;
+mod thin;
 mod turning_nodes;
 mod twisting;
 mod weight;

@@ -74,6 +74,26 @@ fn few_modes_and_static_answers_move_where_loads_act() {
     assert!((found[1] / twist - 1.0).abs() < 0.01, "{} {twist}", found[1]);
     let [none, _] = moved(3, "static_correction = false");
     assert!(none.abs() < 1e-6 * along, "{none}");
+    // By reciprocity the answers to unit forces at what is asked for move these points as rightly under any load.
+    let asked_for = moved(3, "static_correction = [\"outputs\"]");
+    for (own, found) in asked_for.into_iter().zip(found) {
+        assert!((own / found - 1.0).abs() < 1e-6, "{own} {found}");
+    }
+    let [listed, _] = moved(3, "static_correction = [\"loads\"]");
+    assert_eq!(listed.to_bits(), found[0].to_bits());
+}
+
+/// A word that is none of those to which answers are kept is named, with these.
+#[test]
+fn what_answers_cannot_be_kept_to_is_refused() {
+    let bench = Workbench::new()
+        .file("bar.inp", &bar_with(|own| own, 0.0))
+        .file("case.toml", &cantilever(3, "static_correction = [\"drives\"]"));
+    let outcome = bench.whirl(&["check", "case.toml"]);
+    assert_eq!(outcome.status, 2);
+    let failed = outcome.stderr;
+    assert!(failed.contains("`drives` is nothing to which static answers are kept"), "{failed}");
+    assert!(failed.contains("name some of `loads`, `outputs`, `bores`"), "{failed}");
 }
 
 /// `whirl check` says of each load what a body lacks, without being asked.
@@ -87,6 +107,8 @@ fn check_says_what_a_body_lacks_under_each_load() {
     };
     let (with, without) = (said(""), said("static_correction = false"));
     assert!(with.contains("(retained nodes held): pull 0.00 %, twist 0.00 %"), "{with}");
+    assert!(with.contains("body.beam keeps 2 static answers beside 3 modes"), "{with}");
+    assert!(!without.contains("static answers beside"), "{without}");
     assert!(without.contains("(retained nodes held): pull 100.00 %, twist 100.00 %"), "{without}");
     assert!(without.contains("remove `static_correction = false` from `[body.beam]`"), "{without}");
     assert!(!with.contains("remove `static_correction"), "{with}");

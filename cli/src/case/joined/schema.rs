@@ -7,11 +7,11 @@ use whirl_codegen::document::schema::{Key, Shape, key, merged};
 
 use crate::case::film::FILM;
 use crate::case::shapes::{
-    ACCELERATION, ANGLE, BORE, CLEARANCE, CROSS_DAMPING, CROSS_STIFFNESS, DAMPING, DAMPING_TIME,
-    GROUND_SPRING, INERTIA, LENGTH, MASS, MERGE, MESH_DAMPING, MESH_STIFFNESS, MOST_CELLS,
-    MOST_MODES, MOST_SPRINGS, MOTION, NAMES, PARAMETERS, PARAMETERS_EXAMPLE, POSITION, SELECTION,
-    STIFFNESS, TARGET_SPEED, TILTING_DAMPING, TILTING_STIFFNESS, TORQUE, TORSIONAL_DAMPING,
-    TORSIONAL_STIFFNESS, TURNING_SPEED,
+    ACCELERATION, ANGLE, ANSWERS, BORE, CLEARANCE, CROSS_DAMPING, CROSS_STIFFNESS, DAMPING,
+    DAMPING_TIME, GROUND_SPRING, INERTIA, LENGTH, MASS, MERGE, MESH_DAMPING, MESH_STIFFNESS,
+    MOST_CELLS, MOST_MODES, MOST_SPRINGS, MOTION, NAMES, PARAMETERS, PARAMETERS_EXAMPLE, POSITION,
+    SELECTION, STIFFNESS, TARGET_SPEED, TILTING_DAMPING, TILTING_STIFFNESS, TORQUE,
+    TORSIONAL_DAMPING, TORSIONAL_STIFFNESS, TURNING_SPEED,
 };
 
 /// In place of a clearance: the radius of the bore less that of the journal, as the meshes have them.
@@ -53,8 +53,9 @@ pub(crate) const BODY: &[Key] = &[
     key("modes", Count(0, MOST_MODES), "fixed-interface modes kept").like("20"),
     key(
         "static_correction",
-        Flag,
-        "static answers kept beside the modes: to its loads if left out; true: to loads on its bores, too; false: none",
+        ANSWERS,
+        "static answers kept beside the modes: to its loads if left out; true: to loads on its bores, too; false: none; \
+         or a list of \"loads\", \"outputs\" and \"bores\"",
     ),
     key(
         "damping",

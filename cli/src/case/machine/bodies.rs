@@ -65,18 +65,39 @@ fn read_support(store: FileStore, table: &Table, materials: &Materials) -> Optio
     Some(NamedBody::of(table.heading().text("support"), Form::Meshed(Box::new(form))))
 }
 
-/// Static answers that are kept: to loads if nothing is said, to loads on bores, too, or none.
+/// What static answers can be to.
+const ANSWERED: [&str; 3] = ["loads", "outputs", "bores"];
+
+/// Static answers that are kept: to loads if nothing is said, to loads on bores, too, to what a list names, or none.
 pub(in crate::case) fn static_correction(table: &Table) -> StaticCorrection {
-    let said = table.optional_boolean("static_correction");
-    let bores = (said == Some(true)).then(|| table.written("static_correction"));
-    StaticCorrection { loads: said != Some(false), bores }
+    const KEY: &str = "static_correction";
+    if !table.gives_list(KEY) {
+        let said = table.optional_boolean(KEY);
+        let bores = (said == Some(true)).then(|| table.written(KEY));
+        return StaticCorrection { loads: said != Some(false), outputs: false, bores };
+    }
+    let mut kept = StaticCorrection { loads: false, outputs: false, bores: None };
+    for own in table.texts(KEY) {
+        match own.text() {
+            "loads" => kept.loads = true,
+            "outputs" => kept.outputs = true,
+            "bores" => kept.bores = Some(own),
+            other => {
+                let message = format!("`{other}` is nothing to which static answers are kept");
+                let help = format!("name some of `{}`", ANSWERED.join("`, `"));
+                table.push(own.error_here(Code::BAD_VALUE, message).help(help));
+            }
+        }
+    }
+    kept
 }
 
 /// Whether the answers of a body without bores to loads are kept.
 fn answers_to_loads(table: &Table) -> StaticCorrection {
     let own = static_correction(table);
     if let Some(place) = own.bores {
-        let message = "`static_correction = true` keeps the answers to loads on bores, and the shaft has none";
+        let message =
+            "`static_correction` keeps the answers to loads on bores, and the shaft has none";
         let help = "leave it out: answers to the `[[load]]`s are kept anyway";
         table.push(place.error_here(Code::BAD_VALUE, message).help(help));
     }

@@ -19,7 +19,7 @@ use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::bearing::{Bearing, OtherMotion, Sides};
 use whirl_solver::mesh::measure::Circle;
 use whirl_solver::model::{Attachment, BodyModel, Form, Model, Place};
-use whirl_solver::output;
+use whirl_solver::output::{self, Wanted};
 
 pub(crate) use self::idle::of_loads as idle_loads;
 pub(crate) use self::planned_body::PlannedBody;
@@ -105,13 +105,12 @@ impl JoinedPlan {
         }
         for (place, body) in bodies.iter_mut().enumerate() {
             body.hold(place, joined, &mut errors);
-            if let PlannedBody::Meshed(plan) = &mut *body {
-                plan.correct(&mut errors);
-            }
         }
         // Last, so that their points are the last nodes of their bodies.
         let mut point = |body: usize, own| bodies[body].output(&own, &mut errors);
-        let outputs = wanted.iter().cloned().map(|own| own.with_points(&mut point)).collect();
+        let outputs: Vec<output::Output<usize>> =
+            wanted.iter().cloned().map(|own| own.with_points(&mut point)).collect();
+        correct(&mut bodies, &outputs, &mut errors);
         let fields = fields.iter().flat_map(|own| &own.bodies);
         let fields = fields.filter_map(|&body| match &mut bodies[body] {
             PlannedBody::Meshed(plan) => Some((body, plan.output_all())),
@@ -170,6 +169,25 @@ impl JoinedPlan {
             }
         }
         Ok(errors.into_result(())?)
+    }
+}
+
+/// Asks for the static answers that the bodies keep beside their modes, those to unit forces at outputs among them.
+fn correct(
+    bodies: &mut [PlannedBody],
+    outputs: &[output::Output<usize>],
+    errors: &mut Diagnostics,
+) {
+    for own in outputs {
+        let Wanted::Motion { body, point, components, .. } = &own.what else { continue };
+        if let PlannedBody::Meshed(plan) = &mut bodies[*body] {
+            plan.ask_for(*point, components);
+        }
+    }
+    for body in bodies {
+        if let PlannedBody::Meshed(plan) = body {
+            plan.correct(errors);
+        }
     }
 }
 

@@ -45,6 +45,8 @@ pub(crate) struct BodyPlan {
     static_correction: StaticCorrection,
     /// Loads of the case on it, by name, as unit loads on its dofs.
     pub(crate) loads: Vec<(String, Row)>,
+    /// Motions that the outputs of the case ask for, as unit forces along them.
+    asked_for: Vec<Row>,
     /// Whether it turns, so that what is fixed in space acts along x and y of it.
     pub(in crate::machine) turning: bool,
     /// Whether what is held keeps it from turning in its frame.
@@ -109,6 +111,7 @@ impl BodyPlan {
             bores: Vec::new(),
             static_correction: case.static_correction.clone(),
             loads: Vec::new(),
+            asked_for: Vec::new(),
             turning: false,
             rigid: false,
             along: false,
@@ -131,15 +134,38 @@ impl BodyPlan {
         self.bores.push(BoreNodes { name, rings, surface, axis });
     }
 
-    /// Asks for static answers to the loads of the case, unless it says otherwise, and to loads on all bores, if it does.
+    /// Asks for static answers to the loads of the case, unless it says otherwise, and to unit forces at its outputs and
+    /// to loads on all bores, if it does.
     pub(in crate::machine) fn correct(&mut self, errors: &mut Diagnostics) {
-        if self.static_correction.loads && !self.all_modes {
-            for (_, load) in &self.loads {
-                if !self.is_answered(load) {
-                    self.spec.corrections.push(load.clone());
-                }
+        let own = &self.static_correction;
+        let loads = own.loads.then(|| self.loads.iter().map(|(_, load)| load.clone()));
+        let outputs = own.outputs.then(|| self.asked_for.iter().cloned());
+        let wanted: Vec<Row> =
+            loads.into_iter().flatten().chain(outputs.into_iter().flatten()).collect();
+        for row in wanted {
+            if !self.all_modes && !self.is_answered(&row) {
+                self.spec.corrections.push(row);
             }
         }
+        self.correct_bores(errors);
+    }
+
+    /// Notes that the motion of an output point along these axes is asked for.
+    pub(in crate::machine) fn ask_for(&mut self, point: usize, components: &[usize]) {
+        let parts: [f64; 3] =
+            std::array::from_fn(|axis| f64::from(u8::from(components.contains(&axis))));
+        for axis in self.acts_along(parts) {
+            let row = match self.points[point] {
+                Point::Node(node) => [(3 * self.spec.nodes[node] + axis, 1.0)].into(),
+                Point::OnMean(mean, _) => {
+                    self.spec.means[mean].row(MeanComponent::Displacement(axis))
+                }
+            };
+            self.asked_for.push(row);
+        }
+    }
+
+    fn correct_bores(&mut self, errors: &mut Diagnostics) {
         let Some(place) = &self.static_correction.bores else { return };
         if self.bores.is_empty() {
             let message = format!(

@@ -63,7 +63,7 @@ impl BodyPlan {
     }
 
     /// Axes of the body along which a force or a couple acts: along x and y where either turns against the body.
-    fn acts_along(&self, parts: [f64; 3]) -> Vec<usize> {
+    pub(super) fn acts_along(&self, parts: [f64; 3]) -> Vec<usize> {
         let across = self.turning && (parts[0] != 0.0 || parts[1] != 0.0);
         (0..3).filter(|&axis| parts[axis] != 0.0 || across && axis < 2).collect()
     }
