@@ -42,6 +42,7 @@ impl LawFile {
             name: input.name.clone(),
             unit: input.unit.dimension().si_unit(),
             start: state.start,
+            range: input.range,
         });
         let exactly = |given: &Given| {
             let Given { name, value, unit } = given;

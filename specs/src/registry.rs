@@ -129,6 +129,8 @@ pub struct LawState {
     pub variable: Variable,
     /// The value at which it begins, SI; none where its rate is zero.
     pub start: Option<f64>,
+    /// Between what values it usually is, SI, if the file says so.
+    pub range: Option<[f64; 2]>,
 }
 
 /// A measure of a law's inputs, and the limits within which the law may be believed.

@@ -69,6 +69,8 @@ pub struct Remembered {
     pub unit: String,
     /// The value at which it begins, SI; none where its rate is zero.
     pub start: Option<f64>,
+    /// Between what values it usually is, SI, if the law says so.
+    pub range: Option<[f64; 2]>,
 }
 
 /// A measure of a law's inputs, and the limits within which the law may be believed.
@@ -118,6 +120,7 @@ impl SpringLaw for &'static Law {
             name: own.variable.name.to_owned(),
             unit: own.variable.unit.to_owned(),
             start: own.start,
+            range: own.range,
         });
         own.collect()
     }

@@ -2,7 +2,8 @@
 //!
 //! A step takes ṡ for what the rates at its ends make of it; what it misses of s goes by s̈ and by d³s/dt³, which follow from the
 //! rates of this step and the one before. A state that is far faster than the step alternates, which shows the same way. Errors are
-//! fractions of the range of a state so far; one that hardly moves is measured by the others of its unit.
+//! fractions of the range of a state so far; one that hardly moves is measured by the others of its unit, and by the range in which
+//! its law expects it.
 //!
 //! What most steps miss says nothing of what happens in few of them, a blow or a stop. So the error is carried on, too: what a
 //! step misses stays, but for what the state forgets by itself.
@@ -14,8 +15,12 @@ use super::newmark::Integrator;
 use crate::bearing::{LawStates, Springs};
 use crate::equations::State;
 
-/// A state that moves by a smaller share of the range of others of its unit is measured by that share of it.
+/// A state that moves by a smaller share of the range of others of its unit, or of the range that its law declares, is measured by
+/// that share of it.
 const SMALLEST: f64 = 1e-3;
+
+/// Share of its value below which a state without a declared range counts as standing still.
+const STILL: f64 = 1e-9;
 
 /// The worst errors of states, as fractions of their ranges, each with the bearing where it is, counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,17 +51,39 @@ pub(super) struct StateSums {
 /// Measures the errors of all states.
 pub(super) struct StateMeter {
     pub(super) sums: StateSums,
-    /// By states of laws how many there are of each, its unit, and the bearing.
-    rows: Vec<(usize, String, usize)>,
+    /// States of laws.
+    rows: Vec<Row>,
     /// What a step misses of s: this times Δt² s̈, and this times Δt³ d³s/dt³.
     missed: [f64; 2],
+}
+
+/// A state of a law, at all its springs.
+struct Row {
+    springs: usize,
+    unit: String,
+    bearing: usize,
+    /// How wide the range is that the law declares; 0 without one.
+    declared: f64,
+}
+
+impl Row {
+    /// The least that errors of a state are measured by, which has been between two values.
+    fn least(&self, [low, high]: [f64; 2]) -> f64 {
+        let value = low.abs().max(high.abs());
+        if self.declared > 0.0 { SMALLEST * self.declared } else { STILL * value }
+    }
 }
 
 impl StateMeter {
     pub(super) fn new(springs: &Springs, method: Integrator, state: &State) -> Self {
         let rows = springs.laws.iter().flat_map(|law| {
             let bearing = springs.planes[law.planes.clone()].first().map_or(0, |own| own.bearing);
-            law.bound.states.iter().map(move |own| (law.springs, own.unit.clone(), bearing))
+            law.bound.states.iter().map(move |own| Row {
+                springs: law.springs,
+                unit: own.unit.clone(),
+                bearing,
+                declared: own.range.map_or(0.0, |[low, high]| high - low),
+            })
         });
         let rows: Vec<_> = rows.collect();
         let LawStates { known, .. } = &state.laws;
@@ -77,12 +104,13 @@ impl StateMeter {
 
     /// What a step of `dt` s between two states is worth: its largest error, as a fraction of the range so far; 0 without states.
     pub(super) fn judge(&self, dt: f64, [start, end]: [&State; 2]) -> f64 {
-        let all = 0..self.sums.ranges.len();
-        all.fold(0.0, |worst, place| {
+        let rows = self.rows.iter().flat_map(|row| std::iter::repeat_n(row, row.springs));
+        rows.enumerate().fold(0.0, |worst, (place, row)| {
             let error = self.error(place, dt, [start, end]);
             let [low, high] = self.sums.ranges[place];
             let value = end.laws.known[place];
-            let reach = high.max(value) - low.min(value);
+            let range = [low.min(value), high.max(value)];
+            let reach = (range[1] - range[0]).max(row.least(range));
             larger(worst, if error == 0.0 { 0.0 } else { error / reach })
         })
     }
@@ -114,7 +142,7 @@ impl StateMeter {
     ) {
         let mut first = 0;
         for row in 0..self.rows.len() {
-            let places = first..first + self.rows[row].0;
+            let places = first..first + self.rows[row].springs;
             first = places.end;
             let errors = places.clone().map(|place| self.error(place, dt, ends));
             let worst = errors.fold(0.0, larger);
@@ -148,23 +176,24 @@ impl StateMeter {
     /// The worst error; none without states.
     pub(super) fn worst(&self) -> Option<StateError> {
         let mut first = 0;
-        let reaches: Vec<f64> = self
-            .rows
-            .iter()
-            .map(|(count, ..)| {
-                let own = &self.sums.ranges[first..first + count];
-                first += count;
-                own.iter().map(|[low, high]| high - low).fold(0.0, larger)
-            })
-            .collect();
+        let reaches = self.rows.iter().map(|row| {
+            let own = &self.sums.ranges[first..first + row.springs];
+            first += row.springs;
+            let moved = own.iter().map(|[low, high]| high - low).fold(0.0, larger);
+            (moved, own.iter().map(|range| row.least(*range)).fold(0.0, larger))
+        });
+        let reaches: Vec<(f64, f64)> = reaches.collect();
         let sums = self.sums.errors.iter().zip(&self.sums.largest_sums);
         let shares =
-            (self.rows.iter().zip(sums).zip(&reaches)).map(|((row, (errors, summed)), reach)| {
-                let same = self.rows.iter().zip(&reaches).filter(|(other, _)| other.1 == row.1);
-                let most = same.map(|(_, reach)| *reach).fold(0.0, larger);
+            (self.rows.iter().zip(sums).zip(&reaches)).map(|((row, (errors, summed)), own)| {
+                let (moved, least) = *own;
+                let same =
+                    self.rows.iter().zip(&reaches).filter(|(other, _)| other.unit == row.unit);
+                let most = same.map(|(_, (moved, _))| *moved).fold(0.0, larger);
+                let reach = larger(larger(moved, SMALLEST * most), least);
                 [errors.below(0.95), *summed].map(|error| match error {
-                    0.0 => (0.0, row.2),
-                    error => (error / larger(*reach, SMALLEST * most), row.2),
+                    0.0 => (0.0, row.bearing),
+                    error => (error / reach, row.bearing),
                 })
             });
         let worse = |a: (f64, usize), b: (f64, usize)| match b.0 <= a.0 || a.0.is_nan() {

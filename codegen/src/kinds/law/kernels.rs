@@ -251,7 +251,14 @@ fn entry(
             }
             None => quote!(None),
         };
-        quote!(LawState { variable: #own, start: #start })
+        let range = match input.range {
+            Some([low, high]) => {
+                let (low, high) = (number(low), number(high));
+                quote!(Some([#low, #high]))
+            }
+            None => quote!(None),
+        };
+        quote!(LawState { variable: #own, start: #start, range: #range })
     });
     let stored = match law.stores() {
         true => quote!(Some(stored)),

@@ -70,6 +70,42 @@ F_y = { unit = \"N\", value = '-k*e_y' }
     assert!(share < 1e-2, "{share}");
 }
 
+/// A temperature that a step far too long has alternate by a millionth of a kelvin: nothing of the hundred kelvins that its
+/// law declares, but all of what it does by itself, which counts where nothing is declared.
+#[test]
+fn a_state_that_stands_still_is_measured_by_the_range_of_its_law() {
+    let judged = |range: &str| {
+        let law = format!(
+            "[inputs]
+e_x = {{ unit = \"mm\"{range} }}
+e_y = {{ unit = \"mm\"{range} }}
+[states.T]
+unit = \"K\"
+start = 320.000001
+{}
+[parameters]
+k = {{ value = 900, unit = \"N/mm\" }}
+T_0 = {{ value = 320, unit = \"K\" }}
+tau = {{ value = 10, unit = \"us\" }}
+[rates]
+T = '(T_0 - T)/tau'
+[outputs]
+F_x = {{ unit = \"N\", value = '-k*e_x*T_0/T' }}
+F_y = {{ unit = \"N\", value = '-k*e_y*T_0/T' }}
+",
+            if range.is_empty() { "" } else { "range = [310, 420]" }
+        );
+        let machine = mass_on(Box::new(Taped::new(&law)), sine(20.0), Rotation::Held);
+        judged(&machine, &options(1e-3, 100))
+    };
+    let (share, found) = judged(", range = [-1, 1]");
+    assert!(share < 2e-3, "{share}");
+    assert!(!found.iter().any(|own| own.contains("state of a law")), "{found:?}");
+    let (share, found) = judged("");
+    assert!(share > 0.1, "{share}");
+    assert!(found.iter().any(|own| own.contains("state of a law")), "{found:?}");
+}
+
 /// A mass that passes a place where a state changes, in a twelve hundredth of the run: few steps see it, and what they miss stays.
 #[test]
 fn what_few_steps_miss_of_a_state_is_found() {

@@ -3,6 +3,7 @@
 mod carried;
 mod exact;
 mod judged;
+mod library;
 mod linear;
 
 use whirl_codegen::diagnostic::Source;
@@ -58,7 +59,11 @@ struct Taped {
 impl Taped {
     fn new(body: &str) -> Self {
         let head = "kind = \"law\"\nname = \"taped\"\ntitle = \"t\"\nsource = \"s\"\n";
-        let spec = LawSpec::read(&Source::new("law.toml", format!("{head}{body}")));
+        Taped::of(format!("{head}{body}"))
+    }
+
+    fn of(text: String) -> Self {
+        let spec = LawSpec::read(&Source::new("law.toml", text));
         let spec = spec.unwrap_or_else(|errors| panic!("{errors}"));
         let tape = Tape::new(&spec.program().expect("a program"));
         Taped { spec, tape }
@@ -123,6 +128,7 @@ impl SpringLaw for Taped {
             name: input.name.clone(),
             unit: input.unit.dimension().si_unit(),
             start: state.start,
+            range: input.range,
         });
         own.collect()
     }
