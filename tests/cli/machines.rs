@@ -158,3 +158,62 @@ fn gears_carry_what_the_motor_gives() {
     let angles = turned("theta_wheel_rad") / turned("theta_pinion_rad");
     assert!((angles / (-23.0 / 67.0) - 1.0).abs() < 1e-3, "{angles}");
 }
+
+/// Magnets carry the weight, and the unbalance moves the journals as the linear response says; the races stand.
+#[test]
+fn magnets_hold_a_rotor_at_speed() {
+    let bench = Workbench::new();
+    let column = run(&bench, "magnetic");
+    // Two revolutions at 300 Hz.
+    let last = |name: &str| column(name)[column(name).len() - 333..].to_vec();
+    let mean = |name: &str| last(name).iter().sum::<f64>() / 333.0;
+    let steel = 7800.0 * std::f64::consts::FRAC_PI_4;
+    let shaft = 0.12 * 0.03_f64.powi(2) + 0.12 * 0.07_f64.powi(2) + 0.24 * 0.05_f64.powi(2);
+    let weight = 9.81 * (steel * shaft + 1.5);
+    let carried = mean("RX_front_N") + mean("RX_rear_N");
+    assert!((carried / weight - 1.0).abs() < 2e-3, "{carried} of {weight}");
+    for name in ["RX_touch_front_N", "RX_touch_rear_N", "omega_race_front_rad_s"] {
+        assert!(column(name).iter().all(|own| *own == 0.0), "{name}");
+    }
+    let outcome = bench.whirl(&["analyse", "magnetic", "response", "--out", "out", "--no-figures"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    let summary = bench.summary("results/magnetic");
+    let (points, speeds) = (columns(&bench, "point"), columns(&bench, "speed_rpm"));
+    for joint in ["front", "rear"] {
+        let at = (0..points.len()).find(|place| {
+            points[*place] == format!("joint.{joint}")
+                && (speeds[*place].parse::<f64>().expect("rpm") - 18_000.0).abs() < 1e-6
+        });
+        let exact: f64 = columns(&bench, "x_um")[at.expect("a row")].parse().expect("um");
+        let signals = summary["orders"]["signals"].as_array().expect("signals");
+        let own = signals.iter().find(|own| own["signal"] == format!("X_{joint}_um"));
+        let found = own.expect("a signal")["1X"]["amplitude"].as_f64().expect("um");
+        assert!((found / exact - 1.0).abs() < 1e-3, "{joint}: {found} for {exact}");
+    }
+}
+
+/// Cells of a column of the response in `out`.
+fn columns(bench: &Workbench, name: &str) -> Vec<String> {
+    crate::analyses::column(bench, "out/response.csv", name)
+}
+
+/// Without its front magnets the rotor falls freely, bounces in its touchdown bearing, and turns the race by friction: what the
+/// race gains of angular momentum the rotor loses, but for the lever of its own displacement, 1 % of its radius.
+#[test]
+fn a_rotor_drops_on_its_touchdown_bearing() {
+    let bench = Workbench::new();
+    let column = run(&bench, "magnetic-drop");
+    let (t, x) = (column("t_s"), column("EX_touch_front_um"));
+    let first = x.iter().position(|own| *own < -200.0).expect("it falls on its bearing");
+    // The front end of a free rod of this mass falls with between g and 1.5 g, less what the rear magnets hold.
+    let free = |g: f64| (2.0 * 200e-6 / g).sqrt();
+    assert!((free(1.5 * 9.81)..1.6 * free(9.81)).contains(&t[first]), "{}", t[first]);
+    let again = x[first..].iter().any(|own| *own > -150.0);
+    assert!(again, "it bounces");
+    assert!(column("EX_touch_rear_um").iter().all(|own| own.abs() < 60.0), "the rear is held");
+    let end = t.len() - 1;
+    let rotor = 8.4294e-3 * (300.0 * std::f64::consts::TAU - column("omega_rad_s")[end]);
+    let race = 2e-5 * column("omega_race_front_rad_s")[end];
+    assert!(race > 5e-3, "{race}");
+    assert!((rotor / race - 1.0).abs() < 0.03, "{rotor} {race}");
+}

@@ -28,6 +28,8 @@ embedded![
     "hu2003-4.toml",
     "hu2003-5.toml",
     "hu2003.machine.toml",
+    "magnetic-drop.toml",
+    "magnetic.toml",
     "overhung-disc.toml",
     "sdnd101.toml",
     "sdnd108.toml",
