@@ -69,7 +69,8 @@ pub(super) struct Linearised {
 }
 
 impl Linearised {
-    /// At a state that was just evaluated, for steps of `length` s at most.
+    /// At a state that was just evaluated, and is again, for steps of `length` s at most: states of laws that a step has found are
+    /// then those that are found from the state alone, to the bit.
     ///
     /// # Errors
     /// A mass matrix that is not positive definite.
@@ -81,8 +82,11 @@ impl Linearised {
     ) -> Result<Self, Error> {
         // What begins at this instant acts, whichever side of it the step was on.
         let before = std::mem::replace(&mut equations.before, false);
+        let time = equations.time;
+        equations.evaluate(time, state);
         let modes = MachineModes::told_apart(equations, state, (SLOW / (length * length), length));
         equations.before = before;
+        equations.evaluate(time, state);
         let modes = modes?;
         let [acted, fast] = modes.acted(0.0);
         let slowest = parts.iter().map(|part| {
