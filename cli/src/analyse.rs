@@ -262,8 +262,8 @@ fn run(
                 unfinished.get_or_insert(error);
                 continue;
             }
-            Err(error) if analyses.len() == 1 => return Err(error),
-            // Nor does one that cannot be done.
+            Err(error) if analyses.len() == 1 && analysis.table.is_none() => return Err(error),
+            // Nor does one that cannot be done: its table is named.
             Err(error) => {
                 refused.append(located(analysis, error));
                 continue;

@@ -21,6 +21,7 @@ macro_rules! line {
     };
 }
 
+mod analyses;
 mod bodies;
 mod contacts;
 mod frequencies;
@@ -125,6 +126,7 @@ pub(crate) fn of_case(
             contacts::say(&mut text, case, &plan, cache)?;
         }
     }
+    analyses::warn(case, &built, warnings)?;
     laws::say(&mut text, &laws_of(case, &plan), wanted.laws);
     Ok(text)
 }

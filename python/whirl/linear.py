@@ -360,7 +360,8 @@ class Excited:
     x_um, x_phase_deg, y_um, y_phase_deg : numpy.ndarray
         Amplitude and phase along x and y, shape ``(points, speeds)``: Re(w e^{inΩt}).
     peaks : Table
-        ``point``, ``speed_rpm``, ``major_um``, ``amplification_factor``, ``half_power_below_rpm``, ``half_power_above_rpm``.
+        ``point``, ``speed_rpm``, ``major_um``, ``amplification_factor``, ``half_power_below_rpm``, ``half_power_above_rpm``,
+        ``half_power`` (``both``, ``below``, ``above`` or ``undamped``).
     """
 
     body: str

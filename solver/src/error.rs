@@ -392,6 +392,11 @@ impl Error {
         matches!(self, Error::NotStanding { .. } | Error::NoForce { .. } | Error::Jumps { .. })
     }
 
+    /// Whether a matrix is singular: of a response at a critical speed without damping.
+    pub fn is_singular(&self) -> bool {
+        matches!(self, Error::LinearAlgebra(LinearAlgebraError::Singular { .. }))
+    }
+
     /// The errors that it is made of: itself, or several.
     pub fn parts(&self) -> &[Error] {
         match self {

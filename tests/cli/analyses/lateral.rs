@@ -5,11 +5,11 @@ use std::cell::RefCell;
 use super::{column, numbers, ran, section};
 use crate::workbench::Workbench;
 
-const CASE: &str = include_str!("lateral.toml");
+pub(super) const CASE: &str = include_str!("lateral.toml");
 
 /// The example rotor of ROSS with damped bearings (c_xx = c_yy = 1000 N·s/m), by the matrices of ROSS 2.3.0: K and M of
 /// its elements, and of its M and G, with S that turns x to y, H = −(MS + ½G), Y = −MS² − ½GS and the G of a case, ½GS.
-fn bench(case: &str) -> Workbench {
+pub(super) fn bench(case: &str) -> Workbench {
     macro_rules! with {
         ($bench:expr, $($name:literal)*) => {
             $bench$(.file($name, include_str!(concat!("../../data/ross-example/", $name))))*
@@ -20,12 +20,12 @@ fn bench(case: &str) -> Workbench {
     bench.file("case.toml", case)
 }
 
-fn lateral(bench: &Workbench) -> String {
+pub(super) fn lateral(bench: &Workbench) -> String {
     ran(bench, &["lateral", "case.toml", "--out", "out", "--no-figures"]).stdout
 }
 
 /// Rows of the table that fit: value, speed, limit and `pass`.
-fn lines(
+pub(super) fn lines(
     bench: &Workbench,
     unbalance: &str,
     quantity: &str,

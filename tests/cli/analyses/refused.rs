@@ -125,3 +125,60 @@ fn what_the_other_analyses_come_to_is_kept() {
     assert!(bench.path("out/slow.csv").is_file());
     assert!(!bench.path("out/along.csv").exists());
 }
+
+/// An analysis of a table is named where it cannot be done, also where it is the only one; `whirl check` says so before.
+#[test]
+fn an_analysis_that_cannot_be_done_is_named_and_foreseen() {
+    let rotor = ROTOR.replace("TABLE", STIFFNESS);
+    let still = rotor
+        .replace("turns = \"prescribed\"\nspeed = \"3000 rpm\"\n", "turns = \"no\"\n")
+        .replace("polar_inertia = \"1e-3 kg*m^2\"\n", "");
+    let pulled = rotor.replace("[joint.foot]", "[joint.other]")
+        + "[loads.pull]\nbody = \"rotor\"\nforce = \"1e9 N\"\n";
+    let film = pulled.replace(
+        &format!("kind = \"bushing\"\nfirst = {{ body = \"rotor\" }}\nsecond = {{ body = \"block\" }}\n{STIFFNESS}"),
+        "kind = \"bearing\"\njournal = { body = \"rotor\" }\nlaw = \"ocvirk\"\nparameters = { mu = \"20 mPa*s\" }\n\
+         radial_clearance = \"60 um\"\njournal_radius = \"30 mm\"\nlength = \"30 mm\"",
+    );
+    let lateral = "kind = \"lateral\"\nminimum_speed = \"2000 rpm\"\nmaximum_speed = \"3000 rpm\"\n\
+                   seals = [\"spring\"]\n";
+    for (case, table, words) in [
+        (
+            &rotor,
+            "kind = \"response\"\nspeeds = \"0 rpm .. 3000 rpm, 3\"\n",
+            ["no body of `case` has an unbalance", "add `unbalance.NAME"],
+        ),
+        (&still, "kind = \"campbell\"\n", ["nothing turns in `case`", "turns = \"prescribed\""]),
+        (
+            &film,
+            "kind = \"modes\"\nspeeds = \"3000 rpm\"\n",
+            ["no equilibrium was found with rotor at 3000 rpm", "Lower the loads"],
+        ),
+        (&rotor, lateral, ["`rotor` has no journal", "add a `[joint.NAME]`"]),
+    ] {
+        let case = format!("{case}[analysis.own]\n{table}");
+        let named = "the analysis `own` cannot be done";
+        refused(&case, &["analyse", "case.toml"], &[named, words[0], words[1], "case.toml:"]);
+        let bench = Workbench::new().file("case.toml", &case);
+        let outcome = bench.whirl(&["check", "case.toml"]);
+        assert_eq!(outcome.status, 0, "{}{}", outcome.stdout, outcome.stderr);
+        let said = outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+        for word in [named, words[0], words[1]] {
+            assert!(said.contains(word), "{word}: {said}");
+        }
+    }
+    let sound = format!("{rotor}[analysis.own]\nkind = \"modes\"\n");
+    let outcome = Workbench::new().file("case.toml", &sound).whirl(&["check", "case.toml"]);
+    assert!(outcome.status == 0 && !outcome.stderr.contains("cannot"), "{}", outcome.stderr);
+}
+
+/// A train whose bodies turn as one has no torsion: what would give it some is said.
+#[test]
+fn a_machine_without_torsion_says_what_twists() {
+    let bench = Workbench::new().file("case.toml", &ROTOR.replace("TABLE", STIFFNESS));
+    let outcome = bench.whirl(&["torsion", "case.toml", "--out", "out", "--no-figures"]);
+    assert_eq!(outcome.status, 0, "{}{}", outcome.stdout, outcome.stderr);
+    for word in ["no mode of torsion", "turn as one", "couplings or gears"] {
+        assert!(outcome.stdout.contains(word), "{word}: {}", outcome.stdout);
+    }
+}

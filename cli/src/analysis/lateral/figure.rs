@@ -1,5 +1,7 @@
 //! Bode plots of the probes with the speed range and the margins, and the logarithmic decrement over stiffness across.
 
+use whirl_solver::linear::Peak;
+
 use super::done::{AS_IT_IS, Done};
 use super::standard;
 use crate::analysis::words;
@@ -49,6 +51,8 @@ fn bode(lateral: &Lateral, done: &Done, place: usize) -> Panel {
         name: "A_vl from N_ma to N_mc".to_owned(),
     });
     let peaks = || response.peaks.iter().flatten();
+    // What grows without limit is shown at the limit of vibration.
+    let height = |own: &Peak| if own.is_undamped() { limit } else { own.height };
     for own in peaks() {
         let factor = own.amplification().unwrap_or(0.0);
         if factor < standard::CRITICAL {
@@ -65,13 +69,13 @@ fn bode(lateral: &Lateral, done: &Done, place: usize) -> Panel {
             _ => continue,
         };
         lines.push(Line {
-            points: vec![(speed, own.height), (end, own.height)],
+            points: vec![(speed, height(own)), (end, height(own))],
             style: Style::Doubted,
             name: "required separation margin".to_owned(),
         });
     }
     let dots = peaks()
-        .map(|own| Dot { at: (words::rpm(own.speed), own.height), name: "peaks".to_owned() });
+        .map(|own| Dot { at: (words::rpm(own.speed), height(own)), name: "peaks".to_owned() });
     let mark = |name: &str, speed: f64| Mark { x: words::rpm(speed), name: name.to_owned() };
     Panel {
         title: format!("unbalance {}", response.name),

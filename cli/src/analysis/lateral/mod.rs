@@ -111,6 +111,14 @@ pub(super) fn found(
     Ok(Found { text, files, interrupted, facts })
 }
 
+/// What keeps a lateral analysis from being done that the case alone shows.
+///
+/// # Errors
+/// Nothing turns, or no joint carries the body.
+pub(super) fn foreseen(case: &Case, analysis: &Analysis) -> Result<(), Failure> {
+    model::foreseen(case, analysis)
+}
+
 /// The case with other values of some keys.
 fn varied(text: &CaseText, variant: &Variant, warnings: &mut Vec<String>) -> Result<Case, Failure> {
     let values = variant.set.iter().filter_map(|own| own.text().split_once('='));
@@ -141,7 +149,8 @@ fn of_variant(
     }
     let probes = probes(&model, lateral)?;
     let closes = closes(&model, lateral)?;
-    let (unbalance, mut notes) = placement::placed(&model, analysis, lateral)?;
+    let (unbalance, of_modes) = placement::placed(&model, analysis, lateral)?;
+    let mut notes = model.notes.clone() + &of_modes;
     let mut speeds: Vec<f64> = match analysis.speeds.as_slice() {
         [] => (0..FINE).map(|k| BEYOND * lateral.trip * k as f64 / (FINE - 1) as f64).collect(),
         own => own.iter().map(|own| own.abs()).collect(),

@@ -6,9 +6,10 @@ use whirl_solver::cache::Cache;
 use whirl_solver::linear::{LinearMachine, Linearised, Point, Standstill};
 use whirl_solver::model::AttachmentKind;
 use whirl_solver::output::{Motion, Wanted};
+use whirl_text::shown;
 
 use crate::analysis::stations;
-use crate::case::{Analysis, Case, JointKind, Lateral, NamedBody, Output};
+use crate::case::{Analysis, Case, Joint, JointKind, Lateral, NamedBody, Output};
 use crate::errors::Failure;
 use crate::machine::{self, PlannedBody};
 
@@ -16,6 +17,8 @@ use crate::machine::{self, PlannedBody};
 const GRAVITY: f64 = 9.80665;
 /// Stations along a body with a mesh.
 const STATIONS: usize = 41;
+/// Loads of journals above so many times the weight are not of it alone.
+const ABOVE: f64 = 1.01;
 /// Loads of journals below this share of the weight are none.
 const NOTHING: f64 = 1e-6;
 
@@ -52,6 +55,8 @@ pub(super) struct Model {
     pub(super) equations: Linearised,
     /// Mass beyond the first and the last journal (kg).
     pub(super) overhung: [f64; 2],
+    /// What is said of the loads.
+    pub(super) notes: String,
 }
 
 impl Model {
@@ -76,8 +81,7 @@ impl Model {
         let mut journals = Vec::new();
         let mut clearances = Vec::new();
         for (place, joint) in own.machine.joints.iter().enumerate() {
-            let is_on = joint.sides.iter().any(|side| side.body == Some(of));
-            if !is_on || joint.kind == JointKind::Coupling {
+            if !carries(joint, of) {
                 continue;
             }
             let clearance = 2.0 * plan.clearance(place).0;
@@ -95,14 +99,7 @@ impl Model {
         }
         journals.sort_by(|a, b| a.z.total_cmp(&b.z));
         let (Some(first), Some(last)) = (journals.first(), journals.last()) else {
-            return Err(Failure::Argument {
-                message: format!(
-                    "`{}` has no journal: a lateral analysis needs its loads",
-                    own.machine.bodies[of].name.text()
-                ),
-                help: "add a `[joint.NAME]` that carries the body, and name seals only in `seals`"
-                    .to_owned(),
-            });
+            return Err(no_journal(&own, of));
         };
         let ends = [first.z, last.z];
         let named = &own.machine.bodies[of];
@@ -154,6 +151,7 @@ impl Model {
             at,
             equations,
             overhung,
+            notes: String::new(),
         };
         if !without_seals {
             model.load(lateral)?;
@@ -175,6 +173,16 @@ impl Model {
         for own in &mut self.journals {
             let told = lateral.journal_loads.iter().find(|told| told.0 == own.joint);
             own.load = told.map_or(found[own.joint], |told| told.1) / GRAVITY;
+        }
+        let (sum, mass) = (self.journals.iter().map(|own| own.load).sum::<f64>(), weight / GRAVITY);
+        if lateral.journal_loads.is_empty() && sum > ABOVE * mass {
+            self.notes = format!(
+                "note: the journals carry {} kg, more than the mass of {}, {} kg: other loads than its weight are in W and with it in \
+                 U_a. Give those of the weight by `journal_loads` if unbalance should go by these\n",
+                shown(sum, 5, 1e-4..1e7),
+                self.linear.machine().bodies[self.of].name(),
+                shown(mass, 5, 1e-4..1e7)
+            );
         }
         Ok(())
     }
@@ -208,6 +216,34 @@ impl Model {
             errors.push(name.error_here(Code::BAD_VALUE, message).help(help));
             Failure::Input(errors)
         })
+    }
+}
+
+/// As [`super::foreseen`].
+pub(super) fn foreseen(case: &Case, analysis: &Analysis) -> Result<(), Failure> {
+    let of = body(case, analysis)?;
+    let seals = analysis.lateral.as_deref().map_or(&[][..], |own| own.seals.as_slice());
+    let mut joints = case.machine.joints.iter().enumerate();
+    match joints.any(|(place, own)| carries(own, of) && !seals.contains(&place)) {
+        true => Ok(()),
+        false => Err(no_journal(case, of)),
+    }
+}
+
+/// Whether a joint may be a journal of a body.
+fn carries(joint: &Joint, of: usize) -> bool {
+    let is_on = joint.sides.iter().any(|side| side.body == Some(of));
+    is_on && joint.kind != JointKind::Coupling
+}
+
+fn no_journal(case: &Case, of: usize) -> Failure {
+    Failure::Argument {
+        message: format!(
+            "`{}` has no journal: a lateral analysis needs its loads",
+            case.machine.bodies[of].name.text()
+        ),
+        help: "add a `[joint.NAME]` that carries the body, and name seals only in `seals`"
+            .to_owned(),
     }
 }
 

@@ -13,6 +13,8 @@ use crate::errors::Failure;
 const SIGNED: f64 = 0.02;
 const INBOARD: f64 = 0.1;
 const OUTBOARD: f64 = 0.5;
+/// Share of its largest amplitude within which a lobe is flat.
+const FLAT: f64 = 0.01;
 /// Modes by which unbalance is placed where the case names none.
 const USUAL: [usize; 2] = [1, 2];
 /// Modes that are looked at for forward ones.
@@ -134,27 +136,31 @@ fn antinodes(model: &Model, shape: &[Vibration]) -> Vec<(f64, f64)> {
         }
     }
     let sign = |own: &Vibration| if own.is_opposite(&shape[most]) { -1.0 } else { 1.0 };
-    // Places of the largest of each lobe.
-    let mut lobes: Vec<(usize, f64)> = Vec::new();
+    let [first, last] = model.span();
+    let from_middle = |place: usize| (model.stations[place].0 - 0.5 * (first + last)).abs();
+    // Places of each lobe.
+    let mut lobes: Vec<(Vec<usize>, f64)> = Vec::new();
     for (place, own) in shape.iter().enumerate() {
         if sizes[place] < SIGNED * sizes[most] {
             continue;
         }
         let own = sign(own);
         match lobes.last_mut() {
-            Some((top, side)) if *side == own => {
-                if sizes[place] > sizes[*top] * (1.0 + 1e-9) {
-                    *top = place;
-                }
-            }
-            _ => lobes.push((place, own)),
+            Some((places, side)) if *side == own => places.push(place),
+            _ => lobes.push((vec![place], own)),
         }
     }
-    let [first, last] = model.span();
+    // Of a lobe that is flat there the place nearest to the middle, which is no end that carries nothing.
+    let top = |places: Vec<usize>| {
+        let most = places.iter().map(|own| sizes[*own]).fold(0.0, f64::max);
+        let flat = places.into_iter().filter(|own| sizes[*own] >= (1.0 - FLAT) * most);
+        flat.min_by(|a, b| from_middle(*a).total_cmp(&from_middle(*b))).expect("the largest")
+    };
+    let lobes = lobes.into_iter().map(|(places, side)| (top(places), side));
     let counts = |(place, _): &(usize, f64)| {
         let inside = (first..=last).contains(&model.stations[*place].0);
         let least = if inside { INBOARD } else { OUTBOARD };
-        *place == most || sizes[*place] >= least * sizes[most]
+        sizes[*place] >= least * sizes[most]
     };
-    lobes.into_iter().filter(counts).map(|(place, own)| (model.stations[place].0, own)).collect()
+    lobes.filter(counts).map(|(place, own)| (model.stations[place].0, own)).collect()
 }

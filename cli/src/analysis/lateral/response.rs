@@ -1,13 +1,13 @@
 //! Response of probes and close clearances to unbalance: peaks, their margins, and the response scaled to the limit of vibration.
 
 use whirl_solver::Error;
-use whirl_solver::linear::{Peak, Point, Range, Standstill, Vibration};
+use whirl_solver::linear::{Peak, Peaks, Point, Range, Resonance, Standstill, Vibration};
 
 use super::lines::{Line, Pass};
 use super::model::Model;
 use super::placement::Unbalance;
 use super::standard;
-use crate::analysis::response::{coarse, peaks};
+use crate::analysis::peaked::{self, Readings, standing};
 use crate::analysis::speeds::Wanted;
 use crate::analysis::states::{Ended, at_each_speed};
 use crate::analysis::words;
@@ -81,7 +81,7 @@ pub(super) fn found(
         .chain(closes.iter().map(|own| &own.point))
         .cloned()
         .collect();
-    let mut speeds = Vec::new();
+    let (mut speeds, mut singular) = (Vec::new(), Vec::new());
     let mut all: Vec<Response> = unbalance
         .iter()
         .map(|own| Response {
@@ -99,61 +99,74 @@ pub(super) fn found(
     };
     let mut work = |speed: f64, here: &Standstill| -> Result<(), Failure> {
         let equations = linear.linearised(here)?;
-        for (own, response) in unbalance.iter().zip(&mut all) {
-            let motions = match speed == 0.0 {
-                true => vec![Vibration::default(); points.len()],
-                false => linear.response_to((here, &equations), of, &own.applied(), &points)?,
-            };
-            let [readings, orbits] = read(&motions);
+        let motions = |own: &Unbalance| match speed == 0.0 {
+            true => Ok(vec![Vibration::default(); points.len()]),
+            false => linear.response_to((here, &equations), of, &own.applied(), &points),
+        };
+        let moved = match unbalance.iter().map(motions).collect::<Result<Vec<_>, Error>>() {
+            Err(error) if error.is_singular() => {
+                singular.push(words::speed(speed));
+                return Ok(());
+            }
+            moved => moved?,
+        };
+        for (motions, response) in moved.iter().zip(&mut all) {
+            let [readings, orbits] = read(motions);
             response.readings.push(readings);
             response.orbits.push(orbits);
         }
         speeds.push(speed.abs());
         Ok(())
     };
-    let Ended { notes, interrupted } =
+    let Ended { mut notes, mut interrupted } =
         at_each_speed(linear, (analysis, wanted), interruption, &mut work)?;
+    notes += &peaked::left_out(&singular);
     let mut lines = Vec::new();
     if !interrupted {
+        let ends = [speeds[0], speeds[speeds.len() - 1]];
         let range = Range {
             of,
-            speeds: in_sense(model.sense, &coarse(&speeds)),
+            speeds: in_sense(model.sense, &ends),
             ratios: analysis.ratios.clone(),
             count: analysis.count,
             orders: vec![1.0],
         };
-        let seeds = linear.campbell(&range, &|| true)?.criticals;
-        let ends = [speeds[0], speeds[speeds.len() - 1]];
+        let criticals = linear.resonating(&range, &|| !interruption.asked())?.criticals;
+        let resonances: Vec<Resonance> = (criticals.iter().map(Resonance::from))
+            .map(|own| Resonance { speed: model.sense * own.speed, ..own })
+            .collect();
+        let kinds = probes.iter().map(|_| 0).chain(closes.iter().map(|_| 1));
+        let kinds: Vec<usize> = kinds.collect();
         for (own, response) in unbalance.iter().zip(&mut all) {
             let applied = own.applied();
             let mut near: Option<Standstill> = None;
-            let mut at = |speed: f64, point: &Point| -> Result<Vibration, Error> {
-                let here = linear.standing(
-                    &linear.speeds(of, model.sense * speed, &analysis.ratios),
-                    near.as_ref(),
-                )?;
+            let mut at = |speed: f64| -> Result<Option<Vec<f64>>, Error> {
+                if interruption.asked() {
+                    return Ok(None);
+                }
+                let speeds = linear.speeds(of, model.sense * speed, &analysis.ratios);
+                let Some(here) = standing(linear.standing(&speeds, near.as_ref()))? else {
+                    return Ok(None);
+                };
                 let equations = linear.linearised(&here)?;
-                let moved = linear.response_to(
-                    (&here, &equations),
-                    of,
-                    &applied,
-                    std::slice::from_ref(point),
-                )?;
+                let moved = linear.response_to((&here, &equations), of, &applied, &points);
                 near = Some(here);
-                Ok(moved[0])
+                Ok(standing(moved)?.map(|own| read(&own).concat()))
             };
-            for (place, probe) in probes.iter().enumerate() {
-                let mut reading = |speed: f64| Ok(probe.reading(&at(speed, &probe.point)?));
-                response.peaks[place] = peaks(&seeds, ends, interruption, &mut reading)?;
-            }
-            let mut orbits = Vec::with_capacity(closes.len());
-            for close in closes {
-                let mut orbit = |speed: f64| Ok(2e6 * at(speed, &close.point)?.orbit().major);
-                orbits.push(peaks(&seeds, ends, interruption, &mut orbit)?);
-            }
+            let mut readings = Readings::new(kinds.clone(), &mut at);
+            let found = (0..kinds.len())
+                .map(|place| readings.peaks(place, &resonances, ends))
+                .collect::<Result<Vec<Peaks>, Error>>()?;
+            let names = probes.iter().map(|own| own.name.as_str());
+            let told: Vec<(&str, &Peaks)> = names.zip(&found).collect();
+            notes += &peaked::notes(&format!("unbalance {}: ", own.name), &told);
+            let mut found: Vec<Vec<Peak>> = found.into_iter().map(|own| own.all).collect();
+            let orbits = found.split_off(probes.len());
+            response.peaks = found;
             judge(&mut lines, response, lateral, &speeds, (probes, closes), &orbits);
         }
     }
+    interrupted |= interruption.asked();
     Ok(Responses { speeds, all, lines, notes, interrupted })
 }
 
@@ -162,14 +175,6 @@ fn in_sense(sense: f64, speeds: &[f64]) -> Vec<f64> {
     let mut all: Vec<f64> = speeds.iter().map(|own| sense * own).collect();
     all.sort_by(f64::total_cmp);
     all
-}
-
-/// N_c/(N₂ − N₁); of a peak that falls so far on one side only, by twice that side.
-fn amplification(own: &Peak) -> Option<f64> {
-    own.amplification().or_else(|| {
-        let side = own.half_power.into_iter().flatten().next()?;
-        Some(own.speed / (2.0 * (own.speed - side).abs()))
-    })
 }
 
 /// The largest of a response within speeds, with the speed of it: of those that were looked at, and of peaks.
@@ -213,7 +218,7 @@ fn judge(
     };
     for (probe, peaks) in probes.iter().zip(&response.peaks) {
         for own in peaks {
-            let Some(factor) = amplification(own) else { continue };
+            let Some(factor) = own.amplification() else { continue };
             let (at, speed) = (probe.name.as_str(), own.speed);
             let is_inside = (lateral.minimum..=lateral.maximum).contains(&speed);
             let critical = factor >= standard::CRITICAL;
@@ -270,7 +275,9 @@ fn judge(
     for (place, (close, peaks)) in closes.iter().zip(orbits).enumerate() {
         let own = largest([0.0, lateral.trip], speeds, &|at| response.orbits[at][place], peaks);
         let allowed = standard::CLEARANCE * 1e6 * close.clearance;
-        let (value, pass) = (scale * own.1, Pass::of(scale * own.1 < allowed));
+        // No scale makes what grows without limit small.
+        let value = if own.1.is_finite() { scale * own.1 } else { own.1 };
+        let pass = Pass::of(value < allowed);
         let quantity = "scaled response at clearance";
         add(
             "6.8.2.11",

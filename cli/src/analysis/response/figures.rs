@@ -77,7 +77,7 @@ fn apart_of(peaks: &[(usize, &Vec<Peak>)]) -> Vec<(usize, Peak)> {
 /// Speeds beside the peaks at which curves are drawn more finely (rad/s), within a range.
 pub(super) fn beside(peaks: &[Vec<Peak>], range: [f64; 2]) -> Vec<f64> {
     let mut all: Vec<f64> = Vec::new();
-    for own in apart(peaks) {
+    for own in apart(peaks).into_iter().filter(|own| !own.is_undamped()) {
         let share = own.amplification().filter(|own| *own > 0.0);
         let half = 0.5 * share.map_or(WIDE, |own| (1.0 / own).min(WIDE)) * own.speed;
         all.push(own.speed);
@@ -208,6 +208,7 @@ impl Drawing<'_> {
             let speed = rounded(at.0, 5);
             let text = match own.amplification().filter(|own| own.is_finite()) {
                 Some(factor) if factor < 1e5 => format!("{speed} rpm, AF {}", rounded(factor, 3)),
+                _ if own.is_undamped() => format!("{speed} rpm, undamped"),
                 _ => format!("{speed} rpm"),
             };
             amplitude.dots.push(Dot { at, name: dots.to_owned() });

@@ -3,22 +3,22 @@
 mod figures;
 mod large;
 mod numbers;
+mod peaks;
 mod probes;
 mod source;
 
 use std::fmt::Write;
 
-use whirl_solver::Error;
-use whirl_solver::linear::{
-    Critical, LinearMachine, Peak, Point, Range, Standstill, Vibration, peak,
-};
+use whirl_solver::linear::{LinearMachine, Peak, Point, Standstill, Vibration};
 use whirl_text::{rounded, shown};
 
 use self::figures::{Drawing, beside};
 use self::large::Large;
+use self::peaks::Over;
 use self::probes::Reading;
 use self::source::Source;
 use super::found::{Found, drawn};
+use super::peaked::{left_out, sides};
 use super::speeds::Wanted;
 use super::states::{Ended, at_each_speed};
 use super::words;
@@ -29,12 +29,6 @@ use crate::signals::Interruption;
 
 /// Share of the largest amplitude from which on an order is shown to people.
 const MAIN: f64 = 0.01;
-/// Peaks nearer than this share of their speed are one.
-const SAME: f64 = 1e-5;
-
-/// Share of the largest motion of all points below which one is rounding, and has no peaks.
-const STILL: f64 = 1e-9;
-
 /// The response over the speeds.
 pub(super) fn found(
     case: &Case,
@@ -46,10 +40,7 @@ pub(super) fn found(
     let of = wanted.of.expect("a body that turns");
     let points = linear.points();
     if points.is_empty() {
-        return Err(Failure::Argument {
-            message: format!("`{}` has no point whose response could be given", case.name),
-            help: "add an `[output.NAME]` with `quantity = \"displacement\"`".to_owned(),
-        });
+        return Err(no_points(case));
     }
     let at = |speed: f64, near: Option<&Standstill>| {
         linear.standing(&linear.speeds(of, speed, &analysis.ratios), near)
@@ -57,7 +48,7 @@ pub(super) fn found(
     let mut speeds: Vec<f64> = Vec::new();
     let mut sources: Vec<Source> = Vec::new();
     let mut ratios = vec![0.0; linear.machine().bodies.len()];
-    let (mut large, mut at_rest) = (Large::default(), false);
+    let (mut large, mut at_rest, mut singular) = (Large::default(), false, Vec::new());
     let mut work = |speed: f64, here: &Standstill| -> Result<(), Failure> {
         if linear.turning().any(|body| !linear.responds_at(here, here.speeds[body])) {
             at_rest = true;
@@ -66,7 +57,14 @@ pub(super) fn found(
         let equations = linear.linearised(here)?;
         let mut sums = vec![0.0; points.len()];
         for body in linear.turning() {
-            for (order, motions) in linear.response((here, &equations), body, &points)? {
+            let all = match linear.response((here, &equations), body, &points) {
+                Err(error) if error.is_singular() => {
+                    singular.push(words::speed(speed));
+                    return Ok(());
+                }
+                all => all?,
+            };
+            for (order, motions) in all {
                 let place = sources.iter().position(|own| own.body == body && own.order == order);
                 let place = place.unwrap_or_else(|| {
                     let (motions, peaks) = (Vec::new(), vec![Vec::new(); points.len()]);
@@ -93,12 +91,17 @@ pub(super) fn found(
     if at_rest {
         notes += "note: 0 rpm is left out: a body that turns freely, or is not round, has no response at rest\n";
     }
-    if sources.is_empty() {
+    if let (true, [speed, ..]) = (speeds.is_empty(), singular.as_slice()) {
         return Err(Failure::Argument {
-            message: format!("no body of `{}` has an unbalance, nor a load that turns with it", case.name),
-            help: "add `unbalance.NAME = { mass = \"1 g\", radius = \"50 mm\", z = \"300 mm\" }` to a body that turns"
-                .to_owned(),
+            message: format!(
+                "{speed} rpm is a critical speed without damping: nothing limits the response there"
+            ),
+            help: "give joints or bodies their damping, or ask for other speeds".to_owned(),
         });
+    }
+    notes += &left_out(&singular);
+    if sources.is_empty() {
+        return Err(no_sources(case));
     }
     if let ([speed], false) = (speeds.as_slice(), interrupted) {
         let here = at(*speed, None)?;
@@ -108,49 +111,15 @@ pub(super) fn found(
     }
     sources.iter_mut().for_each(|own| own.motions.resize(speeds.len(), still(points.len())));
     sources.sort_by(|a, b| a.body.cmp(&b.body).then(a.order.total_cmp(&b.order)));
-    if let ([first, .., last], false) = (speeds.as_slice(), interrupted) {
-        let mut is_told = false;
-        for source in &mut sources {
-            let order = source.order * ratios[source.body];
-            if order == 0.0 {
-                continue;
-            }
-            let range = Range {
-                of,
-                speeds: coarse(&speeds),
-                ratios: analysis.ratios.clone(),
-                count: analysis.count,
-                orders: vec![order],
-            };
-            let campbell = linear.campbell(&range, &|| !interruption.asked())?;
-            if !is_told && campbell.stable.contains(&false) {
-                notes += &words::thresholds(&campbell, false);
-                notes += "where the machine is not stable this response is not reached: something grows\n";
-                is_told = true;
-            }
-            let seeds = campbell.criticals;
-            let own = |place: usize| {
-                let mut near: Option<Standstill> = None;
-                let mut response = |speed: f64| -> Result<f64, Error> {
-                    let here = at(speed, near.as_ref())?;
-                    let equations = linear.linearised(&here)?;
-                    let point = &points[place..=place];
-                    let all = linear.response((&here, &equations), source.body, point)?;
-                    near = Some(here);
-                    let own = all.iter().find(|own| own.0 == source.order);
-                    Ok(own.map_or(0.0, |own| own.1[0].orbit().major))
-                };
-                peaks(&seeds, [*first, *last], interruption, &mut response)
-            };
-            let size = |place: usize| {
-                let all = source.motions.iter().map(|own| own[place].orbit().major);
-                all.fold(0.0, f64::max)
-            };
-            let most = (0..points.len()).map(size).fold(0.0, f64::max);
-            let moved: Vec<bool> = (0..points.len()).map(|own| size(own) > STILL * most).collect();
-            let peaks_of = |place: usize| if moved[place] { own(place) } else { Ok(Vec::new()) };
-            source.peaks = (0..points.len()).map(peaks_of).collect::<Result<_, Error>>()?;
-            let wanted = if figures { beside(&source.peaks, [*first, *last]) } else { Vec::new() };
+    if let ([first, .., last], false, [_, _, ..]) =
+        (wanted.speeds.as_slice(), interrupted, speeds.as_slice())
+    {
+        let (of_main, ends) = (largest(&sources), [*first, *last]);
+        let over = Over { of, ends, analysis, ratios: &ratios };
+        let told = |own: &Source| own.size() >= MAIN * of_main;
+        notes += &peaks::find(linear, &points, &mut sources, &over, &told, interruption)?;
+        for source in sources.iter_mut().filter(|own| figures && own.order != 0.0) {
+            let wanted = beside(&source.peaks, ends);
             for speed in wanted.into_iter().take_while(|_| !interruption.asked()) {
                 let here = at(speed, None)?;
                 let equations = linear.linearised(&here)?;
@@ -191,37 +160,47 @@ pub(super) fn found(
     Ok(Found { text, files, interrupted, facts })
 }
 
+/// What keeps a response from being found, as far as a state at one speed shows it.
+///
+/// # Errors
+/// There is nothing that moves, or no point to see it.
+pub(super) fn foreseen(
+    case: &Case,
+    linear: &LinearMachine,
+    at: &Standstill,
+) -> Result<(), Failure> {
+    let points = linear.points();
+    if points.is_empty() {
+        return Err(no_points(case));
+    }
+    let equations = linear.linearised(at)?;
+    for body in linear.turning() {
+        match linear.response((at, &equations), body, &points) {
+            Ok(all) if all.is_empty() => {}
+            Err(error) if !error.is_singular() => return Err(error.into()),
+            _ => return Ok(()),
+        }
+    }
+    Err(no_sources(case))
+}
+
+fn no_points(case: &Case) -> Failure {
+    Failure::Argument {
+        message: format!("`{}` has no point whose response could be given", case.name),
+        help: "add an `[output.NAME]` with `quantity = \"displacement\"`".to_owned(),
+    }
+}
+
+fn no_sources(case: &Case) -> Failure {
+    Failure::Argument {
+        message: format!("no body of `{}` has an unbalance, nor a load that turns with it", case.name),
+        help: "add `unbalance.NAME = { mass = \"1 g\", radius = \"50 mm\", z = \"300 mm\" }` to a body that turns".to_owned(),
+    }
+}
+
 /// Points that do not move.
 fn still(points: usize) -> Vec<Vibration> {
     vec![Vibration::default(); points]
-}
-
-/// Some of many speeds, both ends among them.
-pub(super) fn coarse(speeds: &[f64]) -> Vec<f64> {
-    const MOST: usize = 31;
-    let last = speeds.len() - 1;
-    let count = speeds.len().min(MOST);
-    (0..count).map(|k| speeds[k * last / (count - 1).max(1)]).collect()
-}
-
-/// The peaks beside critical speeds.
-pub(super) fn peaks(
-    seeds: &[Critical],
-    range: [f64; 2],
-    interruption: &Interruption,
-    response: &mut dyn FnMut(f64) -> Result<f64, Error>,
-) -> Result<Vec<Peak>, Error> {
-    let mut found: Vec<Peak> = Vec::new();
-    for seed in seeds.iter().take_while(|_| !interruption.asked()) {
-        let width = seed.speed.abs() * seed.mode.damping_ratio().abs().max(1e-6);
-        let begin = if range[1] > 0.0 { seed.speed.abs() } else { seed.speed };
-        let Some(own) = peak(response, (begin, width), range)? else { continue };
-        if found.iter().all(|other| (other.speed / own.speed - 1.0).abs() > SAME) {
-            found.push(own);
-        }
-    }
-    found.sort_by(|a, b| a.speed.total_cmp(&b.speed));
-    Ok(found)
 }
 
 fn rows(linear: &LinearMachine, points: &[Point], speeds: &[f64], sources: &[Source]) -> String {
@@ -254,7 +233,7 @@ fn rows(linear: &LinearMachine, points: &[Point], speeds: &[f64], sources: &[Sou
 
 fn peak_rows(linear: &LinearMachine, points: &[Point], sources: &[Source]) -> String {
     let mut text = String::from(
-        "body,order,point,speed_rpm,major_um,amplification_factor,half_power_below_rpm,half_power_above_rpm\n",
+        "body,order,point,speed_rpm,major_um,amplification_factor,half_power_below_rpm,half_power_above_rpm,half_power\n",
     );
     for source in sources {
         let body = linear.machine().bodies[source.body].name();
@@ -264,12 +243,13 @@ fn peak_rows(linear: &LinearMachine, points: &[Point], sources: &[Source]) -> St
                 let [below, above] = own.half_power.map(|speed| given(speed.map(words::rpm)));
                 writeln!(
                     text,
-                    "{body},{},{},{},{},{},{below},{above}",
+                    "{body},{},{},{},{},{},{below},{above},{}",
                     source.order,
                     point.name,
                     words::rpm(own.speed),
                     1e6 * own.height,
-                    given(own.amplification())
+                    given(own.amplification()),
+                    sides(own)
                 )
                 .expect("text can be written");
             }
@@ -312,12 +292,13 @@ fn text(
 
 /// The orders that move anything by a share of what the largest does.
 fn main(sources: &[Source]) -> Vec<&Source> {
-    let size = |own: &Source| {
-        let all = own.motions.iter().flatten().map(|own| own.orbit().major);
-        all.fold(0.0, f64::max)
-    };
-    let most = sources.iter().map(size).fold(0.0, f64::max);
-    sources.iter().filter(|own| size(own) >= MAIN * most).collect()
+    let most = largest(sources);
+    sources.iter().filter(|own| own.size() >= MAIN * most).collect()
+}
+
+/// The largest amplitude of all sources (m).
+fn largest(sources: &[Source]) -> f64 {
+    sources.iter().map(Source::size).fold(0.0, f64::max)
 }
 
 /// What the points do at the only speed.
@@ -339,13 +320,26 @@ fn peak_table(points: &[Point], source: &Source) -> String {
     let mut rows = vec![head.map(str::to_owned).to_vec()];
     for (point, peaks) in points.iter().zip(&source.peaks) {
         for own in peaks {
-            rows.push(vec![
-                point.name.clone(),
-                words::speed(own.speed),
-                shown(1e6 * own.height, 5, 1e-4..1e7),
-                own.amplification().map_or("-".to_owned(), |own| rounded(own, 4).to_string()),
-            ]);
+            rows.push(vec![point.name.clone(), words::speed(own.speed), height(own), factor(own)]);
         }
     }
     if rows.len() == 1 { "no peak in this range\n".to_owned() } else { table(&rows) }
+}
+
+/// The height of a peak (µm).
+fn height(own: &Peak) -> String {
+    match own.is_undamped() {
+        true => "undamped".to_owned(),
+        false => shown(1e6 * own.height, 5, 1e-4..1e7),
+    }
+}
+
+/// Its amplification factor, and by which side it is if not by both.
+fn factor(own: &Peak) -> String {
+    let number = own.amplification().filter(|own| own.is_finite());
+    let number = number.map_or("-".to_owned(), |own| rounded(own, 4).to_string());
+    match sides(own) {
+        side @ ("below" | "above") => format!("{number} (by the side {side})"),
+        _ => number,
+    }
 }

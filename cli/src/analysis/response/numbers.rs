@@ -25,14 +25,20 @@ pub(super) fn facts(
             let listed = speeds.iter().zip(&source.motions);
             let listed = listed.map(|(speed, own)| (own[place].orbit().major, *speed));
             let peaks = &source.peaks[place];
-            let all = listed.chain(peaks.iter().map(|own| (own.height, own.speed)));
+            // What grows without limit has no number.
+            let finite = |value: f64| if value.is_finite() { value } else { f64::NAN };
+            let damped = peaks.iter().filter(|own| !own.is_undamped());
+            let all = listed.chain(damped.map(|own| (own.height, own.speed)));
             let most = all.reduce(|most, own| if own.0 > most.0 { own } else { most });
             facts.put(format!("{name}.amplitude_um"), most.map(|own| 1e6 * own.0));
             facts.put(format!("{name}.amplitude_rpm"), most.map(|own| words::rpm(own.1)));
             let rpm = peaks.iter().map(|own| words::rpm(own.speed));
             facts.each(&format!("{name}.peak_rpm."), rpm);
-            facts.each(&format!("{name}.peak_um."), peaks.iter().map(|own| 1e6 * own.height));
-            let factors = peaks.iter().map(|own| own.amplification().unwrap_or(f64::NAN));
+            facts.each(
+                &format!("{name}.peak_um."),
+                peaks.iter().map(|own| finite(1e6 * own.height)),
+            );
+            let factors = peaks.iter().map(|own| own.amplification().map_or(f64::NAN, finite));
             facts.each(&format!("{name}.amplification_factor."), factors);
         }
     }

@@ -13,3 +13,11 @@ pub(super) struct Source {
     /// Speeds beside the peaks with the motions of the points there, for figures.
     pub(super) near: Vec<(f64, Vec<Vibration>)>,
 }
+
+impl Source {
+    /// The largest amplitude of all points and speeds (m).
+    pub(super) fn size(&self) -> f64 {
+        let all = self.motions.iter().flatten().map(|own| own.orbit().major);
+        all.fold(0.0, f64::max)
+    }
+}

@@ -30,7 +30,10 @@ impl Train<'_> {
             ]);
         }
         match self.modes.is_empty() {
-            true => text.push_str("no mode of torsion among those that were looked for\n"),
+            true => text.push_str(
+                "no mode of torsion among those that were looked for: its bodies turn as one. Join bodies that turn by couplings or \
+                 gears with a stiffness about the axis, give them meshes or tables of sections that twist, or raise `count`\n",
+            ),
             false => text.push_str(&table(&rows)),
         }
         text.push('\n');

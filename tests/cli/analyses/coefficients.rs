@@ -1,0 +1,49 @@
+//! Coefficients out of an analysis and into a bushing.
+
+use std::fs;
+
+use super::{numbers, ran};
+use crate::workbench::Workbench;
+
+/// A rotor of 10 kg on a joint.
+fn rotor(joint: &str) -> String {
+    format!(
+        "title = \"a rotor on a joint\"\ngravity = [\"-9.81 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]\n[body.rotor]\n\
+         turns = \"prescribed\"\nspeed = \"6000 rpm\"\nmass = \"10 kg\"\npolar_inertia = \"0.05 kg*m^2\"\n\
+         unbalance.u = {{ mass = \"1 g\", radius = \"100 mm\" }}\n[joint.seat]\n{joint}"
+    )
+}
+
+const FILM: &str = "kind = \"bearing\"\njournal = { body = \"rotor\" }\nlaw = \"ocvirk\"\nparameters = { mu = \"20 mPa*s\" }\n\
+                    radial_clearance = \"60 um\"\njournal_radius = \"30 mm\"\nlength = \"30 mm\"\n";
+const BUSHING: &str =
+    "kind = \"bushing\"\nfirst = { body = \"rotor\" }\ntable = \"coefficients.seat.csv\"\n";
+
+/// The table of a film that a bushing reads back is the same linear machine at each of its speeds: modes and response. What is left is
+/// rounding, as files hold all digits.
+#[test]
+fn a_bushing_with_the_table_of_a_film_is_the_same_linear_machine() {
+    const SPEEDS: &str = "2000 rpm .. 6000 rpm, 5";
+    let film = Workbench::new().file("case.toml", &rotor(FILM));
+    ran(&film, &["coefficients", "case.toml", "--speeds", SPEEDS, "--out", "out", "--no-figures"]);
+    let table = fs::read_to_string(film.path("out/coefficients.seat.csv")).expect("a table");
+    let bushing =
+        Workbench::new().file("coefficients.seat.csv", &table).file("case.toml", &rotor(BUSHING));
+    let of = |bench: &Workbench, kind: &str, names: &[&str]| -> Vec<Vec<f64>> {
+        ran(bench, &[kind, "case.toml", "--speeds", SPEEDS, "--out", "out", "--no-figures"]);
+        names.iter().map(|name| numbers(bench, &format!("out/{kind}.csv"), name)).collect()
+    };
+    for (kind, names) in [
+        ("modes", &["real_1_s", "imaginary_1_s", "sense"][..]),
+        ("response", &["x_um", "y_um", "x_phase_deg", "y_phase_deg"]),
+    ] {
+        let [known, found] = [of(&film, kind, names), of(&bushing, kind, names)];
+        assert!(known[0].len() >= 5, "{kind}: {known:?}");
+        for (name, (known, found)) in names.iter().zip(known.iter().zip(&found)) {
+            assert_eq!(known.len(), found.len(), "{kind}, {name}");
+            let largest = known.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
+            let apart = known.iter().zip(found).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(apart <= 1e-9 * largest, "{kind}, {name}: {apart} of {largest}");
+        }
+    }
+}

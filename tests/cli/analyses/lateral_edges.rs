@@ -1,0 +1,72 @@
+//! `whirl lateral` of rotors at the edge of what its rules are made for.
+
+use super::lateral::{CASE, bench, lateral, lines};
+use super::numbers;
+
+/// On supports without stiffness to speak of the rotor moves as a whole, at one end a little more than at the other: its unbalance is
+/// between the bearings, and not at an end.
+#[test]
+fn unbalance_of_a_flat_mode_is_in_the_middle() {
+    let case = CASE
+        .replace(
+            "stiffness = { xx = \"1e6 N/m\", yy = \"0.8e6 N/m\" }",
+            "stiffness = { xx = \"1e3 N/m\", yy = \"1e3 N/m\" }",
+        )
+        .replace(
+            "damping = { xx = \"1e3 N*s/m\", yy = \"1e3 N*s/m\" }",
+            "damping = { xx = \"1 N*s/m\", yy = \"1 N*s/m\" }",
+        )
+        .replace("[analysis.api.stages.one]\nstiffness = \"1e5 N/m\"\n", "")
+        .replace("kind = \"lateral\"", "kind = \"lateral\"\nunbalance_modes = [1]");
+    let case = case.replacen(
+        "xx = \"1e3 N/m\", yy = \"1e3 N/m\"",
+        "xx = \"1.01e3 N/m\", yy = \"1.01e3 N/m\"",
+        1,
+    );
+    let bench = bench(&case);
+    lateral(&bench);
+    let of = |name: &str| numbers(&bench, "out/api.unbalance.csv", name);
+    let (z, load) = (of("z_mm"), of("load_kg"));
+    assert_eq!(z.len(), 1, "{z:?}");
+    assert!((z[0] - 750.0).abs() < 1e-6, "{z:?}");
+    assert!((load[0] / 88.181_804_016_583_43 - 1.0).abs() < 1e-6, "{load:?}");
+}
+
+/// What pulls beside the weight is in W, and a note says so; loads that the case gives are its own.
+#[test]
+fn loads_above_the_weight_are_named() {
+    let pulled =
+        format!("{CASE}[loads.belt]\nbody = \"rotor\"\nsets = \"NODE_4\"\nforce = \"5 kN\"\n");
+    let said = lateral(&bench(&pulled));
+    assert!(said.contains("more than the mass of rotor, 88.18"), "{said}");
+    assert!(said.contains("journal_loads"), "{said}");
+    let told = pulled.replace(
+        "kind = \"lateral\"",
+        "kind = \"lateral\"\njournal_loads = { DE = \"432 N\", NDE = \"432 N\" }",
+    );
+    for case in [&told, CASE] {
+        assert!(!lateral(&bench(case)).contains("more than the mass"), "{case}");
+    }
+}
+
+/// Without damping no amplitude and no scale means anything: the lines do not pass, and a note says why. What falls on one side only is
+/// named, too.
+#[test]
+fn undamped_peaks_do_not_pass() {
+    let said = lateral(&bench(CASE));
+    assert!(said.contains("unbalance mode 1: peaks that fall to 1/√2 on one side only"), "{said}");
+    let case = CASE
+        .replace("damping = { xx = \"1e3 N*s/m\", yy = \"1e3 N*s/m\" }\n", "")
+        .replace("minimum_speed = \"7000 rpm\"", "minimum_speed = \"500 rpm\"");
+    let bench = bench(&case);
+    let said = lateral(&bench);
+    assert!(said.contains("UNDAMPED peaks"), "{said}");
+    let factors = lines(&bench, "mode 1", "amplification factor", "joint.DE 45 deg");
+    assert!(factors.iter().any(|own| own.0.is_infinite() && own.3 == "NO"), "{factors:?}");
+    let most: Vec<_> = ["joint.DE", "joint.NDE"]
+        .iter()
+        .flat_map(|at| [45, 135].map(|angle| format!("{at} {angle} deg")))
+        .flat_map(|at| lines(&bench, "mode 1", "probe vibration A_max", &at))
+        .collect();
+    assert!(most.len() == 1 && most[0].0.is_infinite() && most[0].3 == "NO", "{most:?}");
+}
