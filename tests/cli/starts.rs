@@ -370,3 +370,63 @@ fn automatic_steps_go_on_from_a_state_with_another_coupling() {
         assert!((found - exact).abs() < 0.01 * 0.25, "{found} for {exact}");
     }
 }
+
+/// A motor whose couple falls with the speed, at the left end.
+const MOTOR: &str = "speed [rpm], couple [N*m]\n0,40\n5000,30\n6000,0\n7000,-40\n";
+
+/// A rotor that turns freely, driven and braked; what it is, and where both act.
+fn driven(body: &str, motor: &str, brake: &str) -> String {
+    format!(
+        "title = \"a rotor on its motor\"\n[material.steel]\nyoungs_modulus = \"206 GPa\"\npoissons_ratio = 0.3\n\
+         density = \"7850 kg/m^3\"\n[body.rotor]\nturns = \"free\"\n{body}\n\
+         [joint.a]\nkind = \"bushing\"\nfirst = {{ body = \"rotor\", z = \"100 mm\" }}\n\
+         stiffness = {{ xx = \"5e7 N/m\", yy = \"5e7 N/m\" }}\n\
+         [joint.b]\nkind = \"bushing\"\nfirst = {{ body = \"rotor\", z = \"400 mm\" }}\n\
+         stiffness = {{ xx = \"5e7 N/m\", yy = \"5e7 N/m\" }}\n\
+         [drives.motor]\nbody = \"rotor\"\ntable = \"motor.csv\"\n{motor}\n\
+         [loads.brake]\nbody = \"rotor\"\ncouple = \"-17 N*m\"\n{brake}\n\
+         [output.e]\nquantity = \"energy\"\nbody = \"rotor\"\n\
+         [start]\nkind = \"equilibrium\"\n[march]\ntime_step = \"2e-5 s\"\nsteps = 500\n"
+    )
+}
+
+/// Where the motor has 17 N m the couples are in balance, and a shaft between them is twisted from the first row on: its strain
+/// energy stays at M²L/(2GJ).
+#[test]
+fn a_shaft_between_motor_and_brake_starts_twisted() {
+    let shaft = "material = \"steel\"\nmodes = 10\ndamping = \"0 s\"\n\
+                 sections = [{ length = \"500 mm\", outer = \"30 mm\" }]\n";
+    let bench = Workbench::new()
+        .file("motor.csv", MOTOR)
+        .file("case.toml", &driven(shaft, "section = \"LEFT_END\"", "sets = [\"RIGHT_END\"]"));
+    let outcome = bench.whirl(&["run", "case.toml", "--no-figures", "--out", "out"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    assert!(outcome.stdout.contains("verdict: sound"), "{}", outcome.stdout);
+    let history = bench.history("out");
+    // 30 − (n − 5000)·30/1000 = 17.
+    let speed = (5000.0 + 1300.0 / 3.0) * std::f64::consts::PI / 30.0;
+    assert!(history.column("omega_rad_s").iter().all(|own| (own / speed - 1.0).abs() < 1e-8));
+    let strain = history.column("strain_e_J");
+    let polar = std::f64::consts::PI * 0.03_f64.powi(4) / 32.0;
+    let exact = 17.0_f64.powi(2) * 0.5 / (2.0 * 206e9 / 2.6 * polar);
+    for own in strain {
+        // The mesh is stiffer by what its cells lack; it stands still to the rounding of the start.
+        assert!((own / exact - 1.0).abs() < 0.02, "{own} J for {exact} J");
+        assert!((own / strain[0] - 1.0).abs() < 1e-5, "{own} J after {} J", strain[0]);
+    }
+}
+
+/// What only turns, its couples in balance, has nothing in play but rounding of its kinetic energy; and what stands in its bearings
+/// has what these hold.
+#[test]
+fn what_stands_still_at_speed_is_sound() {
+    let rigid = "mass = \"3 kg\"\npolar_inertia = \"0.01 kg*m^2\"\ntransverse_inertia = \"0.01 kg*m^2\"\nz = \"250 mm\"\n";
+    let loaded = "\n[loads.weight]\nbody = \"rotor\"\nz = \"250 mm\"\nforce = \"-300 N\"\n";
+    for more in ["", loaded] {
+        let case = driven(rigid, "", "").replace("[start]", &format!("{more}[start]"));
+        let bench = Workbench::new().file("motor.csv", MOTOR).file("case.toml", &case);
+        let outcome = bench.whirl(&["run", "case.toml", "--no-figures", "--out", "out"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        assert!(outcome.stdout.contains("verdict: sound"), "{more} {}", outcome.stdout);
+    }
+}

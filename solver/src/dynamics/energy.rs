@@ -27,12 +27,13 @@ pub struct EnergyBalance {
     pub spring_dissipated: f64,
     /// Work done on the dampers of the bodies.
     pub dissipated: f64,
-    /// Energy in play: strain energy and kinetic energy without rotations at the start, and the most that loads, dampers and springs
-    /// have moved since, each on balance. What goes to and fro counts once, however long a run is: an error that grows with it is
+    /// Energy in play: strain energy, half of what the forces of joints do along the displacements, and kinetic energy without
+    /// rotations at the start, and the most that loads, dampers and springs have moved since, each on balance. What goes to and fro counts once, however long a run is: an error that grows with it is
     /// not hidden.
     #[serde(skip)]
     pub(crate) in_play: f64,
-    /// Work of the forces that act on the rounding of what they hold: a machine that stands still has no other.
+    /// Work of the forces that act on the rounding of what they hold, and that of the kinetic energy: a machine that stands still, or
+    /// only turns, has no other.
     #[serde(skip)]
     pub(crate) rounding: f64,
 }
@@ -62,7 +63,7 @@ pub(crate) struct EnergySums {
     springs: SpringWork,
     /// The largest size so far of these two, and of what springs have stored and dissipated.
     largest: [f64; 4],
-    /// Strain energy and kinetic energy without rotations at the start.
+    /// Strain energy, energy of the joints and kinetic energy without rotations at the start.
     moving: f64,
     pub(crate) flows: Windows,
     start: (f64, f64),
@@ -89,6 +90,14 @@ pub(super) fn rounding(equations: &Equations, state: &State) -> f64 {
     ROUNDINGS * f64::EPSILON * held.sum::<f64>()
 }
 
+/// Half of what the forces of joints at a state that was just evaluated do along the displacements (J): their energy, if they are
+/// springs.
+fn held_by_joints(equations: &Equations, state: &State) -> f64 {
+    let first = equations.machine.rotations();
+    let along = equations.spring[first..].iter().zip(&state.q[first..]);
+    0.5 * along.map(|(force, q)| force * q).sum::<f64>().abs()
+}
+
 /// The kinetic energy of rotations alone, bodies as they are deformed (J).
 fn turning_alone(equations: &mut Equations, state: &State) -> f64 {
     let mut turning = state.clone();
@@ -113,7 +122,8 @@ impl EnergyMeter {
                 springs: SpringWork::default(),
                 flows: Windows::new(MOTIONS * equations.machine.springs.bearings),
                 largest: [0.0; 4],
-                moving: start.1 + start.0 - turning_alone(equations, state),
+                moving: start.1 + start.0 - turning_alone(equations, state)
+                    + held_by_joints(equations, state),
                 start,
             },
             along: WorkAlong::new(&equations.machine.springs, &equations.springs),
@@ -177,15 +187,17 @@ impl EnergyMeter {
     /// The balance at a state.
     pub(crate) fn balance(&self, equations: &mut Equations, state: &State) -> EnergyBalance {
         let EnergySums { work_in, dissipated, springs, start, .. } = &self.sums;
+        let kinetic = equations.kinetic_energy(state);
+        let of_kinetic = ROUNDINGS * f64::EPSILON * kinetic.max(start.0);
         EnergyBalance {
             work_in: *work_in,
-            kinetic: equations.kinetic_energy(state) - start.0,
+            kinetic: kinetic - start.0,
             strain: equations.strain_energy(state) - start.1,
             spring_stored: springs.stored,
             spring_dissipated: springs.dissipated,
             dissipated: *dissipated,
             in_play: self.sums.moving + self.sums.largest.iter().sum::<f64>(),
-            rounding: rounding(equations, state),
+            rounding: rounding(equations, state) + of_kinetic,
         }
     }
 

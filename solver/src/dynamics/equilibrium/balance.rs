@@ -5,6 +5,7 @@
 //! f = Q_e + Q_s − G0 θ̈ − K η_s − C η̇ (bodies that stand: K x_b), of a round body with Q_v − M q̈ of η_s, and Q_e + Q_s − J0 θ̈ in the
 //! rows of θ. ω̃ is θ̇, or what the steps of the march make of it.
 
+mod loads;
 mod memory;
 mod tangent;
 
@@ -12,10 +13,9 @@ use self::memory::Memory;
 use super::rotations::{Rotations, Turn, Twisting};
 use super::turning::TurningStart;
 use crate::bearing::Hold;
-use crate::equations::{Equations, SpringTangent, State, frame_of, instant, placed};
+use crate::equations::{Equations, SpringTangent, State, frame_of};
 use crate::error::Error;
 use crate::linalg::{add_product, dot, multiply};
-use crate::loads::{Frame, Load};
 use crate::machine::{Body, Machine};
 use crate::monitor::Turned;
 use crate::shaft::Shaft;
@@ -58,6 +58,8 @@ pub(super) struct Balance<'m> {
     pub(super) held: bool,
     /// The share of the loads that are fixed in space that acts.
     pub(super) share: f64,
+    /// Σ |loads| of every coordinate: they may balance each other.
+    load_sizes: Vec<f64>,
     /// f, a row each, and what it may be.
     pub(super) force: Vec<f64>,
     bound: Vec<f64>,
@@ -149,6 +151,7 @@ impl<'m> Balance<'m> {
             step,
             held: false,
             share: 1.0,
+            load_sizes: vec![0.0; size],
             force: vec![0.0; rows],
             bound: vec![0.0; rows],
             shares: vec![0.0; rows],
@@ -310,7 +313,11 @@ impl<'m> Balance<'m> {
                 + OF_FORCE * projected
                 + ROUNDING
                     * f64::EPSILON
-                    * (size(|a, b| a + b) + projected + products[row] + measured.unwrap_or(0.0));
+                    * (size(|a, b| a + b)
+                        + projected
+                        + products[row]
+                        + self.load_sizes[place]
+                        + measured.unwrap_or(0.0));
         }
     }
 
@@ -325,42 +332,6 @@ impl<'m> Balance<'m> {
         let own = self.turning.iter().zip(self.machine.places());
         let own = own.filter(|(_, place)| place.rotation == Some(theta));
         own.filter_map(|(own, _)| own.as_ref()).map(|own| own.shaft.j0).sum()
-    }
-
-    /// Whether a load has ended at the speed at which the machine starts.
-    pub(super) fn released(&self, load: &Load) -> bool {
-        let theta = self.machine.places()[load.body].rotation;
-        theta.is_some_and(|theta| load.reaches(self.state.v[theta]))
-    }
-
-    /// Loads at t = 0: those fixed in space as far as they act, and of those that turn with a body the couple on it.
-    fn loads(&mut self) {
-        let machine = self.machine;
-        self.equations.load.fill(0.0);
-        let mut turning = vec![0.0; machine.size()];
-        for load in &machine.loads {
-            let (place, position) = placed(machine, load, &self.state.q);
-            let now = instant(machine, 0.0, &self.state);
-            let factor = load.factor(&now, self.released(load));
-            let own = load.action.amplitude();
-            match load.frame {
-                Frame::Space => {
-                    load.add_force(
-                        (&own, self.share * factor),
-                        &position,
-                        &self.state.q,
-                        place,
-                        &mut self.equations.load,
-                    );
-                }
-                Frame::Body => {
-                    let strength = (&own, factor);
-                    load.add_force(strength, &position, &self.state.q, place, &mut turning);
-                }
-            }
-        }
-        let rotations = ..machine.rotations();
-        add(&mut self.equations.load[rotations], &turning[rotations]);
     }
 
     /// Σ |products| of K η_s, C η̇ and the inertia of the rows.

@@ -125,26 +125,23 @@ impl Balance<'_> {
         let Memory { by_position, by_rate, load } = memory;
         for own in &machine.loads {
             let (_, position) = placed(machine, own, &self.state.q);
-            let amplitude = own.action.amplitude();
-            for (a1, part) in [0.0, 1.0].into_iter().zip(load.iter_mut()) {
-                let released = self.released(own);
-                own.subtract_tangent(&amplitude, &now, released, &position, a1, part);
-            }
-            let (share, last) = match own.frame {
-                Frame::Space => (self.share, size),
-                // Only its couple acts.
-                Frame::Body => (1.0, rotations),
-            };
-            let [position, both] = load;
-            for column in 0..size {
-                let rows = if column < rotations { size } else { rotations };
-                for row in 0..rows {
-                    let place = column * size + row;
-                    let [position, both] =
-                        [&mut *position, &mut *both].map(|own| std::mem::take(&mut own[place]));
-                    if row < last {
-                        by_position[place] += share * position;
-                        by_rate[place] += share * (both - position);
+            let share = if own.frame == Frame::Space { self.share } else { 1.0 };
+            for (amplitude, last) in self.parts(own) {
+                for (a1, part) in [0.0, 1.0].into_iter().zip(load.iter_mut()) {
+                    let released = self.released(own);
+                    own.subtract_tangent(&amplitude, &now, released, &position, a1, part);
+                }
+                let [position, both] = &mut *load;
+                for column in 0..size {
+                    let rows = if column < rotations { size } else { rotations };
+                    for row in 0..rows {
+                        let place = column * size + row;
+                        let [position, both] =
+                            [&mut *position, &mut *both].map(|own| std::mem::take(&mut own[place]));
+                        if row < last {
+                            by_position[place] += share * position;
+                            by_rate[place] += share * (both - position);
+                        }
                     }
                 }
             }
