@@ -430,3 +430,17 @@ fn what_stands_still_at_speed_is_sound() {
         assert!(outcome.stdout.contains("verdict: sound"), "{more} {}", outcome.stdout);
     }
 }
+
+/// A rotor of sections has no sets of single nodes on which a drive could act: the remedy names a set that it has.
+#[test]
+fn a_drive_on_sections_is_told_a_set_that_is_there() {
+    let shaft = "material = \"steel\"\nmodes = 2\nsections = [{ length = \"500 mm\", outer = \"30 mm\" }]\n";
+    let bench = Workbench::new()
+        .file("motor.csv", MOTOR)
+        .file("bad.toml", &driven(shaft, "", "sets = [\"RIGHT_END\"]"))
+        .file("good.toml", &driven(shaft, "section = \"LEFT_END\"", "sets = [\"RIGHT_END\"]"));
+    let outcome = bench.whirl(&["check", "bad.toml"]);
+    assert_eq!(outcome.status, 2);
+    assert!(outcome.stderr.contains("add `section = \"LEFT_END\"`"), "{}", outcome.stderr);
+    assert_eq!(bench.whirl(&["check", "good.toml"]).status, 0);
+}

@@ -1,4 +1,12 @@
 //! Springs between journals and bores: where they stand, how far the film is open there, what they push.
+//!
+//! ```text
+//! places     place ─▶ springs: planes (plane, placed_planes, section, on_section, other, gear), bores (bore, apart, spline, mirrors),
+//!            placed_law: a law in all its planes
+//! laws       law, over_frequency (frequency_law), film_law (films, filmed, film_shown); states (hold, remembered)
+//! instant    state: measured ─▶ laws ─▶ projected; its rounding
+//! besides    work along a step, valid and observed for the verdict, beside for linear analyses, tied and spin for rotations
+//! ```
 
 mod apart;
 mod beside;

@@ -1,4 +1,15 @@
 //! Marching a machine in time.
+//!
+//! ```text
+//! start      equilibrium, restart, accelerate, early
+//! march      march ─▶ step (splits, halvings, jumps, watched, periods, tell) ─▶ newton (newmark, rows, merit)
+//! iteration  factors (factored, costs, splits) with secants, kept_columns, extrapolation; condensed: in the measures of joints
+//! steps      control: lengths of parts that the march chooses, by part_errors and contacts
+//! verdict    meters ─▶ energy, quality_meter (sampled, ringing, state_errors, turns, in_space, film_rates) ─▶ quality ─▶ verdict
+//!            in the modes of linearised (modes, rings, parts, stiffest); by windows and histogram
+//! end        steady (settled); checkpoint: what all of these carry over an interruption
+//! cycles     cycle, linear_steps: for periodic motions
+//! ```
 
 mod accelerate;
 mod checkpoint;

@@ -4,9 +4,11 @@ use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 use whirl_solver::model::LoadAction;
 
+use crate::case::dimensions::Dimensions;
 use crate::case::joined_machine::{Drive, Load};
 use crate::case::library::FileStore;
 use crate::case::named_body::{Form, NamedBody};
+use crate::case::rotor::Mesh;
 use crate::case::{loads, machine, names};
 
 /// The couple of a table; `body_of` gives the body at a place, if all are right; `goes_on`: bodies have the speeds of another
@@ -36,13 +38,27 @@ pub(super) fn drive<'a>(
         let key = format!("`initial_speed` in `[body.{}]`", place.text());
         machine::leads_to_its_target(table, start, &key);
     }
-    match own.form {
+    match &own.form {
+        Form::Meshed(meshed) if has_no_ends(table, &meshed.body.mesh) => table.absent(
+            "section",
+            "add `section = \"LEFT_END\"`: the set of nodes around the axis on which the couple acts, here the left end",
+        ),
         Form::Meshed(_) => machine::needs_a_section(table),
         Form::Rigid(_) => {
             ["top", "bottom", "section"].into_iter().for_each(|key| no_mesh(table, key, own));
         }
     }
     Some(Drive { name: name.clone(), body, place, couple })
+}
+
+/// Whether a drive says nothing of where it acts, on a body that has no sets of single nodes for it.
+fn has_no_ends(table: &Table, mesh: &Mesh) -> bool {
+    let says = ["top", "bottom", "section"].iter().any(|key| table.has(key));
+    let of_sections = match mesh {
+        Mesh::Generated(own) => matches!(own.dimensions, Dimensions::Sections(..)),
+        _ => false,
+    };
+    of_sections && !says
 }
 
 /// The force or the couple of a table.
