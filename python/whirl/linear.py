@@ -37,8 +37,9 @@ __all__ = [
 Speeds = str | float | Iterable[str | float] | None
 
 _TEXTS = {
-    *("beside_hz", "body", "clause", "excitation", "joint", "name", "of", "pass", "place", "point"),
-    *("quantity", "unbalance", "unit", "variant", "what", "whirl", "within_margin"),
+    *("beside_hz", "body", "clause", "excitation", "half_power", "joint", "name", "of", "pass"),
+    *("place", "point", "quantity", "unbalance", "unit", "variant", "what", "whirl"),
+    "within_margin",
 }
 _COUNTS = {"mode", "number"}
 
@@ -106,7 +107,10 @@ def _column(name: str, cells: Iterable[str]) -> np.ndarray:
         return np.array([own == "true" for own in cells], dtype=np.bool_)
     if name in _COUNTS and all(cells):
         return np.array([int(own) for own in cells], dtype=np.int64)
-    return np.array([float(own) if own else np.nan for own in cells], dtype=np.float64)
+    try:
+        return np.array([float(own) if own else np.nan for own in cells], dtype=np.float64)
+    except ValueError:
+        return np.array(cells, dtype=np.str_)
 
 
 class Analysis:
