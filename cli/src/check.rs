@@ -126,7 +126,7 @@ pub(crate) fn of_case(
             contacts::say(&mut text, case, &plan, cache)?;
         }
     }
-    analyses::warn(case, &built, warnings)?;
+    analyses::warn(case, &built, cache, warnings)?;
     laws::say(&mut text, &laws_of(case, &plan), wanted.laws);
     Ok(text)
 }

@@ -216,6 +216,66 @@ fn a_two_spool_rotor_rings_as_its_modes() {
     rings_as_its_modes(&march, 1e-3, &["--speed", "18000 rpm"], &compared);
 }
 
+/// Two shafts on gears between a motor and a fan, all of which turn freely and carry their couples: rotations and bending together.
+#[test]
+fn a_geared_train_rings_as_its_modes() {
+    let pushes = [
+        ("wheel", "x"),
+        ("wheel", "y"),
+        ("pinion", "x"),
+        ("motor", "x"),
+        ("motor", "y"),
+        ("fan", "x"),
+        ("fan", "y"),
+    ];
+    let push = |(place, (body, along)): (usize, &(&str, &str))| {
+        let set = if matches!(*body, "wheel" | "pinion") { "sets = \"LOAD1\"\n" } else { "" };
+        format!(
+            "[loads.push{place}]\nbody = \"{body}\"\n{set}direction = \"{along}\"\ntable = \"push.csv\"\n"
+        )
+    };
+    let case = format!(
+        "include = \"geared.toml\"\n[loads.ripple]\ncouple = \"1e-9 N*m\"\n\
+         [body.wheel]\nunbalance.teeth.mass = \"1e-7 g\"\n{}",
+        pushes.iter().enumerate().map(push).collect::<String>()
+    );
+    let columns = [
+        "EX_mesh_um",
+        "EY_mesh_um",
+        "EX_wheel1_um",
+        "EY_wheel1_um",
+        "EX_motor_um",
+        "EY_motor_um",
+        "EX_fan_um",
+        "EY_fan_um",
+        "MZ_input_Nm",
+    ];
+    let window = Window { columns: &columns, from: 0.01, every: 4e-4, count: 30 };
+    let march = March { case: &case, step: 1e-5, duration: 0.15, window };
+    let compared = Compared { below: 300.0, planar: true, tolerance: 1e-4, count: 6 };
+    rings_as_its_modes(&march, 1.0, &["--speed", "2985 rpm", "--of", "motor"], &compared);
+}
+
+/// A flexible rotor that turns freely in bearings with states: controllers, filters and amplifiers.
+#[test]
+fn a_magnetic_rotor_rings_as_its_modes() {
+    let push = |set: &str, along: &str| {
+        format!(
+            "[loads.push{set}]\nbody = \"rotor\"\nsets = \"{set}\"\ndirection = \"{along}\"\ntable = \"push.csv\"\n"
+        )
+    };
+    let case = format!(
+        "include = \"magnetic.toml\"\n[body.rotor]\nunbalance.impeller.mass = \"1e-7 g\"\n{}{}",
+        push("FRONT", "x"),
+        push("REAR", "y")
+    );
+    let columns = ["EX_front_um", "EY_front_um", "EX_rear_um", "EY_rear_um"];
+    let window = Window { columns: &columns, from: 0.02, every: 1e-4, count: 30 };
+    let march = March { case: &case, step: 1e-5, duration: 0.08, window };
+    let compared = Compared { below: 1600.0, planar: false, tolerance: 1e-5, count: 4 };
+    rings_as_its_modes(&march, 1.0, &["--speed", "18000 rpm"], &compared);
+}
+
 /// The machine of the paper under its static loads: standing, and at speed.
 #[test]
 fn the_reference_machine_rings_as_its_modes() {

@@ -1,8 +1,9 @@
 //! What keeps an analysis from being done, as far as one or two speeds of it show that.
 
+use whirl_solver::cache::Cache;
 use whirl_solver::linear::LinearMachine;
 
-use super::{lateral, response, speeds};
+use super::{forces, lateral, periodic, response, speeds};
 use crate::case::{Analysis, AnalysisKind, Case};
 use crate::errors::Failure;
 
@@ -14,11 +15,12 @@ pub(crate) fn foreseen(
     case: &Case,
     linear: &LinearMachine,
     analysis: &Analysis,
+    cache: Option<&Cache>,
 ) -> Result<(), Failure> {
     match analysis.kind {
         AnalysisKind::Lateral => return lateral::foreseen(case, analysis),
-        // They have machines of their own, or one in which rotations are free.
-        AnalysisKind::Forces | AnalysisKind::Periodic => return Ok(()),
+        AnalysisKind::Periodic => return periodic::foreseen(case, analysis, cache),
+        AnalysisKind::Forces => forces::foreseen(case)?,
         AnalysisKind::Torsion => return speeds::wanted(case, linear, analysis).map(|_| ()),
         _ => {}
     }

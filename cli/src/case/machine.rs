@@ -12,7 +12,7 @@ use whirl_codegen::diagnostic::Located;
 use whirl_codegen::document::Table;
 
 pub(super) use self::bodies::{
-    Cells, body as meshed, crank_throw, ground_springs, ring_support, solid_shaft,
+    Cells, body as meshed, crank_throw, ground_springs, mass_damping, ring_support, solid_shaft,
     static_correction,
 };
 pub(super) use self::drive::{leads_to_its_target, needs_a_section, read_one as drive};

@@ -116,6 +116,8 @@ pub(crate) struct Body {
     pub(crate) modes: usize,
     /// C = damping · K, in s; K with the ground springs.
     pub(crate) damping: f64,
+    /// C = mass_damping · M beside it, in 1/s; of a body that stands.
+    pub(crate) mass_damping: f64,
     /// Which static answers are kept beside the modes.
     pub(crate) static_correction: StaticCorrection,
 }

@@ -14,7 +14,7 @@ use super::march::{AUTOMATIC, ESTIMATE, GENERALIZED_ALPHA, MOST_STEPS, NEWMARK, 
 use super::outputs::QUANTITIES;
 use super::periodic::{BEGINNINGS, METHODS, MOST_MARCHED, MOST_PERIODS, MOST_POINTS, STEPS};
 use super::shapes::{
-    ANGLE, ANSWERS, CLEARANCE, CROSS_STIFFNESS, DAMPING, DAMPING_TIME, DENSITY, DURATION, FORCE,
+    ANGLE, ANSWERS, CLEARANCE, CROSS_STIFFNESS, DAMPING, DAMPING_RATE, DAMPING_TIME, DENSITY, DURATION, FORCE,
     FREQUENCY, GAS_DENSITY, GRAVITY, GROUND_SPRING, LENGTH, MASS, MERGE, MODULUS, MOST_CELLS,
     MOST_MODES, MOST_SPRINGS, MOTION, NAMES, PARAMETERS, PARAMETERS_EXAMPLE, POSITION, POWER,
     SELECTION, SPEED, START, STIFFNESS, TARGET_SPEED, TIME, TOLERANCE, TORQUE, TURNING_SPEED,
@@ -120,6 +120,7 @@ const SUPPORT: &[Key] = &[
     key("dimensions", Table(&[SUPPORT_DIMENSIONS]), "a mesh made from a few dimensions"),
     merged("mounts", Text, "node set held in x, y and z").like("\"NAME_OF_A_NODE_SET\""),
     key("ground_spring", List(&Table(&[GROUND_SPRING])), "springs to the ground"),
+    key("mass_damping", DAMPING_RATE, "C = mass_damping · M beside `damping`"),
     key(
         "static_correction",
         ANSWERS,

@@ -31,6 +31,7 @@ measures! {
     START: TIME, "0.1 s", Any;
     GRAVITY: ACCELERATION, "9.81 m/s^2", Any;
     DAMPING_TIME: TIME, "1e-4 s", NotNegative;
+    DAMPING_RATE: FREQUENCY, "5 1/s", NotNegative;
     INERTIA: INERTIA, "0.02 kg*m^2", Positive;
     STIFFNESS: STIFFNESS, "1e8 N/m", NotNegative;
     CROSS_STIFFNESS: STIFFNESS, "1e7 N/m", Any;
@@ -65,7 +66,7 @@ pub(super) const MOST_MODES: usize = 2_000;
 pub(super) const MOST_CELLS: usize = 10_000;
 
 /// True or false, or to what static answers are kept.
-pub(super) const ANSWERS: Shape = Either(&[Flag, List(&Text)]);
+pub(super) const ANSWERS: Shape = Either(&[Flag, Text, List(&Text)]);
 /// Names in a list, or one alone.
 pub(super) const NAMES: Shape = Either(&[Text, List(&Text)]);
 pub(super) const MOTION: Shape = Registered(motions);

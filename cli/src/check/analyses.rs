@@ -1,5 +1,6 @@
 //! What is said of analyses that would come to nothing.
 
+use whirl_solver::cache::Cache;
 use whirl_solver::linear::LinearMachine;
 
 use crate::analysis::foreseen;
@@ -11,13 +12,18 @@ use crate::machine::Built;
 ///
 /// # Errors
 /// A machine that has no small motions at all.
-pub(super) fn warn(case: &Case, built: &Built, warnings: &mut Vec<String>) -> Result<(), Failure> {
+pub(super) fn warn(
+    case: &Case,
+    built: &Built,
+    cache: Option<&Cache>,
+    warnings: &mut Vec<String>,
+) -> Result<(), Failure> {
     if case.analyses.is_empty() {
         return Ok(());
     }
     let linear = LinearMachine::new(built.machine.clone())?;
     for analysis in &case.analyses {
-        let Err(error) = foreseen(case, &linear, analysis) else { continue };
+        let Err(error) = foreseen(case, &linear, analysis, cache) else { continue };
         let remedy = match &error {
             Failure::Argument { help, .. } => format!("; {help}"),
             _ => String::new(),

@@ -1,4 +1,4 @@
-//! What is said of bodies that turn and are not round.
+//! What is said of how round bodies are that turn.
 
 use std::f64::consts::TAU;
 use std::fmt::Write;
@@ -10,7 +10,10 @@ use crate::case::{Case, NamedBody};
 use crate::errors::Failure;
 use crate::machine::Built;
 
-/// Says it of each, with what moves at twice its speed.
+/// Share by which a body is off its mean over turns that is rounding.
+const EXACT: f64 = 1e-9;
+
+/// Says of each that is not round what moves at twice its speed, of the others what their mean over turns leaves out.
 ///
 /// # Errors
 /// A mass that is not positive definite.
@@ -21,6 +24,18 @@ pub(super) fn say(text: &mut String, case: &Case, built: &Built) -> Result<(), F
         let speed = case.machine.top_speed(place, case.run());
         let found = shaft.roundness().map_err(Error::from)?;
         if found.is_round_at(speed) {
+            let shares = found.shares.iter().map(|(_, share)| *share);
+            let off = shares.chain([found.splitting, found.rows]).fold(0.0, f64::max);
+            if off > EXACT {
+                let [pairs, most] =
+                    [found.splitting, off].map(|share| whirl_text::shown(100.0 * share, 2, 1e-4..1e2));
+                line!(
+                    text,
+                    "{} is round: its pairs of modes differ by up to {pairs} %, its matrices from their means over a turn, \
+                     which linear analyses take, by up to {most} %",
+                    body.name()
+                );
+            }
             continue;
         }
         let reason = found.lack();

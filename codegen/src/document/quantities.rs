@@ -49,6 +49,11 @@ impl Table<'_> {
         self.tree.entries.get(key).is_some_and(|(_, node)| node.is_list())
     }
 
+    /// Whether a key is given as text.
+    pub fn gives_text(&self, key: &str) -> bool {
+        self.tree.entries.get(key).is_some_and(|(_, node)| node.is_text())
+    }
+
     /// Three quantities along x, y and z, if given; SI.
     pub fn quantity_triple(&self, key: &str) -> Option<[f64; 3]> {
         fn of_three(shape: &Shape) -> Option<&'static Measure> {

@@ -205,6 +205,11 @@ impl Node {
         matches!(self.content, Content::List(_))
     }
 
+    /// Whether it is text.
+    pub(super) fn is_text(&self) -> bool {
+        matches!(self.content, Content::Text(_))
+    }
+
     fn each(&self, name: String, show: &mut dyn FnMut(String, &Node)) {
         match &self.content {
             Content::Table(inner) => {

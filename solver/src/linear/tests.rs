@@ -6,8 +6,10 @@ use super::linearised::Linearised;
 use super::round::LinearMachine;
 use crate::bearing::{Bearing, Sides};
 use crate::gravity::weights;
+use crate::linalg::Matrix;
 use crate::machine::{Body, Machine, MachineParts, Rotation};
 use crate::roundness::tests::Prism;
+use crate::shaft::Shaft;
 use crate::support::Support;
 
 /// rad/s.
@@ -45,6 +47,28 @@ fn machine(gravity: f64) -> Machine {
         loads,
     })
     .expect("a machine")
+}
+
+/// A body that turns, without a node, a section or a mass that is seen to move sideways, has no S.
+#[test]
+fn a_body_of_which_nothing_shows_how_it_turns_is_named() {
+    let mut shaft = Shaft::lumped(2.0, [1e6; 2], [0.0; 2], 0.0);
+    shaft.nodes.clear();
+    shaft.centre_of_mass.node.shapes = Matrix::zeros(3, 2);
+    let rotation = Rotation::Prescribed { speed: SPEED, acceleration: 0.0 };
+    let machine = Machine::new(MachineParts {
+        bodies: vec![Body::turning("impeller", shaft, rotation)],
+        motion: MOTIONS.iter().find(|own| own.origin.name == "consistent").expect("is shipped"),
+        clearance: &CLEARANCES[0],
+        laws: Vec::new(),
+        bearings: Vec::new(),
+        loads: Vec::new(),
+    });
+    let refused = LinearMachine::new(machine.expect("a machine")).err().expect("an error");
+    let said = refused.to_string();
+    for word in ["impeller cannot be seen from space", "shows its motion", "a set of nodes around"] {
+        assert!(said.contains(word), "{word}: {said}");
+    }
 }
 
 /// At times of which no symmetry knows, seen from space.

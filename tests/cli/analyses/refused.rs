@@ -27,8 +27,11 @@ const STIFFNESS: &str = "stiffness = { xx = \"1e6 N/m\", yy = \"1e6 N/m\" }";
 const HEADS: &str = "speed [rpm], k_xx [N], k_xy [N/m], k_yx [N/m], k_yy [N/m], c_xx [N*s/m], c_xy [N*s/m], \
                      c_yx [N*s/m], c_yy [N/m]\n0, 1, 0, 0, 1, 0, 0, 0, 0\n9000, 1, 0, 0, 1, 0, 0, 0, 0\n";
 
+const PUSH: &str = "time [s], force [N]\n0, 0\n0.01, 5\n0.02, 0\n";
+
 fn refused(case: &str, arguments: &[&str], words: &[&str]) {
     let workbench = Workbench::new().file("case.toml", case).file("table.csv", HEADS);
+    let workbench = workbench.file("push.csv", PUSH);
     let outcome = workbench.whirl(arguments);
     assert_eq!(outcome.status, 2, "{arguments:?}: {}{}", outcome.stdout, outcome.stderr);
     for word in words {
@@ -140,6 +143,9 @@ fn an_analysis_that_cannot_be_done_is_named_and_foreseen() {
         "kind = \"bearing\"\njournal = { body = \"rotor\" }\nlaw = \"ocvirk\"\nparameters = { mu = \"20 mPa*s\" }\n\
          radial_clearance = \"60 um\"\njournal_radius = \"30 mm\"\nlength = \"30 mm\"",
     );
+    let once = format!(
+        "{rotor}[loads.push]\nbody = \"rotor\"\ndirection = \"x\"\ntable = \"push.csv\"\n"
+    );
     let lateral = "kind = \"lateral\"\nminimum_speed = \"2000 rpm\"\nmaximum_speed = \"3000 rpm\"\n\
                    seals = [\"spring\"]\n";
     for (case, table, words) in [
@@ -155,11 +161,21 @@ fn an_analysis_that_cannot_be_done_is_named_and_foreseen() {
             ["no equilibrium was found with rotor at 3000 rpm", "Lower the loads"],
         ),
         (&rotor, lateral, ["`rotor` has no journal", "add a `[joint.NAME]`"]),
+        (
+            &rotor,
+            "kind = \"forces\"\nspeeds = \"3000 rpm\"\n",
+            ["no body of `case` can be cut", "give a body a mesh"],
+        ),
+        (
+            &once,
+            "kind = \"periodic\"\nspeeds = \"3000 rpm\"\n",
+            ["push", "give the load a `period`"],
+        ),
     ] {
         let case = format!("{case}[analysis.own]\n{table}");
         let named = "the analysis `own` cannot be done";
         refused(&case, &["analyse", "case.toml"], &[named, words[0], words[1], "case.toml:"]);
-        let bench = Workbench::new().file("case.toml", &case);
+        let bench = Workbench::new().file("case.toml", &case).file("push.csv", PUSH);
         let outcome = bench.whirl(&["check", "case.toml"]);
         assert_eq!(outcome.status, 0, "{}{}", outcome.stdout, outcome.stderr);
         let said = outcome.stderr.split_whitespace().collect::<Vec<_>>().join(" ");

@@ -85,6 +85,9 @@ fn rigid_bodies_have_their_numbers() {
     let block = body("block").support().expect("it stands");
     assert!(all_close(&block.stiffness, &[1e6 / 0.5, 2e6 / 0.5]), "{:?}", block.stiffness);
     assert!(all_close(&block.damping, &[300.0 / 0.5, 200.0 / 0.5]), "{:?}", block.damping);
+    let frame = body("frame").support().expect("it stands");
+    let damping: Vec<f64> = frame.stiffness.iter().map(|square| 60.0 + 3e-5 * square).collect();
+    assert!(all_close(&frame.damping, &damping), "{:?}", frame.damping);
 }
 
 /// A disc, an added mass and an unbalance on the shaft, each at its own radius and angle.

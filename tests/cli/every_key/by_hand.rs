@@ -27,6 +27,8 @@ pub(super) struct ByHand {
     pub(super) modes: [usize; 2],
     /// C = damping · K, likewise.
     pub(super) damping: [f64; 2],
+    /// C = mass_damping · M beside it, likewise.
+    pub(super) mass_damping: [f64; 2],
     pub(super) motion: &'static str,
     pub(super) axial_restraint: &'static str,
     pub(super) stiffening: bool,
@@ -83,7 +85,7 @@ fn body(mesh: &Mesh, which: usize, own: &ByHand, held: Held, nodes: Vec<usize>) 
         modes: own.modes[which],
         constraints: held.constraints,
         springs: held.springs,
-        damping: Rayleigh { alpha: 0.0, beta: own.damping[which] },
+        damping: Rayleigh { alpha: own.mass_damping[which], beta: own.damping[which] },
         nodes,
         stiffening: which == 0 && own.stiffening,
         means: Vec::new(),

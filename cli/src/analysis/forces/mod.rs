@@ -19,7 +19,7 @@ use super::found::{Found, drawn};
 use super::speeds::{self, Wanted};
 use super::states::{Ended, at_each_speed};
 use super::words;
-use crate::case::{Analysis, Case};
+use crate::case::{Analysis, Case, Form, Mesh, NamedBody};
 use crate::errors::Failure;
 use crate::machine;
 use crate::report::table;
@@ -162,16 +162,32 @@ fn cut(
         .map(|own| own.name().to_owned())
         .collect();
     if built.machine.bodies.iter().all(|own| own.sections().is_empty()) {
-        return Err(Failure::Argument {
-            message: format!(
-                "no body of `{}` can be cut: forces along bodies need a mesh",
-                case.name
-            ),
-            help: "give a body a mesh, `dimensions` or `sections` in place of its mass or matrices"
-                .to_owned(),
-        });
+        return Err(nothing_to_cut(case));
     }
     Ok(Cut { linear: LinearMachine::new(built.machine)?, whole })
+}
+
+/// What keeps an analysis from being done, as far as the case shows that.
+///
+/// # Errors
+/// None of the bodies can be cut.
+pub(super) fn foreseen(case: &Case) -> Result<(), Failure> {
+    let can_be_cut = |own: &NamedBody| match &own.form {
+        Form::Meshed(own) => !own.rigid && !matches!(own.body.mesh, Mesh::Matrices(_)),
+        Form::Rigid(_) => false,
+    };
+    match case.machine.bodies.iter().any(can_be_cut) {
+        true => Ok(()),
+        false => Err(nothing_to_cut(case)),
+    }
+}
+
+fn nothing_to_cut(case: &Case) -> Failure {
+    Failure::Argument {
+        message: format!("no body of `{}` can be cut: forces along bodies need a mesh", case.name),
+        help: "give a body a mesh, `dimensions` or `sections` in place of its mass or matrices"
+            .to_owned(),
+    }
 }
 
 /// The bodies that have sections, by their places.

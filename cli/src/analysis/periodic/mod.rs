@@ -87,6 +87,27 @@ pub(super) fn found(
     Ok(Found { text: text::of(&motions), files, interrupted, facts })
 }
 
+/// What keeps the first motion from being looked for.
+///
+/// # Errors
+/// As [`found`] before its search.
+pub(super) fn foreseen(
+    case: &Case,
+    analysis: &Analysis,
+    cache: Option<&Cache>,
+) -> Result<(), Failure> {
+    place::without_jumps(case)?;
+    if analysis.periodic.vary.is_some() {
+        return Ok(());
+    }
+    let of = turned::of(case, analysis)?;
+    let speed = analysis.speeds.first().copied();
+    let own = turned::at(case, analysis, of.zip(speed));
+    let built = machine::build_planned(&own, cache, &mut Vec::new())?;
+    let sought = Sought { case: &own, analysis, built: &built, speed };
+    sought.cycle(None).map(|_| ()).map_err(|error| place::of(case, error))
+}
+
 /// What of the march of a case is not that of its periodic motions.
 fn notes(case: &Case, analysis: &Analysis) -> Vec<String> {
     let Some(march) = &case.march else { return Vec::new() };

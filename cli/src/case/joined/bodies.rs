@@ -35,7 +35,7 @@ const RIGID: [&str; 4] = ["mass", "polar_inertia", "transverse_inertia", "stiffn
 /// Keys of rigid bodies, with a mesh or without, and of all.
 const OF_BOTH: [&str; 4] = ["z", "damping", "ground_spring", "moves_along_z"];
 /// Keys of a body with a mesh.
-const MESHED: [&str; 17] = [
+const MESHED: [&str; 18] = [
     "mesh",
     "matrices",
     "units",
@@ -49,6 +49,7 @@ const MESHED: [&str; 17] = [
     "sets",
     "modes",
     "static_correction",
+    "mass_damping",
     "held",
     "axial_restraint",
     "section",
@@ -56,9 +57,10 @@ const MESHED: [&str; 17] = [
 ];
 
 /// Keys of a mesh that a rigid one has not, and what to do instead.
-const OF_FLEXIBLE: [(&str, &str); 8] = [
+const OF_FLEXIBLE: [(&str, &str); 9] = [
     ("modes", "leave it out"),
     ("damping", "leave it out: a rigid body has no deformation to damp"),
+    ("mass_damping", "join the body to the ground by a `bushing` with `damping`"),
     ("stiffening", "leave it out: it is exact for a rigid body"),
     (
         "axial_restraint",
@@ -191,6 +193,8 @@ fn of_other_rotations(table: &Table, turns: &str, rigid: bool) {
         let help = "join the body to the ground by a `bushing`";
         let own: &[&str] = if rigid { &["stiffness", "damping"] } else { &["ground_spring"] };
         own.iter().for_each(|key| note(key, "a body that does not turn", help));
+        let help = "leave it out: it would drag the body along with its own frame; drag in space is damping of a `bushing` to the ground";
+        note("mass_damping", "a body that does not turn", help);
     }
 }
 
@@ -284,8 +288,9 @@ fn read_meshed(
     }
     let stiffening = turns && table.optional_boolean("stiffening").unwrap_or(true);
     let static_correction = machine::static_correction(table);
+    let mass_damping = if turns { 0.0 } else { machine::mass_damping(table) };
     Some(Box::new(MeshedBody {
-        body: Body { static_correction, ..body? },
+        body: Body { static_correction, mass_damping, ..body? },
         held,
         ground_springs,
         axial_restraint,

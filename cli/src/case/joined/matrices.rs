@@ -50,6 +50,7 @@ pub(super) fn read(store: FileStore, table: &Table) -> Option<Body> {
     Some(Body {
         modes,
         damping,
+        mass_damping: 0.0,
         static_correction: StaticCorrection::default(),
         material: None,
         regions: Vec::new(),

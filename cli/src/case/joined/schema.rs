@@ -8,7 +8,7 @@ use whirl_codegen::document::schema::{Key, Shape, key, merged};
 use crate::case::film::FILM;
 use crate::case::shapes::{
     ACCELERATION, ANGLE, ANSWERS, BORE, CLEARANCE, CROSS_DAMPING, CROSS_STIFFNESS, DAMPING,
-    DAMPING_TIME, GROUND_SPRING, INERTIA, LENGTH, MASS, MERGE, MESH_DAMPING, MESH_STIFFNESS,
+    DAMPING_RATE, DAMPING_TIME, GROUND_SPRING, INERTIA, LENGTH, MASS, MERGE, MESH_DAMPING, MESH_STIFFNESS,
     MOST_CELLS, MOST_MODES, MOST_SPRINGS, MOTION, NAMES, PARAMETERS, PARAMETERS_EXAMPLE, POSITION,
     SELECTION, STIFFNESS, TARGET_SPEED, TILTING_DAMPING, TILTING_STIFFNESS, TORQUE,
     TORSIONAL_DAMPING, TORSIONAL_STIFFNESS, TURNING_SPEED,
@@ -62,6 +62,7 @@ pub(crate) const BODY: &[Key] = &[
         Either(&[DAMPING_TIME, Table(&[PLANE_DAMPING])]),
         "C = damping · K of a mesh; of a rigid body to the ground, by x and y",
     ),
+    key("mass_damping", DAMPING_RATE, "C = mass_damping · M beside it, of a mesh that does not turn"),
     key("held", NAMES, "node sets held in x, y and z, or to the frame that turns")
         .like("[\"MOUNTS\"]"),
     key("ground_spring", List(&Table(&[GROUND_SPRING])), "springs to the ground"),

@@ -59,8 +59,9 @@ fn read_support(store: FileStore, table: &Table, materials: &Materials) -> Optio
     let body = body(store, table, materials, make);
     let ground_springs = ground_springs(table);
     let static_correction = static_correction(table);
+    let mass_damping = mass_damping(table);
     let held = vec![table.text_or_none("mounts")];
-    let body = Body { static_correction, ..body? };
+    let body = Body { static_correction, mass_damping, ..body? };
     let form = MeshedBody { held, ground_springs, ..MeshedBody::of(body) };
     Some(NamedBody::of(table.heading().text("support"), Form::Meshed(Box::new(form))))
 }
@@ -71,7 +72,7 @@ const ANSWERED: [&str; 3] = ["loads", "outputs", "bores"];
 /// Static answers that are kept: to loads if nothing is said, to loads on bores, too, to what a list names, or none.
 pub(in crate::case) fn static_correction(table: &Table) -> StaticCorrection {
     const KEY: &str = "static_correction";
-    if !table.gives_list(KEY) {
+    if !table.gives_list(KEY) && !table.gives_text(KEY) {
         let said = table.optional_boolean(KEY);
         let bores = (said == Some(true)).then(|| table.written(KEY));
         return StaticCorrection { loads: said != Some(false), outputs: false, bores };
@@ -84,12 +85,17 @@ pub(in crate::case) fn static_correction(table: &Table) -> StaticCorrection {
             "bores" => kept.bores = Some(own),
             other => {
                 let message = format!("`{other}` is nothing to which static answers are kept");
-                let help = format!("name some of `{}`", ANSWERED.join("`, `"));
+                let help = format!("name some of `{}`, or write true or false", ANSWERED.join("`, `"));
                 table.push(own.error_here(Code::BAD_VALUE, message).help(help));
             }
         }
     }
     kept
+}
+
+/// α of C = αM of a body that stands (1/s).
+pub(in crate::case) fn mass_damping(table: &Table) -> f64 {
+    table.quantity("mass_damping").unwrap_or(0.0)
 }
 
 /// Whether the answers of a body without bores to loads are kept.
@@ -133,6 +139,7 @@ pub(in crate::case) fn body(
     Some(Body {
         modes: table.count_or_one("modes"),
         damping: table.quantity("damping").unwrap_or(0.0),
+        mass_damping: 0.0,
         static_correction: StaticCorrection::default(),
         material,
         regions,

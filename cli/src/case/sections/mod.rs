@@ -81,6 +81,7 @@ pub(super) fn read(
     Some(Body {
         modes: table.count_or_one("modes"),
         damping: table.quantity("damping").unwrap_or(0.0),
+        mass_damping: 0.0,
         static_correction: StaticCorrection::default(),
         material,
         regions,

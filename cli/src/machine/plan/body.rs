@@ -91,7 +91,7 @@ impl BodyPlan {
             modes: case.modes,
             constraints: Constraints::new(),
             springs: Vec::new(),
-            damping: Rayleigh { alpha: 0.0, beta: case.damping },
+            damping: Rayleigh { alpha: case.mass_damping, beta: case.damping },
             nodes: Vec::new(),
             stiffening: false,
             means: Vec::new(),
