@@ -138,7 +138,7 @@ impl About {
             ("complete", complete.to_string()),
         ];
         let columns = built.columns();
-        let units = columns.iter().map(|own| own.unit.to_owned()).collect();
+        let units = columns.iter().map(|own| own.unit.to_string()).collect();
         let names = columns.iter().map(|own| own.name.clone()).collect();
         About { names, facts: Facts { units, whole } }
     }

@@ -65,6 +65,15 @@ pub enum Wanted<P = BodyNode> {
         /// Its integrals.
         integrals: Vec<Integral>,
     },
+    /// States of the law of a joint, at each of its places.
+    States {
+        /// The joint, by its place among the bearings.
+        joint: usize,
+        /// The states.
+        states: Vec<StateOfLaw>,
+        /// Planes of the joint, or springs in all of them where the law acts at springs.
+        places: usize,
+    },
     /// Power of a joint's forces on the body of the journal (W); negative where they brake it.
     JointPower {
         /// The joint.
@@ -81,6 +90,22 @@ pub struct Integral {
     pub unit: &'static str,
     /// What it is.
     pub meaning: String,
+}
+
+/// A state of a law.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct StateOfLaw {
+    /// Name.
+    pub name: String,
+    /// SI unit.
+    pub unit: String,
+}
+
+impl StateOfLaw {
+    /// The unit in which histories have it, and one of SI in that.
+    pub(crate) fn shown(&self) -> (&str, f64) {
+        if self.unit == "m" { ("um", 1e6) } else { (&self.unit, 1.0) }
+    }
 }
 
 /// A displacement, or a derivative.
@@ -135,6 +160,7 @@ impl<P> Output<P> {
             Wanted::Film { joint, openings, integrals } => {
                 Wanted::Film { joint, openings, integrals }
             }
+            Wanted::States { joint, states, places } => Wanted::States { joint, states, places },
         };
         Output { name, what }
     }
@@ -266,6 +292,22 @@ impl Output {
                 }));
                 all
             }
+            Wanted::States { states, places, .. } => {
+                let one = |place: usize, own: &StateOfLaw| {
+                    let (unit, _) = own.shown();
+                    let (number, at) = match places {
+                        1 => (String::new(), String::new()),
+                        _ => (format!("_{}", place + 1), format!(" at its place {}", place + 1)),
+                    };
+                    let column = format!("{}_{name}{number}{}", own.name, in_name(unit));
+                    let meaning = format!("state {} of the law{at}, {name}", own.name);
+                    Column::new(column, unit.to_owned(), meaning)
+                };
+                let one = &one;
+                let all =
+                    (0..*places).flat_map(|place| states.iter().map(move |own| one(place, own)));
+                all.collect()
+            }
             Wanted::JointPower { .. } => {
                 vec![one(
                     format!("power_{name}_W"),
@@ -274,5 +316,14 @@ impl Output {
                 )]
             }
         }
+    }
+}
+
+/// A unit as names of columns have it, behind what it is the unit of: `_mm_s` of mm/s, nothing of 1.
+fn in_name(unit: &str) -> String {
+    let kept = unit.chars().filter(|c| c.is_alphanumeric() || *c == '/');
+    match unit {
+        "1" => String::new(),
+        _ => format!("_{}", kept.collect::<String>().replace('/', "_")),
     }
 }

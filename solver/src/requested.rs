@@ -1,5 +1,6 @@
 //! Machines with outputs by request: which there can be, and the names of their columns.
 
+use crate::bearing::Plane;
 use crate::error::Error;
 use crate::history::History;
 use crate::machine::Machine;
@@ -25,13 +26,24 @@ impl Machine {
                 }
                 Wanted::Joint { joint, .. }
                 | Wanted::JointPower { joint }
-                | Wanted::Film { joint, .. } => (None, Some(*joint)),
+                | Wanted::Film { joint, .. }
+                | Wanted::States { joint, .. } => (None, Some(*joint)),
             };
             if body.is_some_and(|body| body >= self.bodies.len()) {
                 return wrong(name, "there is no such body");
             }
             if joint.is_some_and(|joint| joint >= self.monitors.len()) {
                 return wrong(name, "there is no such joint");
+            }
+            if let Wanted::States { joint, states, places } = what {
+                let planes =
+                    self.monitors[*joint].planes.iter().map(|own| &self.springs.planes[*own]);
+                let has =
+                    |own: &Plane| self.springs.laws[own.law].bound.states.len() == states.len();
+                let found: usize = planes.clone().map(|own| own.springs.len()).sum();
+                if found != *places || !planes.clone().all(has) {
+                    return wrong(name, "the law of the joint has other states");
+                }
             }
             if let Wanted::Motion { body, point, components, .. } = what {
                 if point.shapes.cols != self.bodies[*body].size() {

@@ -252,3 +252,71 @@ fn a_machine_without_joints_and_outputs_has_the_displacements_of_its_rigid_bodie
     let energy = of("[output.e]\nquantity = \"energy\"\nbody = \"mass\"\n");
     assert!(!energy.names().iter().any(|own| own == "x_mass_um"), "{:?}", energy.names());
 }
+
+/// A damper in series with a spring, in each direction, at every spring of a bearing or once in its middle: the states of the
+/// history are the displacements of the history, integrated by the trapezoidal rule.
+#[test]
+fn states_of_laws_are_in_the_history_by_request() {
+    const TAU: f64 = 2e-3;
+    let inputs = |names: [&str; 2]| {
+        names.map(|own| format!("[inputs.{own}]\nunit = \"mm\"\nrange = [-1, 1]\n")).concat()
+    };
+    let states = ["u", "v"]
+        .map(|own| format!("[states.{own}]\nunit = \"mm\"\nstart = 0\nrange = [-1, 1]\n"))
+        .concat();
+    let law = format!(
+        "kind = \"law\"\nname = \"own\"\ntitle = \"Maxwell elements\"\nsource = \"closed form\"\n{}{states}\
+         [parameters.tau]\nvalue = {TAU}\nunit = \"s\"\n[parameters.k]\nvalue = 2e4\nunit = \"N/m\"\n\
+         [rates]\nu = '(e_x - u)/tau'\nv = '(e_y - v)/tau'\n\
+         [outputs.F_x]\nunit = \"N\"\nvalue = '-k*(2*e_x - u)'\n[outputs.F_y]\nunit = \"N\"\nvalue = '-k*(2*e_y - v)'\n",
+        inputs(["e_x", "e_y"])
+    );
+    let case = |law: &str, of: &str| {
+        format!(
+            "title = \"a mount\"\n[body.mass]\nturns = \"no\"\nmass = \"2 kg\"\n[joint.mount]\nkind = \"bearing\"\n\
+             journal = {{ body = \"mass\" }}\nlaw = \"{law}\"\n{of}\
+             [loads.push]\nbody = \"mass\"\nforce = [\"30 N\", \"-20 N\", \"0 N\"]\nfrequency = \"40 Hz\"\n\
+             [output.own]\nquantity = \"states\"\njoint = \"mount\"\n\
+             [march]\ntime_step = \"1e-4 s\"\nduration = \"0.1 s\"\n"
+        )
+    };
+    let bench = Workbench::new().file("own.toml", &law).file("case.toml", &case("own.toml", ""));
+    done(&bench, &["run", "case.toml", "--no-figures"]);
+    let found = bench.history("results/case");
+    for (state, moved) in [("u_own_um", "EX_mount_um"), ("v_own_um", "EY_mount_um")] {
+        let (state, moved) = (found.column(state), found.column(moved));
+        assert!(state.iter().any(|own| own.abs() > 100.0));
+        for k in 1..found.rows() {
+            let rate = |k: usize| (moved[k] - state[k]) / TAU;
+            let next = state[k - 1] + 0.5e-4 * (rate(k - 1) + rate(k));
+            // Ten digits of up to a millimetre.
+            assert!((state[k] - next).abs() < 1e-5, "{k}: {} for {next}", state[k]);
+        }
+    }
+    // A law of springs has its states at each of them.
+    let spring = "kind = \"law\"\nname = \"own\"\ntitle = \"a creeping wall\"\nsource = \"closed form\"\n\
+                  [inputs.h]\nunit = \"mm\"\nrange = [-1, 1]\n[states.s]\nunit = \"mm\"\nstart = 0\nrange = [-1, 1]\n\
+                  [parameters.k]\nvalue = 1e4\nunit = \"N/m\"\n[parameters.t]\nvalue = 0.01\nunit = \"s\"\n[rates]\ns = '(h - s)/t'\n\
+                  [outputs.Q]\nunit = \"N\"\nvalue = '-k*(h - s/2)'\n";
+    let of = "springs = 8\nradial_clearance = \"50 um\"\nstations = [\"0 mm\"]\n";
+    let bench = Workbench::new().file("own.toml", &spring).file("case.toml", &case("own.toml", of));
+    done(&bench, &["run", "case.toml", "--no-figures"]);
+    let found = bench.history("results/case");
+    let names: Vec<String> = (1..=8).map(|k| format!("s_own_{k}_um")).collect();
+    for name in &names {
+        assert!(found.names().contains(name), "{name}: {:?}", found.names());
+    }
+    // Springs across each other see opposite motions about the clearance.
+    let [one, other] = [0, 4].map(|k| found.column(&names[k]).last().copied().expect("a row"));
+    assert!((one - other).abs() > 1.0 && (one + other).abs() > 1.0, "{one} {other}");
+    let bushing = "title = \"none\"\n[body.a]\nturns = \"no\"\nmass = \"1 kg\"\n[joint.b]\nkind = \"bushing\"\n\
+                   first = { body = \"a\" }\nstiffness = { xx = \"1e4 N/m\", yy = \"1e4 N/m\" }\n\
+                   [output.own]\nquantity = \"states\"\njoint = \"b\"\n[march]\ntime_step = \"1e-4 s\"\nsteps = 9\n";
+    let outcome = Workbench::new().file("case.toml", bushing).whirl(&["check", "case.toml"]);
+    assert_eq!(outcome.status, 2);
+    assert!(
+        outcome.stderr.contains("the law of the joint `b` has no states"),
+        "{}",
+        outcome.stderr
+    );
+}

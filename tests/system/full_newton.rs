@@ -38,7 +38,7 @@ fn the_steps_of_all_shipped_cases_are_those_of_full_newton() {
             march.advance().unwrap_or_else(|error| panic!("{name}: {error}"));
             let own = march.row();
             for (column, own) in columns.iter().zip(own) {
-                let most = largest.entry(column.unit).or_default();
+                let most = largest.entry(&*column.unit).or_default();
                 *most = most.max(own.abs());
             }
             let Some(before) = before else { continue };
@@ -53,7 +53,7 @@ fn the_steps_of_all_shipped_cases_are_those_of_full_newton() {
                 let difference = (own[place] - full.row()[place]).abs();
                 // What does not turn but for rounding is not held to that.
                 let least = if column.unit.starts_with("rad") { 1.0 } else { 0.0 };
-                let size = f64::max(largest[column.unit], least);
+                let size = f64::max(largest[&*column.unit], least);
                 let missing = if column.unit == "N" { MISSING } else { 0.0 };
                 let error = difference / (SHARE * size + missing);
                 if error > worst.0 {

@@ -7,6 +7,7 @@ use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, 
 use whirl_codegen::document::Table;
 use whirl_codegen::kinds::law::{Acts, Given, LawSpec, Parameter};
 use whirl_solver::bearing::{FilmLaw, FrequencyTable, MotionKind};
+use whirl_solver::output::StateOfLaw;
 use whirl_specs::{LAWS, Law, TABLES};
 
 use super::film::{self, FilmSource};
@@ -117,6 +118,29 @@ impl LawSource {
             LawSource::Film(_) => {
                 FilmLaw::TAKEN.iter().chain(&FilmLaw::GIVEN).map(|own| (*own).to_owned()).collect()
             }
+        }
+    }
+
+    /// What it remembers, with SI units.
+    pub(crate) fn states(&self) -> Vec<StateOfLaw> {
+        let of = |spec: &LawSpec| {
+            let own = spec.remembered().iter().map(|own| StateOfLaw {
+                name: own.name.clone(),
+                unit: own.unit.dimension().si_unit(),
+            });
+            own.collect()
+        };
+        match self {
+            LawSource::BuiltIn(law) => {
+                let own = law.states.iter().map(|own| StateOfLaw {
+                    name: own.variable.name.to_owned(),
+                    unit: own.variable.unit.to_owned(),
+                });
+                own.collect()
+            }
+            LawSource::File(spec) => of(spec),
+            LawSource::Given(law) => of(&law.spec),
+            LawSource::Film(_) => Vec::new(),
         }
     }
 

@@ -2,6 +2,7 @@
 
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
+use whirl_codegen::kinds::law::Acts;
 use whirl_solver::bearing::MotionKind;
 use whirl_solver::loads::Frame;
 use whirl_solver::output::{self, JointQuantity, Motion};
@@ -63,7 +64,7 @@ fn of_bodies(machine: &JoinedMachine) -> Vec<Output> {
 }
 
 /// What can be asked for.
-pub(super) const QUANTITIES: [&str; 13] = [
+pub(super) const QUANTITIES: [&str; 14] = [
     "displacement",
     "velocity",
     "acceleration",
@@ -77,6 +78,7 @@ pub(super) const QUANTITIES: [&str; 13] = [
     "energy",
     "power",
     "film",
+    "states",
 ];
 
 /// Keys that some quantities have no use for.
@@ -94,7 +96,7 @@ fn read_one(table: &Table, machine: Option<&JoinedMachine>) -> Option<Wanted> {
     let (used, of_body, of_joint): (&[&str], bool, bool) = match quantity {
         "displacement" | "velocity" | "acceleration" => (&OF_SOME, true, false),
         "force" | "deformation" | "rate" | "moment" | "tilt" => (&["frame"], false, true),
-        "axial_force" | "axial_deformation" | "film" => (&[], false, true),
+        "axial_force" | "axial_deformation" | "film" | "states" => (&[], false, true),
         "energy" => (&[], true, false),
         _ => (&[], true, true),
     };
@@ -149,6 +151,23 @@ fn read_one(table: &Table, machine: Option<&JoinedMachine>) -> Option<Wanted> {
             };
             let (openings, integrals) = film.columns();
             return Some(Wanted::Film { joint, openings, integrals });
+        }
+        if quantity == "states" {
+            let bearing = &known.bearing;
+            let states = bearing.law.source.states();
+            if states.is_empty() {
+                let message = format!("the law of the joint `{}` has no states", own.text());
+                let help =
+                    "name a joint whose law has `[states]`, or another quantity, such as \"force\"";
+                table.push(own.error_here(Code::BAD_VALUE, message).help(help));
+                return None;
+            }
+            let places = match bearing.law.source.acts() {
+                Acts::Joint | Acts::Gear => 1,
+                Acts::Ring => bearing.rings(),
+                Acts::Spring => bearing.rings() * bearing.springs,
+            };
+            return Some(Wanted::States { joint, states, places });
         }
         let quantity = match (quantity, coupling) {
             ("power", _) => return Some(Wanted::JointPower { joint }),

@@ -27,8 +27,8 @@ pub(super) fn say(text: &mut String, case: &Case, built: &Built) -> Result<(), F
             let shares = found.shares.iter().map(|(_, share)| *share);
             let off = shares.chain([found.splitting, found.rows]).fold(0.0, f64::max);
             if off > EXACT {
-                let [pairs, most] =
-                    [found.splitting, off].map(|share| whirl_text::shown(100.0 * share, 2, 1e-4..1e2));
+                let [pairs, most] = [found.splitting, off]
+                    .map(|share| whirl_text::shown(100.0 * share, 2, 1e-4..1e2));
                 line!(
                     text,
                     "{} is round: its pairs of modes differ by up to {pairs} %, its matrices from their means over a turn, \

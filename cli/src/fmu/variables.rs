@@ -85,7 +85,7 @@ impl Variables {
                 own.all.push(Variable {
                     name,
                     description: meaning,
-                    unit: unit.to_owned(),
+                    unit: unit.to_string(),
                     role: Role::Output(place),
                     start: None,
                 });

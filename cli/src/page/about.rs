@@ -132,7 +132,7 @@ impl About {
                 .into_iter()
                 .map(|own| ColumnFacts {
                     name: own.name,
-                    unit: own.unit.to_owned(),
+                    unit: own.unit.to_string(),
                     meaning: own.meaning,
                 })
                 .collect(),

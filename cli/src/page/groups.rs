@@ -93,13 +93,13 @@ pub(super) fn groups(case: &Case, built: &Built, columns: &[Column]) -> Vec<Grou
     for own in columns.iter().filter(|own| own.unit == "J" || own.unit == "W") {
         let quantity = if own.unit == "J" { "energy" } else { "power" };
         let lines = vec![(own.name.clone(), quantity.to_owned())];
-        all.add((&capital(&own.meaning), quantity, own.unit, 1.0), lines, true);
+        all.add((&capital(&own.meaning), quantity, &own.unit, 1.0), lines, true);
     }
     let turns = 1.0 / std::f64::consts::TAU;
     all.add(("Angle of rotation", "revolutions", "1", turns), of("_rad", "theta"), false);
     for own in columns.iter().skip(1) {
         let lines = vec![(own.name.clone(), own.meaning.clone())];
-        let (title, unit) = (capital(&own.meaning), shown_unit(own.unit));
+        let (title, unit) = (capital(&own.meaning), shown_unit(&own.unit));
         all.add((&title, &own.meaning, unit, 1.0), lines, false);
     }
     all.groups

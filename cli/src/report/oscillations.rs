@@ -65,7 +65,8 @@ pub(crate) fn oscillations(case: &Case, machine: &Machine) -> Vec<Oscillation> {
             Wanted::Energy { .. }
             | Wanted::Power { .. }
             | Wanted::JointPower { .. }
-            | Wanted::Film { .. } => continue,
+            | Wanted::Film { .. }
+            | Wanted::States { .. } => continue,
         };
         let axes: Vec<usize> = match &output.what {
             Wanted::Motion { components, .. } => components.clone(),

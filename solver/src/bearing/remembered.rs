@@ -38,6 +38,20 @@ impl SpringState {
         self.laws.iter().flat_map(|own| own.relaxes.iter().copied())
     }
 
+    /// The states of a plane where the laws were evaluated last, each by its place among those of the law: spring after spring.
+    pub(crate) fn states_in<'s>(
+        &'s self,
+        springs: &'s Springs,
+        plane: usize,
+    ) -> impl Iterator<Item = (usize, f64)> + 's {
+        let plane = &springs.planes[plane];
+        let (law, own) = (&springs.laws[plane.law], &self.laws[plane.law]);
+        let states = 0..law.bound.states.len();
+        plane.springs.clone().flat_map(move |spring| {
+            states.clone().map(move |state| (state, own.states[state * law.springs + spring]))
+        })
+    }
+
     /// What the states of the law at `place` do where the springs were evaluated last, spring after spring.
     pub(crate) fn states_of(&mut self, springs: &Springs, place: usize) -> Vec<StatesAt> {
         let law = &springs.laws[place];

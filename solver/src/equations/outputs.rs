@@ -42,6 +42,12 @@ impl Equations<'_> {
                 Wanted::Power { body } => {
                     power(self, *body, state).into_iter().for_each(&mut write)
                 }
+                Wanted::States { joint, states, .. } => {
+                    for &plane in &machine.monitors[*joint].planes {
+                        let all = self.springs.states_in(&machine.springs, plane);
+                        all.for_each(|(state, value)| write(states[state].shown().1 * value));
+                    }
+                }
                 Wanted::JointPower { joint } => {
                     write(joint_power(self, &machine.monitors[*joint], state))
                 }

@@ -66,7 +66,8 @@ fn a_body_of_which_nothing_shows_how_it_turns_is_named() {
     });
     let refused = LinearMachine::new(machine.expect("a machine")).err().expect("an error");
     let said = refused.to_string();
-    for word in ["impeller cannot be seen from space", "shows its motion", "a set of nodes around"] {
+    for word in ["impeller cannot be seen from space", "shows its motion", "a set of nodes around"]
+    {
         assert!(said.contains(word), "{word}: {said}");
     }
 }

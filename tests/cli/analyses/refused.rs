@@ -143,9 +143,6 @@ fn an_analysis_that_cannot_be_done_is_named_and_foreseen() {
         "kind = \"bearing\"\njournal = { body = \"rotor\" }\nlaw = \"ocvirk\"\nparameters = { mu = \"20 mPa*s\" }\n\
          radial_clearance = \"60 um\"\njournal_radius = \"30 mm\"\nlength = \"30 mm\"",
     );
-    let once = format!(
-        "{rotor}[loads.push]\nbody = \"rotor\"\ndirection = \"x\"\ntable = \"push.csv\"\n"
-    );
     let lateral = "kind = \"lateral\"\nminimum_speed = \"2000 rpm\"\nmaximum_speed = \"3000 rpm\"\n\
                    seals = [\"spring\"]\n";
     for (case, table, words) in [
@@ -166,11 +163,6 @@ fn an_analysis_that_cannot_be_done_is_named_and_foreseen() {
             "kind = \"forces\"\nspeeds = \"3000 rpm\"\n",
             ["no body of `case` can be cut", "give a body a mesh"],
         ),
-        (
-            &once,
-            "kind = \"periodic\"\nspeeds = \"3000 rpm\"\n",
-            ["push", "give the load a `period`"],
-        ),
     ] {
         let case = format!("{case}[analysis.own]\n{table}");
         let named = "the analysis `own` cannot be done";
@@ -182,6 +174,19 @@ fn an_analysis_that_cannot_be_done_is_named_and_foreseen() {
         for word in [named, words[0], words[1]] {
             assert!(said.contains(word), "{word}: {said}");
         }
+    }
+    // A load that does not repeat has a place of its own.
+    let once = format!(
+        "{rotor}[loads.push]\nbody = \"rotor\"\ndirection = \"x\"\ntable = \"push.csv\"\n\
+         [analysis.own]\nkind = \"periodic\"\nspeeds = \"3000 rpm\"\n"
+    );
+    let words = ["load.push goes by a table over time", "give the load a `period`", "[loads.push]"];
+    refused(&once, &["analyse", "case.toml"], &words);
+    let bench = Workbench::new().file("case.toml", &once).file("push.csv", PUSH);
+    let outcome = bench.whirl(&["check", "case.toml"]);
+    assert_eq!(outcome.status, 0, "{}{}", outcome.stdout, outcome.stderr);
+    for word in ["the analysis `own` cannot be done", words[0], words[1]] {
+        assert!(outcome.stderr.contains(word), "{word}: {}", outcome.stderr);
     }
     let sound = format!("{rotor}[analysis.own]\nkind = \"modes\"\n");
     let outcome = Workbench::new().file("case.toml", &sound).whirl(&["check", "case.toml"]);

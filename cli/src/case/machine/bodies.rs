@@ -85,7 +85,8 @@ pub(in crate::case) fn static_correction(table: &Table) -> StaticCorrection {
             "bores" => kept.bores = Some(own),
             other => {
                 let message = format!("`{other}` is nothing to which static answers are kept");
-                let help = format!("name some of `{}`, or write true or false", ANSWERED.join("`, `"));
+                let help =
+                    format!("name some of `{}`, or write true or false", ANSWERED.join("`, `"));
                 table.push(own.error_here(Code::BAD_VALUE, message).help(help));
             }
         }
