@@ -13,12 +13,14 @@ pub(super) const STEPS: [usize; 2] = [8, 100_000];
 /// Cycles that may be marched, and common periods in one.
 pub(super) const MOST_MARCHED: usize = 100_000;
 pub(super) const MOST_PERIODS: usize = 64;
+/// Harmonics that may be asked for.
+pub(super) const MOST_HARMONICS: usize = 1000;
 /// Words of `method` and `begin`.
-pub(super) const METHODS: &[&str] = &["accelerated", "shooting"];
+pub(super) const METHODS: &[&str] = &["accelerated", "shooting", "harmonic"];
 pub(super) const BEGINNINGS: &[&str] = &["equilibrium", "rest"];
 /// Keys that other kinds of analysis have no use for.
-const KEYS: [&str; 8] =
-    ["steps", "method", "marched", "periods", "begin", "cycles", "vary", "points"];
+const KEYS: [&str; 9] =
+    ["steps", "method", "harmonics", "marched", "periods", "begin", "cycles", "vary", "points"];
 /// Cycles in which a motion is looked for, where the case does not say it.
 const CYCLES: usize = 400;
 /// Points of a branch where the case does not say it, and the most of them.
@@ -32,6 +34,8 @@ pub(crate) struct PeriodicKeys {
     pub(crate) steps: Option<usize>,
     /// By which method; the one that takes less time if there is none.
     pub(crate) method: Option<Method>,
+    /// Harmonics that are balanced; as many as are enough if there is none.
+    pub(crate) harmonics: Option<usize>,
     /// Cycles that are marched first.
     pub(crate) marched: Option<usize>,
     /// Common periods of loads and speeds in a cycle.
@@ -111,6 +115,7 @@ impl Default for PeriodicKeys {
         PeriodicKeys {
             steps: None,
             method: None,
+            harmonics: None,
             marched: None,
             periods: 1,
             begin: None,
@@ -138,21 +143,41 @@ pub(super) fn read(table: &Table) -> PeriodicKeys {
         let word = table.optional_word(key)?;
         words.iter().position(|own| *own == word)
     };
+    const ALL: [Method; 3] = [Method::Accelerated, Method::Shooting, Method::Harmonic];
+    let method = place("method", METHODS).map(|own| ALL[own]);
     PeriodicKeys {
         steps: table.optional_count("steps"),
-        method: place("method", METHODS).map(|own| [Method::Accelerated, Method::Shooting][own]),
+        method,
+        harmonics: harmonics(table, method),
         marched: table.optional_count("marched"),
         periods: table.optional_count("periods").unwrap_or(usual.periods),
         begin: place("begin", BEGINNINGS).map(|own| [Beginning::Equilibrium, Beginning::Rest][own]),
         cycles: table.optional_count("cycles").unwrap_or(usual.cycles),
-        vary: vary(table),
+        vary: vary(table, method),
         points: table.optional_count("points").unwrap_or(usual.points),
     }
 }
 
+/// How many harmonics are balanced, where they are.
+fn harmonics(table: &Table, method: Option<Method>) -> Option<usize> {
+    let key = "harmonics";
+    let given = table.optional_count(key)?;
+    if method != Some(Method::Harmonic) {
+        let message = "`harmonics` are those of the method `harmonic`";
+        let help = "write `method = \"harmonic\"`, or leave them out";
+        table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
+    }
+    Some(given)
+}
+
 /// The key that varies; with speeds beside it there would be two.
-fn vary(table: &Table) -> Option<Varying> {
+fn vary(table: &Table, method: Option<Method>) -> Option<Varying> {
     let text = table.optional_string("vary")?;
+    if method == Some(Method::Harmonic) {
+        let message = "motions are followed over `vary` by shooting, not by harmonics";
+        let help = "leave out `method`, or give `speeds` in place of `vary`";
+        table.push(table.written("method").error_here(Code::BAD_VALUE, message).help(help));
+    }
     if table.has("speeds") {
         let message = "motions are followed over `vary`, or found at each of `speeds`";
         let help = "leave out one of them: a speed varies as `vary = \"body.rotor.speed = 3000 rpm .. 9000 rpm\"`";

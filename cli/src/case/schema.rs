@@ -12,7 +12,9 @@ use super::joined::schema as joined;
 use super::lateral::STAGES;
 use super::march::{AUTOMATIC, ESTIMATE, GENERALIZED_ALPHA, MOST_STEPS, NEWMARK, ONE_CYCLE};
 use super::outputs::QUANTITIES;
-use super::periodic::{BEGINNINGS, METHODS, MOST_MARCHED, MOST_PERIODS, MOST_POINTS, STEPS};
+use super::periodic::{
+    BEGINNINGS, METHODS, MOST_HARMONICS, MOST_MARCHED, MOST_PERIODS, MOST_POINTS, STEPS,
+};
 use super::shapes::{
     ANGLE, ANSWERS, CLEARANCE, CROSS_STIFFNESS, DAMPING, DAMPING_RATE, DAMPING_TIME, DENSITY,
     DURATION, FORCE, FREQUENCY, GAS_DENSITY, GRAVITY, GROUND_SPRING, LENGTH, MASS, MERGE, MODULUS,
@@ -423,6 +425,12 @@ const ANALYSIS: &[Key] = &[
     )
     .like("360"),
     key("method", Words(METHODS), "of a periodic motion; the one that takes less time if left out"),
+    key(
+        "harmonics",
+        Count(1, MOST_HARMONICS),
+        "balanced by the method `harmonic`, beside the mean; as many as are enough if left out",
+    )
+    .like("30"),
     key("marched", Count(0, MOST_MARCHED), "cycles of a periodic motion marched before the method")
         .like("8"),
     key(

@@ -83,6 +83,7 @@ pub use periods::{FewestSteps, LEAST_STEPS};
 pub use quality::Quality;
 pub use restart::LastState;
 pub use rings::{Ringing, RingingPart};
+pub(crate) use row::write_row;
 pub(crate) use settled::settled_from;
 pub use state_errors::StateError;
 pub use steady::{SteadyRule, SteadyState};

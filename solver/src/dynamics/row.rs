@@ -12,7 +12,7 @@ pub(super) fn displacements(bearings: usize) -> std::ops::Range<usize> {
 /// [`History::for_machine`](crate::history::History::for_machine).
 // A phase of its own in tables of where the time goes.
 #[inline(never)]
-pub(super) fn write_row(
+pub(crate) fn write_row(
     equations: &Equations,
     state: &State,
     time: f64,

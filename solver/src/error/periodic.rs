@@ -55,6 +55,12 @@ pub enum PeriodicError {
         /// The quotient of whole numbers nearest to that of the second over the first.
         nearest: [f64; 2],
     },
+    /// Harmonics whose residual was not brought to zero.
+    #[error("no motion was found in which the first {harmonics} harmonics are balanced")]
+    NotBalanced {
+        /// How many.
+        harmonics: usize,
+    },
     /// A load that is another one after the cycle.
     #[error("{load} does not repeat after the cycle of {period} s")]
     NotRepeated {

@@ -22,7 +22,7 @@ mod sums;
 
 pub use cholesky::Cholesky;
 pub(crate) use combination::{add_columns, add_product, add_transposed, widely};
-pub(crate) use complex::solve_complex;
+pub(crate) use complex::{ComplexLu, solve_complex};
 pub use eigen::{GeneralisedEigen, SymmetricEigen, generalised_symmetric_eigen, symmetric_eigen};
 pub(crate) use eigen::{eigenvalues, hermitian_eigen, ritz_pairs};
 pub use lower::LowerTriangle;

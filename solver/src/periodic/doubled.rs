@@ -3,12 +3,14 @@
 use num_complex::Complex64;
 
 use super::map::{CycleMap, Orbit};
+use super::metric::norm;
 use super::multipliers::largest;
 use super::options::PeriodicOptions;
 use super::solve::{Observe, solve};
 use super::weighed::Weighed;
 use crate::error::Error;
 use crate::history::History;
+use crate::machine::Machine;
 
 /// What steps half as long change of a motion, as a fraction of the largest value of its kind over the cycle: of the error of
 /// the motion itself it is three quarters where all is smooth.
@@ -40,25 +42,35 @@ pub(super) fn finer(
     let found = solve(&mut weighed, y, &options, observe)?;
     let values = largest(&mut weighed, &found.y, options.multipliers)?;
     let state = weighed.state(&found.y);
-    let apart: Vec<f64> = state.iter().zip(x).map(|(a, b)| a - b).collect();
-    let size = weighed.weighed(&state).iter().map(|own| own * own).sum::<f64>().sqrt();
-    let moved = weighed.weighed(&apart).iter().map(|own| own * own).sum::<f64>().sqrt();
+    let states = [x, &state].map(|own| weighed.weighed(own));
     let other = twice.orbit(&state)?;
-    let bearings = machine.monitors.len();
-    let both = [&orbit.history, &other.history];
-    let error = StepError {
-        force: changed(both, 3..3 + 2 * bearings),
-        displacement: changed(both, 3 + 2 * bearings..3 + 4 * bearings),
-        state: if moved == 0.0 { 0.0 } else { moved / size },
-    };
+    let both = ([&orbit.history, &other.history], 2);
+    let error = StepError::between(machine, both, [&states[0], &states[1]]);
     Ok((values, error))
 }
 
+impl StepError {
+    /// Between two histories of a cycle, the second with so many rows for one of the first, and two states in the energy norm.
+    pub(super) fn between(
+        machine: &Machine,
+        (both, rows): ([&History; 2], usize),
+        [own, other]: [&[f64]; 2],
+    ) -> StepError {
+        let bearings = machine.monitors.len();
+        let moved = norm(&own.iter().zip(other).map(|(a, b)| b - a).collect::<Vec<f64>>());
+        StepError {
+            force: changed(both, rows, 3..3 + 2 * bearings),
+            displacement: changed(both, rows, 3 + 2 * bearings..3 + 4 * bearings),
+            state: if moved == 0.0 { 0.0 } else { moved / norm(other) },
+        }
+    }
+}
+
 /// The largest change in columns, over the largest value of one.
-fn changed([own, finer]: [&History; 2], columns: std::ops::Range<usize>) -> f64 {
+fn changed([own, finer]: [&History; 2], rows: usize, columns: std::ops::Range<usize>) -> f64 {
     let (mut largest, mut change) = (0.0_f64, 0.0_f64);
     for row in 0..own.rows() {
-        let (own, finer) = (own.row(row), finer.row(2 * row + 1));
+        let (own, finer) = (own.row(row), finer.row(rows * (row + 1) - 1));
         for column in columns.clone() {
             largest = largest.max(own[column].abs());
             change = change.max((own[column] - finer[column]).abs());

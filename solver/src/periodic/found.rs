@@ -2,6 +2,7 @@
 
 use super::cycle::Cycle;
 use super::doubled::{StepError, finer};
+use super::harmonic::{Harmonics, balanced};
 use super::map::{CycleMap, Orbit};
 use super::multipliers::{Multiplier, Stability, largest, paired, stability};
 use super::options::{Method, PeriodicOptions};
@@ -33,8 +34,10 @@ pub struct Periodic {
     pub multipliers: Vec<Multiplier>,
     /// What they say.
     pub stability: Stability,
-    /// What steps half as long change, where that was found.
+    /// What steps half as long change, where that was found; nothing of harmonics, which have no steps.
     pub step_error: Option<StepError>,
+    /// Of what it is the sum, where harmonics were balanced.
+    pub harmonics: Option<Harmonics>,
     /// Steps of the shortest contact of a spring that is free at other times; none where there is none.
     pub contact_steps: Option<usize>,
 }
@@ -65,6 +68,9 @@ pub fn periodic_from(
     x: &[f64],
     observe: Observe,
 ) -> Result<Periodic, Error> {
+    if options.method == Some(Method::Harmonic) {
+        return balanced(map, options, x, observe);
+    }
     let before = map.cycles();
     let mut weighed = Weighed::new(map, x)?;
     let y = weighed.weighed(x);
@@ -90,6 +96,7 @@ pub fn periodic_from(
         stability: stability(&multipliers),
         multipliers,
         step_error,
+        harmonics: None,
         contact_steps: super::contacts::fewest(&forces),
     })
 }

@@ -3,6 +3,8 @@
 //! The state x has the positions and rates of all unknowns; accelerations follow from r = 0 at the start. What turns by whole
 //! turns is turned back by them, so that a periodic motion is a fixed point.
 
+use std::f64::consts::TAU;
+
 use super::cycle::Cycle;
 use crate::dynamics::{
     BodyStart, Changes, Integrator, LinearStep, LinearSteps, March, MarchOptions, NewtonOptions,
@@ -86,6 +88,42 @@ impl<'m> CycleMap<'m> {
     /// Cycles marched so far.
     pub fn cycles(&self) -> usize {
         self.cycles
+    }
+
+    /// By how much rotations that are unknown advance (rad), by their places among the unknowns.
+    pub(super) fn turns(&self) -> &[f64] {
+        &self.turns
+    }
+
+    /// The most whole turns of a body in the cycle.
+    ///
+    /// # Errors
+    /// As [`CycleMap::new`].
+    pub(super) fn whole_turns(&self) -> Result<usize, Error> {
+        let turns = self.cycle.turns(self.machine)?;
+        Ok(turns.iter().map(|turn| (turn / TAU).abs().round() as usize).max().unwrap_or(0))
+    }
+
+    /// As [`CycleMap::apply`], with the positions of the unknowns over the cycle, what they turn by taken off: a column a step, from the
+    /// end of the cycle on, which is its start.
+    ///
+    /// # Errors
+    /// As there.
+    pub(super) fn positions(&mut self, x: &mut [f64]) -> Result<Matrix, Error> {
+        self.begin(x)?;
+        self.cycles += 1;
+        let (first, rows, steps) =
+            (self.machine.first_unknown(), self.unknowns(), self.cycle.steps);
+        let mut all = Matrix::zeros(rows, steps);
+        for step in 1..=steps {
+            self.march.advance()?;
+            let share = step as f64 / steps as f64;
+            let column = all.col_mut(step % steps);
+            column.copy_from_slice(&self.march.state().q[first..]);
+            column.iter_mut().zip(&self.turns).for_each(|(q, turn)| *q -= share * turn);
+        }
+        self.end(x);
+        Ok(all)
     }
 
     /// Marches a cycle from a state x, which is replaced by the one at its end, turned back.

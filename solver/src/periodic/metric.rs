@@ -62,6 +62,20 @@ impl Metric {
         (0..n).map(|j| of(&self.position, q, j)).chain(rates).collect()
     }
 
+    /// Lᵀq of positions alone.
+    pub(super) fn weighed_positions(&self, q: &[f64]) -> Vec<f64> {
+        let n = self.unknowns;
+        let of = |j: usize| (j..n).map(|i| self.position.lower(i, j) * q[i]).sum();
+        (0..n).map(of).collect()
+    }
+
+    /// The positions of which they were made, in their place.
+    pub(super) fn positions(&self, weighed: &mut [f64]) {
+        if self.unknowns > 0 {
+            self.position.solve_upper_in_place(weighed);
+        }
+    }
+
     /// The state of which it was made.
     pub(super) fn state(&self, weighed: &[f64]) -> Vec<f64> {
         let mut x = weighed.to_vec();

@@ -1,7 +1,7 @@
 //! Periodic motions of a machine, stable or not, with their multipliers.
 //!
 //! A [`Cycle`] in equal steps → the map that a march over it makes of the state at its start ([`CycleMap`]) → a state that it
-//! leaves as it is, by Anderson's acceleration or Newton's method (shooting) → the derivative of the map there, whose
+//! leaves as it is, by Anderson's acceleration, Newton's method (shooting) or harmonic balance (`harmonic`) → the derivative of the map there, whose
 //! eigenvalues are the multipliers ([`Multiplier`]) → the same with steps half as long, against which both are judged
 //! ([`Periodic`]). Over a parameter of the machine motions are followed from one to the next ([`Branch`]).
 //!
@@ -17,6 +17,7 @@ mod doubled;
 mod events;
 mod family;
 mod found;
+mod harmonic;
 mod krylov;
 mod map;
 mod metric;
@@ -34,6 +35,7 @@ pub use doubled::StepError;
 pub use events::{BranchEvent, EventKind};
 pub use family::At;
 pub use found::{Periodic, periodic, periodic_from};
+pub use harmonic::Harmonics;
 pub use map::CycleMap;
 pub use multipliers::{Multiplier, MultiplierKind, Stability};
 pub use options::{CycleProgress, Method, PeriodicOptions};

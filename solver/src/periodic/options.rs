@@ -10,6 +10,8 @@ pub enum Method {
     Accelerated,
     /// Newton's method with the derivative of the cycle.
     Shooting,
+    /// Harmonic balance: the motion as a sum of harmonics, without steps.
+    Harmonic,
 }
 
 /// How a periodic motion is looked for.
@@ -19,6 +21,8 @@ pub struct PeriodicOptions {
     pub cycle: Cycle,
     /// By which method; the one that takes less time, with the other where it fails, if none is told.
     pub method: Option<Method>,
+    /// Harmonics beside the mean, where these are balanced; as many as are enough, if they are not told.
+    pub harmonics: Option<usize>,
     /// Cycles that are marched first; as the method needs, if they are not told.
     pub marched: Option<usize>,
     /// ‖x(T) − x(0)‖/‖x‖ in the energy norm at which the motion counts as periodic; below it what is left falls to rounding.
@@ -39,6 +43,7 @@ impl PeriodicOptions {
         PeriodicOptions {
             cycle,
             method: None,
+            harmonics: None,
             marched: None,
             tolerance: 1e-10,
             most_cycles: 400,

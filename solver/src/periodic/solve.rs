@@ -63,7 +63,7 @@ pub(super) fn solve(
 ) -> Result<Solved, Error> {
     let few = y.len() <= WHOLE;
     let usual = if few { Method::Shooting } else { Method::Accelerated };
-    let method = options.method.unwrap_or(usual);
+    let method = options.method.filter(|own| *own != Method::Harmonic).unwrap_or(usual);
     let marched = options.marched.unwrap_or(MARCHED[usize::from(method != Method::Shooting)]);
     let mut best = Best { y: y.clone(), miss: f64::INFINITY, stalled: 0 };
     for _ in 0..marched {
@@ -77,14 +77,14 @@ pub(super) fn solve(
     }
     let other = match method {
         Method::Shooting => Method::Accelerated,
-        Method::Accelerated => Method::Shooting,
+        _ => Method::Shooting,
     };
     let methods = if options.method.is_some() { vec![method] } else { vec![method, other] };
     for method in methods {
         best.stalled = 0;
         match method {
             Method::Shooting => shoot(map, y.clone(), options, &mut best, observe)?,
-            Method::Accelerated => accelerate(map, y.clone(), options, &mut best, observe)?,
+            _ => accelerate(map, y.clone(), options, &mut best, observe)?,
         }
         if best.miss <= options.tolerance {
             return Ok(Solved { y: best.y, miss: best.miss, method });

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use serde_json::{Map, Value, json};
-use whirl_solver::periodic::MultiplierKind;
+use whirl_solver::periodic::{MultiplierKind, StepError};
 
 use super::motions::{Motion, Motions, is_summed_up, range};
 use super::text::{leading, method, stability};
@@ -58,6 +58,10 @@ fn multipliers(all: &[Motion]) -> String {
     text
 }
 
+fn error(own: &StepError) -> Value {
+    json!({ "force": own.force, "displacement": own.displacement, "state": own.state })
+}
+
 fn summary(motions: &Motions) -> String {
     let all = motions.all.iter().map(|motion| {
         let Motion { periodic, columns, verdict, repeating, .. } = motion;
@@ -78,8 +82,13 @@ fn summary(motions: &Motions) -> String {
             "stability": stability(periodic.stability),
             "largest_multiplier": leading(periodic).map(|own| own.value.norm()),
             "unresolved_multipliers": periodic.multipliers.iter().filter(|own| own.kind == MultiplierKind::Unresolved).count(),
-            "half_steps_change": periodic.step_error.map(|own| json!({
-                "force": own.force, "displacement": own.displacement, "state": own.state,
+            "half_steps_change": periodic.step_error.map(|own| error(&own)),
+            "harmonics": periodic.harmonics.map(|own| json!({
+                "count": own.count,
+                "instants": own.instants,
+                "corrections": own.corrections,
+                "twice_as_many_change": own.change.map(|own| error(&own)),
+                "march_differs": error(&own.steps),
             })),
             "steps_of_shortest_contact": periodic.contact_steps,
             "verdict": verdict,

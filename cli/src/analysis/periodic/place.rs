@@ -53,6 +53,7 @@ pub(super) fn of(case: &Case, error: Error) -> Failure {
         ),
         PeriodicError::NothingRepeats => at(None, "give a body a speed, or a load a frequency"),
         PeriodicError::NotFound { .. }
+        | PeriodicError::NotBalanced { .. }
         | PeriodicError::NoMachine { .. }
         | PeriodicError::Interrupted { .. } => error.into(),
     }
@@ -97,7 +98,7 @@ fn load_called<'c>(case: &'c Case, name: &str) -> Option<&'c Located> {
 pub(super) fn not_there(error: &Error) -> bool {
     matches!(
         error,
-        Error::Periodic(PeriodicError::NotFound { .. })
+        Error::Periodic(PeriodicError::NotFound { .. } | PeriodicError::NotBalanced { .. })
             | Error::NewtonDiverged { .. }
             | Error::NoForce { .. }
     )

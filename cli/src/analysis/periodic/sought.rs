@@ -78,7 +78,15 @@ impl Sought<'_> {
     pub(super) fn options(&self, cycle: Cycle) -> PeriodicOptions {
         let (keys, multipliers) = (&self.analysis.periodic, self.analysis.count);
         let (method, marched, most_cycles) = (keys.method, keys.marched, keys.cycles);
-        PeriodicOptions { method, marched, most_cycles, multipliers, ..PeriodicOptions::of(cycle) }
+        let harmonics = keys.harmonics;
+        PeriodicOptions {
+            method,
+            harmonics,
+            marched,
+            most_cycles,
+            multipliers,
+            ..PeriodicOptions::of(cycle)
+        }
     }
 
     /// Steps of a cycle: as they are told, or as near to the time step of the march as they can be.

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
-use whirl_solver::periodic::{Method, Multiplier, MultiplierKind, Periodic, Stability};
+use whirl_solver::periodic::{Method, Multiplier, MultiplierKind, Periodic, Stability, StepError};
 use whirl_text::shown;
 
 use super::motions::{Motion, Motions, range};
@@ -20,6 +20,7 @@ pub(super) fn method(own: Method) -> &'static str {
     match own {
         Method::Accelerated => "accelerated",
         Method::Shooting => "shooting",
+        Method::Harmonic => "harmonic",
     }
 }
 
@@ -85,13 +86,20 @@ fn alone(motions: &Motions, motion: &Motion) -> String {
         cycle.steps,
         shown(cycle.time_step(), 6, 1e-4..1e3)
     );
-    let _ = writeln!(
-        text,
-        "found in {} cycles ({}): it misses its start by {:.1e} of itself",
-        periodic.cycles,
-        method(periodic.method),
-        periodic.miss
-    );
+    let _ = match &periodic.harmonics {
+        None => writeln!(
+            text,
+            "found in {} cycles ({}): it misses its start by {:.1e} of itself",
+            periodic.cycles,
+            method(periodic.method),
+            periodic.miss
+        ),
+        Some(own) => writeln!(
+            text,
+            "{} harmonics balanced at {} instants, in {} corrections after {} cycles: the last changed it by {:.1e} of itself",
+            own.count, own.instants, own.corrections, periodic.cycles, periodic.miss
+        ),
+    };
     let _ = writeln!(text, "\n{}", ranges(motions, motion));
     let _ = writeln!(text, "{}", leading_words(periodic));
     for own in periodic.multipliers.iter().filter(|own| is_listed(own)).take(LISTED) {
@@ -103,6 +111,20 @@ fn alone(motions: &Motions, motion: &Motion) -> String {
             "steps half as long change reactions by {}, displacements by {} of the largest",
             percent(error.force),
             percent(error.displacement)
+        );
+    }
+    if let Some(own) = &periodic.harmonics {
+        let both = |own: &StepError| [percent(own.force), percent(own.displacement)];
+        if let Some([force, displacement]) = own.change.as_ref().map(both) {
+            let _ = writeln!(
+                text,
+                "twice as many harmonics change reactions by {force}, displacements by {displacement} of the largest"
+            );
+        }
+        let [force, displacement] = both(&own.steps);
+        let _ = writeln!(
+            text,
+            "a march over the cycle, from its start, differs in reactions by {force}, in displacements by {displacement}"
         );
     }
     text + &verdict.words()
@@ -267,6 +289,14 @@ pub(super) fn notes(motions: &Motions) -> Vec<String> {
         {
             notes.push(format!(
                 "steps half as long change the motion{} by {}: take more `steps`",
+                at(*speed),
+                percent(error.force.max(error.displacement))
+            ));
+        }
+        let change = periodic.harmonics.as_ref().and_then(|own| own.change);
+        if let Some(error) = change.filter(|own| own.force.max(own.displacement) > CHANGE) {
+            notes.push(format!(
+                "twice as many harmonics change the motion{} by {}: take more `harmonics`",
                 at(*speed),
                 percent(error.force.max(error.displacement))
             ));

@@ -1,0 +1,166 @@
+//! The equations of a machine over a cycle: residuals of all instants, as harmonics, and their derivative.
+
+use super::series::Series;
+use crate::equations::{Equations, State, Tangents};
+use crate::linalg::{Matrix, multiply};
+use crate::machine::Machine;
+use crate::periodic::map::CycleMap;
+
+/// A machine at the instants of a cycle.
+pub(super) struct Balance<'m> {
+    equations: Equations<'m>,
+    state: State,
+    start: f64,
+    period: f64,
+    /// By how much rotations that are unknown advance in the cycle (rad), by their places among the unknowns.
+    turns: Vec<f64>,
+}
+
+/// −∂r/∂q̈, −∂r/∂q̇ and −∂r/∂q at all instants: their means, and by what they differ there.
+pub(super) struct Derivative {
+    pub(super) means: [Matrix; 3],
+    /// By order of the derivative: of each instant, nothing where all are alike.
+    beside: [Vec<Matrix>; 3],
+}
+
+impl<'m> Balance<'m> {
+    pub(super) fn new(map: &CycleMap<'m>) -> Balance<'m> {
+        let machine = map.machine();
+        let cycle = map.cycle();
+        let mut state = State::new(machine.size());
+        machine.set_given(cycle.start, false, [&mut state.q, &mut state.v, &mut state.a]);
+        let mut equations = Equations::new(machine);
+        // Drives that end at a speed have ended where the body has it.
+        let theta = |body: usize| machine.places()[body].rotation;
+        let ended = machine
+            .loads
+            .iter()
+            .map(|load| theta(load.body).is_some_and(|theta| load.reaches(state.v[theta])));
+        equations.released = ended.collect();
+        Balance {
+            equations,
+            state,
+            start: cycle.start,
+            period: cycle.period,
+            turns: map.turns().to_vec(),
+        }
+    }
+
+    fn machine(&self) -> &'m Machine {
+        self.equations.machine
+    }
+
+    /// Evaluates the machine at an instant of samples; gives its time (s).
+    fn evaluate(&mut self, [q, v, a]: [&[f64]; 3], share: f64) -> f64 {
+        let (machine, first) = (self.machine(), self.machine().first_unknown());
+        let time = self.start + share * self.period;
+        let State { q: to_q, v: to_v, a: to_a, .. } = &mut self.state;
+        for (to, from) in [(&mut *to_q, q), (&mut *to_v, v), (&mut *to_a, a)] {
+            to[first..].copy_from_slice(from);
+        }
+        for (place, turn) in self.turns.iter().enumerate() {
+            to_q[first + place] += turn * share;
+            to_v[first + place] += turn / self.period;
+        }
+        machine.set_given(time, false, [to_q, to_v, to_a]);
+        self.equations.evaluate(time, &self.state);
+        time
+    }
+
+    /// Harmonics of the residual.
+    pub(super) fn residual(&mut self, series: &Series, coefficients: &Matrix) -> Matrix {
+        self.sampled(series, coefficients, |own, _| {
+            own.equations.residual[own.machine().first_unknown()..].to_vec()
+        })
+    }
+
+    /// The same, with what it changes by.
+    pub(super) fn linearised(
+        &mut self,
+        series: &Series,
+        coefficients: &Matrix,
+    ) -> (Matrix, Derivative) {
+        let n = coefficients.rows;
+        let mut all: [Vec<Matrix>; 3] = Default::default();
+        let residual = self.sampled(series, coefficients, |own, _| {
+            let Tangents { mass, damping, stiffness, .. } = own.equations.tangents(&own.state);
+            for (all, own) in all.iter_mut().zip([mass, damping, stiffness]) {
+                all.push(own);
+            }
+            own.equations.residual[own.machine().first_unknown()..].to_vec()
+        });
+        let means = all.each_ref().map(|all| {
+            let mut mean = Matrix::zeros(n, n);
+            let share = 1.0 / all.len() as f64;
+            for own in all {
+                mean.data.iter_mut().zip(&own.data).for_each(|(sum, own)| *sum += share * own);
+            }
+            mean
+        });
+        for (all, mean) in all.iter_mut().zip(&means) {
+            let least = f64::EPSILON * mean.norm_max();
+            let mut varies = false;
+            for own in all.iter_mut() {
+                own.data.iter_mut().zip(&mean.data).for_each(|(own, mean)| *own -= mean);
+                varies |= own.norm_max() > 8.0 * least;
+            }
+            if !varies {
+                all.clear();
+            }
+        }
+        (residual, Derivative { means, beside: all })
+    }
+
+    /// Harmonics of what is found at every instant.
+    fn sampled(
+        &mut self,
+        series: &Series,
+        coefficients: &Matrix,
+        mut of: impl FnMut(&mut Self, f64) -> Vec<f64>,
+    ) -> Matrix {
+        let samples = series.sampled(coefficients);
+        let instants = series.instants();
+        let mut found = Vec::with_capacity(instants * coefficients.rows);
+        for j in 0..instants {
+            let time =
+                self.evaluate(samples.each_ref().map(|own| own.col(j)), j as f64 / instants as f64);
+            found.extend(of(self, time));
+        }
+        series.coefficients(&Matrix { rows: coefficients.rows, cols: instants, data: found })
+    }
+
+    /// What a history has of the motion at the ends of so many steps of the cycle, one row a step.
+    pub(super) fn rows(
+        &mut self,
+        coefficients: &Matrix,
+        steps: usize,
+        mut take: impl FnMut(&mut Equations, &State, f64),
+    ) {
+        let harmonics = coefficients.cols / 2;
+        let samples = Series::new(self.period, harmonics, steps).sampled(coefficients);
+        for step in 1..=steps {
+            let own = samples.each_ref().map(|own| own.col(step % steps));
+            let time = self.evaluate(own, step as f64 / steps as f64);
+            take(&mut self.equations, &self.state, time);
+        }
+    }
+}
+
+impl Derivative {
+    /// Harmonics of what −∂r comes to by a change of the coefficients.
+    pub(super) fn apply(&self, series: &Series, change: &Matrix) -> Matrix {
+        // In the order of `means`.
+        let [q, v, a] = series.sampled(change);
+        let moved = [a, v, q];
+        let mut sum = Matrix::zeros(change.rows, series.instants());
+        for ((mean, beside), moved) in self.means.iter().zip(&self.beside).zip(&moved) {
+            let whole = multiply(mean.view(), moved.view());
+            sum.data.iter_mut().zip(&whole.data).for_each(|(sum, own)| *sum += own);
+            for (j, own) in beside.iter().enumerate() {
+                let part = own.apply(moved.col(j));
+                sum.col_mut(j).iter_mut().zip(part).for_each(|(sum, own)| *sum += own);
+            }
+        }
+        series.coefficients(&sum)
+    }
+}
