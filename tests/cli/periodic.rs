@@ -114,6 +114,81 @@ fn a_full_rub_of_n_steps_is_that_of_the_speed_that_steps_have() {
     assert!(fall.iter().all(|own| (own - 4.0).abs() < 0.1), "{fall:?}");
 }
 
+/// Without steps the radius is that of the closed form, |k + k_c (1 − c/r) − mω² + idω| r = meΩ², whatever the number of harmonics.
+#[test]
+fn harmonics_have_the_rub_of_the_closed_form() {
+    let radius = {
+        let [k, wall, gap, speed] = [1e4, 1e5, 1e-3, 110.0_f64];
+        let left = |r: f64| {
+            f64::hypot(k + wall * (1.0 - gap / r) - speed * speed, 20.0 * speed) * r
+                - 0.5e-3 * speed * speed
+        };
+        let (mut low, mut high) = (1e-3, 2e-3);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if left(middle) < 0.0 { low = middle } else { high = middle }
+        }
+        1e6 * low
+    };
+    assert!((radius - 1078.2993756).abs() < 1e-6, "{radius}");
+    for harmonics in [2, 7] {
+        let keys = format!("steps = 90\nmethod = \"harmonic\"\nharmonics = {harmonics}\n");
+        let (bench, motions) = motions(&rub(110.0, 0.5e-3, &keys));
+        assert_eq!(motions[0]["stability"], "stable");
+        assert_eq!(motions[0]["harmonics"]["count"], harmonics);
+        let [x, y] = ["X1_um", "Y1_um"].map(|own| column(&bench, "cycle.csv", own));
+        assert_eq!(x.len(), 90);
+        for (x, y) in x.iter().zip(&y) {
+            assert!((x.hypot(*y) / radius - 1.0).abs() < 1e-9, "{harmonics}: {}", x.hypot(*y));
+        }
+    }
+}
+
+/// An unbalanced rotor in a film, below its threshold: the march approaches the harmonics as Δt², and these do not change with
+/// their number, which is chosen.
+#[test]
+fn the_march_of_a_film_approaches_its_harmonics() {
+    let of = |keys: &str| {
+        let (bench, motions) = motions(&film(900.0, 0.2, keys));
+        let x = column(&bench, "cycle.csv", "X_film_um");
+        let part = x.len() / 60;
+        let x: Vec<f64> = x.into_iter().skip(part - 1).step_by(part).collect();
+        (x, motions[0].clone())
+    };
+    let (exact, motion) = of("steps = 60\nmethod = \"harmonic\"\n");
+    assert_eq!(motion["method"], "harmonic");
+    assert!(number(&motion["harmonics"]["twice_as_many_change"], "displacement") < 1e-6);
+    let (whole, _) = of("steps = 60\nmethod = \"harmonic\"\nharmonics = 45\n");
+    let apart =
+        |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(apart(&exact, &whole) < 1e-6, "{}", apart(&exact, &whole));
+    let steps = [120, 240].map(|steps| of(&format!("steps = {steps}\nmethod = \"shooting\"\n")).0);
+    let errors = steps.each_ref().map(|own| apart(own, &exact));
+    let fall = errors[0] / errors[1];
+    assert!((fall - 4.0).abs() < 0.2, "{errors:?}");
+    let limit: Vec<f64> =
+        steps[0].iter().zip(&steps[1]).map(|(coarse, fine)| (4.0 * fine - coarse) / 3.0).collect();
+    // What the fourth power of the step leaves.
+    assert!(apart(&limit, &exact) < 0.02 * errors[1], "{errors:?} {}", apart(&limit, &exact));
+}
+
+#[test]
+fn harmonics_of_other_methods_are_refused() {
+    for (keys, words) in [
+        ("harmonics = 9\n", ["those of the method `harmonic`", "method = \"harmonic\""]),
+        (
+            "method = \"harmonic\"\nvary = \"mass.unbalance.speed = 80 rad/s .. 90 rad/s\"\n",
+            ["followed over `vary` by shooting", "leave out `method`"],
+        ),
+    ] {
+        let case = rub(110.0, 0.5e-3, keys);
+        let bench = Workbench::new().file("case.toml", &case).file("wall.law.toml", WALL);
+        let outcome = bench.whirl(&["analyse", "case.toml", "--out", "out"]);
+        assert_eq!(outcome.status, 2, "{}", outcome.stderr);
+        assert!(words.iter().all(|own| outcome.stderr.contains(own)), "{}", outcome.stderr);
+    }
+}
+
 /// Between 109.85 and 287.75 rad/s a disc of e = ¼ mm turns freely or rubs all around: a beginning in contact finds the other
 /// motion. The linear motion is r = meΩ²/|k − mω̃² + idω̃|.
 #[test]

@@ -15,6 +15,8 @@ use whirl_solver::film::{Journal, OilFilm, WrongFilm};
 use whirl_solver::output::Integral;
 use whirl_specs::{CLEARANCES, FILMS, Film};
 
+use super::film_bore::{BoreShape, POCKET};
+use super::library::FileStore;
 use super::names;
 use super::shapes::{ANGLE, ARC, LENGTH, POSITION, SUPPLY};
 use super::values::listed;
@@ -26,6 +28,7 @@ pub(super) const FILM: &[Key] = &[
     key("right", Either(&[SUPPLY, Words(&ENDS)]), "the same of the end at greater z")
         .like("\"2 bar\""),
     key("opening", Named(&Shape::Table(&[OPENING])), "holes and grooves in the bore, by name"),
+    key("pocket", Named(&Shape::Table(&[POCKET])), "places of the bore that are deeper, by name"),
 ];
 
 const LEFT: &str = "the end at smaller z: open to air at the pressure of the cavity, closed, or flooded with this pressure; open if left out";
@@ -71,6 +74,7 @@ struct FilmTable {
     grid_place: Located,
     ends: [(End, Located); 2],
     openings: Vec<Opening>,
+    bore: BoreShape,
     /// Where the joint names the film.
     place: Located,
 }
@@ -100,13 +104,14 @@ struct Opening {
 
 /// Size of an opening around the bore: rad or m.
 #[derive(Debug, Clone, Copy)]
-enum Around {
+pub(super) enum Around {
     Arc(f64),
     Width(f64),
 }
 
-impl Opening {
-    fn read(table: &Table, name: Located) -> Option<Self> {
+impl Around {
+    /// By `arc` or `width` of a table.
+    pub(super) fn read(table: &Table) -> Option<Around> {
         let (arc, width) = (table.quantity("arc"), table.quantity("width"));
         if table.gives("arc") && table.gives("width") {
             table.conflict("arc", "width");
@@ -115,7 +120,21 @@ impl Opening {
             let help = "add `width = \"5 mm\"`, its size around the bore; or `arc = \"20 deg\"`";
             table.absent("width", help);
         }
-        let size = arc.map(Around::Arc).or(width.map(Around::Width));
+        arc.map(Around::Arc).or(width.map(Around::Width))
+    }
+
+    /// Half of it (rad) on a radius (m).
+    pub(super) fn half(self, radius: f64) -> f64 {
+        match self {
+            Around::Arc(angle) => 0.5 * angle,
+            Around::Width(width) => 0.5 * width / radius,
+        }
+    }
+}
+
+impl Opening {
+    fn read(table: &Table, name: Located) -> Option<Self> {
+        let size = Around::read(table);
         let z = table.quantity("z").unwrap_or(0.0);
         let [angle, length, pressure] =
             ["angle", "length", "pressure"].map(|key| table.quantity(key));
@@ -135,9 +154,9 @@ pub(super) fn names() -> Vec<&'static str> {
 }
 
 /// Reads the table of a joint whose law is no film, whether there is one.
-pub(super) fn pass(joint: &Table, law: &Located) -> bool {
+pub(super) fn pass(store: FileStore, joint: &Table, law: &Located) -> bool {
     let own = joint.optional_table("film");
-    own.map(|own| own.read(|own| FilmTable::read(own, law))).is_some()
+    own.map(|own| own.read(|own| FilmTable::read(store, own, law))).is_some()
 }
 
 /// A number of a shipped film as its file has it, which is one of few digits.
@@ -148,15 +167,21 @@ fn written(value: f64) -> Rational {
 
 impl FilmSource {
     /// A film that the table of a joint names, with what its table `film` says.
-    pub(super) fn read(joint: &Table, kernel: &'static Film, name: &Located) -> Self {
+    pub(super) fn read(
+        store: FileStore,
+        joint: &Table,
+        kernel: &'static Film,
+        name: &Located,
+    ) -> Self {
         let own = joint.optional_table("film");
         let told = match own {
-            Some(own) => own.read(|own| FilmTable::read(own, name)),
+            Some(own) => own.read(|own| FilmTable::read(store, own, name)),
             None => FilmTable {
                 grid: GRID,
                 grid_place: name.clone(),
                 ends: [(); 2].map(|()| (End::Open, name.clone())),
                 openings: Vec::new(),
+                bore: BoreShape::default(),
                 place: name.clone(),
             },
         };
@@ -197,8 +222,15 @@ impl FilmSource {
         let Ok(FilmLaw { journal, .. }) = self.built() else { return Vec::new() };
         let film = &journal.film;
         let [dx, dz] = film.grid.spacing().map(|own| whirl_text::rounded(1e3 * own, 4));
-        let FilmTable { grid: [around, along], openings, .. } = &self.told;
+        let FilmTable { grid: [around, along], openings, bore, .. } = &self.told;
         let mut lines = vec![format!("film of {around} × {along} nodes, {dx} × {dz} mm apart")];
+        if !bore.is_round() {
+            lines.extend(bore.described());
+            let gaps = journal.gaps().map(|own| whirl_text::rounded(1e6 * own, 4));
+            let [least, most] = gaps;
+            lines
+                .push(format!("gaps from {least} to {most} µm where the journal is in the middle"));
+        }
         for (place, own) in openings.iter().enumerate() {
             let ([i, j], size) = film.covered(ENDS_CALLED.len() + place);
             let [width, length] = size.map(|own| whirl_text::rounded(1e3 * own, 4));
@@ -240,7 +272,7 @@ impl FilmSource {
     /// # Errors
     /// As [`FilmSource::with`].
     pub(crate) fn built(&self) -> Result<FilmLaw, Diagnostics> {
-        let FilmTable { grid, grid_place, ends, openings, place } = &self.told;
+        let FilmTable { grid, grid_place, ends, openings, bore, place } = &self.told;
         let mut errors = Diagnostics::new();
         let mut note = |at: &Located, wrong: WrongFilm| {
             errors.push(at.error_here(Code::BAD_VALUE, wrong.what).help(wrong.help));
@@ -275,10 +307,7 @@ impl FilmSource {
             }
         }
         for own in openings {
-            let half = match own.size {
-                Around::Arc(angle) => 0.5 * angle,
-                Around::Width(width) => 0.5 * width / radius,
-            };
+            let half = own.size.half(radius);
             if half > PI * (1.0 + 1e-12) {
                 let what = format!(
                     "the opening `{}` reaches around the bore more than once",
@@ -304,18 +333,38 @@ impl FilmSource {
         });
         let numbers: Vec<String> = numbers.collect();
         let hash = cache::Key::of(&format!(
-            "{} {} {grid:?} {:?} {numbers:?}",
+            "{} {} {grid:?} {:?} {numbers:?} {}",
             self.kernel.origin.hash,
             self.name(),
-            ends.each_ref().map(|(end, _)| *end)
+            ends.each_ref().map(|(end, _)| *end),
+            if bore.is_round() { String::new() } else { bore.numbers() }
         ));
-        let journal = match Journal::new(film, &CLEARANCES[0], clearance) {
+        let mut journal = match Journal::new(film, &CLEARANCES[0], clearance) {
             Ok(journal) => journal,
             Err(wrong) => {
                 note(place, wrong);
                 return Err(errors);
             }
         };
+        if !bore.is_round() {
+            journal.shape(|angle, z| bore.depth([angle, z], [clearance, radius, length]));
+            let nodes = journal.film.grid.places();
+            for name in bore.missed(&nodes, (radius, length)) {
+                let what = format!("the pocket `{}` lies between nodes of the film", name.text());
+                let help = "make it larger, or take more nodes in `grid`".to_owned();
+                note(name, WrongFilm { what, help });
+            }
+            let [least, _] = journal.gaps();
+            if !(least > 0.0) {
+                let least = whirl_text::shown(1e6 * least, 3, 1e-3..1e6);
+                let what = format!(
+                    "the shape of the bore leaves a gap of {least} µm where the journal is in its middle"
+                );
+                let help = "depths are beyond the round bore of the `radial_clearance`: make them greater, or that".to_owned();
+                note(bore.place().unwrap_or(place), WrongFilm { what, help });
+                return Err(errors);
+            }
+        }
         // What is wrong with its openings is not what it lacks.
         let sound = errors.is_empty();
         let mut note = |at: &Located, wrong: WrongFilm| {
@@ -354,7 +403,7 @@ impl FilmSource {
 }
 
 impl FilmTable {
-    fn read(table: &Table, name: &Located) -> Self {
+    fn read(store: FileStore, table: &Table, name: &Located) -> Self {
         let counts = table.positive_numbers("grid");
         let (grid, grid_place) = match counts.as_slice() {
             [around, along]
@@ -401,6 +450,7 @@ impl FilmTable {
         names::plain(table, "opening", all.iter().map(|(name, _)| name));
         let openings =
             all.into_iter().filter_map(|(name, own)| own.read(|own| Opening::read(own, name)));
-        FilmTable { grid, grid_place, ends, openings: openings.collect(), place: name.clone() }
+        let (openings, bore) = (openings.collect(), BoreShape::read(store, table));
+        FilmTable { grid, grid_place, ends, openings, bore, place: name.clone() }
     }
 }

@@ -281,7 +281,7 @@ pub(super) fn read(store: FileStore, table: &Table) -> Option<NamedLaw> {
 pub(super) fn read_of_joint(store: FileStore, table: &Table) -> Option<NamedLaw> {
     let name = table.optional_string("law")?;
     let Some(kernel) = film::shipped(name.text()) else {
-        if film::pass(table, &name) {
+        if film::pass(store, table, &name) {
             let message = format!("`{}` is no film: it has no use for a table `film`", name.text());
             let help =
                 format!("leave the table out, or name a film: `{}`", film::names().join("`, `"));
@@ -289,7 +289,7 @@ pub(super) fn read_of_joint(store: FileStore, table: &Table) -> Option<NamedLaw>
         }
         return find(store, table, &name).map(|source| NamedLaw { source, name });
     };
-    let source = LawSource::Film(Arc::new(FilmSource::read(table, kernel, &name)));
+    let source = LawSource::Film(Arc::new(FilmSource::read(store, table, kernel, &name)));
     Some(NamedLaw { source, name })
 }
 

@@ -8,6 +8,7 @@ mod embedded;
 mod fields;
 mod files;
 mod film;
+mod film_bore;
 mod film_march;
 mod gears;
 mod gravity;

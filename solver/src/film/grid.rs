@@ -37,6 +37,11 @@ impl Grid {
         self.around * self.along
     }
 
+    /// Angle (rad) and distance from the middle (m) of every node, row after row.
+    pub fn places(&self) -> Vec<[f64; 2]> {
+        (0..self.nodes()).map(|a| [self.angle(a % self.around), self.z(a / self.around)]).collect()
+    }
+
     /// Distance between neighbours around and along (m).
     pub fn spacing(&self) -> [f64; 2] {
         [TAU * self.radius / self.around as f64, self.length / (self.along - 1) as f64]

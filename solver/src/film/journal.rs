@@ -96,11 +96,17 @@ impl Journal {
         }
     }
 
+    /// The smallest and the largest gap at a node where the journal is in the middle (m).
+    pub fn gaps(&self) -> [f64; 2] {
+        let all = || self.centred.iter().copied();
+        [all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max)]
+    }
+
     /// The largest pressure in a steady film whose journal turns out of the middle, to any side; none where it has no solution that
     /// is a number.
     pub fn pressure(&self) -> Option<f64> {
         let mut balance = Balance::new(&self.film);
-        let gap = self.centred.iter().copied().fold(f64::INFINITY, f64::min);
+        let [gap, _] = self.gaps();
         let mut outputs = vec![0.0; self.film.outputs()];
         for direction in 0..DIRECTIONS {
             let (sin, cos) = (TAU * f64::from(direction) / f64::from(DIRECTIONS)).sin_cos();

@@ -3,8 +3,6 @@
 //! The state x has the positions and rates of all unknowns; accelerations follow from r = 0 at the start. What turns by whole
 //! turns is turned back by them, so that a periodic motion is a fixed point.
 
-use std::f64::consts::TAU;
-
 use super::cycle::Cycle;
 use crate::dynamics::{
     BodyStart, Changes, Integrator, LinearStep, LinearSteps, March, MarchOptions, NewtonOptions,
@@ -93,15 +91,6 @@ impl<'m> CycleMap<'m> {
     /// By how much rotations that are unknown advance (rad), by their places among the unknowns.
     pub(super) fn turns(&self) -> &[f64] {
         &self.turns
-    }
-
-    /// The most whole turns of a body in the cycle.
-    ///
-    /// # Errors
-    /// As [`CycleMap::new`].
-    pub(super) fn whole_turns(&self) -> Result<usize, Error> {
-        let turns = self.cycle.turns(self.machine)?;
-        Ok(turns.iter().map(|turn| (turn / TAU).abs().round() as usize).max().unwrap_or(0))
     }
 
     /// As [`CycleMap::apply`], with the positions of the unknowns over the cycle, what they turn by taken off: a column a step, from the

@@ -6,6 +6,7 @@ use whirl_codegen::document::schema::Shape::{
 use whirl_codegen::document::schema::{Key, Shape, key, merged};
 
 use crate::case::film::FILM;
+use crate::case::film_bore::BORE_SHAPE;
 use crate::case::shapes::{
     ACCELERATION, ANGLE, ANSWERS, BORE, CLEARANCE, CROSS_DAMPING, CROSS_STIFFNESS, DAMPING,
     DAMPING_RATE, DAMPING_TIME, GROUND_SPRING, INERTIA, LENGTH, MASS, MERGE, MESH_DAMPING,
@@ -241,7 +242,7 @@ pub(crate) const JOINT: &[Key] = &[
     key("second", Table(&[END]), "of a bushing, a coupling or a gear; the ground if left out"),
     key("law", Text, "the name of a law, or the path of a law file").like("\"ocvirk\""),
     key("parameters", PARAMETERS, "of the law, by name").like(PARAMETERS_EXAMPLE),
-    key("film", Table(&[FILM]), "of a bearing whose law is a film: its nodes, ends and openings"),
+    key("film", Table(&[FILM, BORE_SHAPE]), "of a bearing whose law is a film: its nodes, ends and openings"),
     key("springs", Count(3, MOST_SPRINGS), "in a ring, of a law that acts spring by spring")
         .like("24"),
     key(

@@ -1,5 +1,6 @@
 //! The equations of a machine over a cycle: residuals of all instants, as harmonics, and their derivative.
 
+use super::in_space::InSpace;
 use super::series::Series;
 use crate::equations::{Equations, State, Tangents};
 use crate::linalg::{Matrix, multiply};
@@ -14,6 +15,8 @@ pub(super) struct Balance<'m> {
     period: f64,
     /// By how much rotations that are unknown advance in the cycle (rad), by their places among the unknowns.
     turns: Vec<f64>,
+    /// How coordinates of bodies that turn are seen.
+    space: InSpace,
 }
 
 /// −∂r/∂q̈, −∂r/∂q̇ and −∂r/∂q at all instants: their means, and by what they differ there.
@@ -24,7 +27,7 @@ pub(super) struct Derivative {
 }
 
 impl<'m> Balance<'m> {
-    pub(super) fn new(map: &CycleMap<'m>) -> Balance<'m> {
+    pub(super) fn new(map: &CycleMap<'m>, space: InSpace) -> Balance<'m> {
         let machine = map.machine();
         let cycle = map.cycle();
         let mut state = State::new(machine.size());
@@ -43,6 +46,7 @@ impl<'m> Balance<'m> {
             start: cycle.start,
             period: cycle.period,
             turns: map.turns().to_vec(),
+            space,
         }
     }
 
@@ -50,28 +54,49 @@ impl<'m> Balance<'m> {
         self.equations.machine
     }
 
-    /// Evaluates the machine at an instant of samples; gives its time (s).
-    fn evaluate(&mut self, [q, v, a]: [&[f64]; 3], share: f64) -> f64 {
+    /// Puts z and its rates at a share of the cycle into the state; gives the time (s).
+    fn place(&mut self, seen: [&[f64]; 3], share: f64) -> f64 {
         let (machine, first) = (self.machine(), self.machine().first_unknown());
         let time = self.start + share * self.period;
         let State { q: to_q, v: to_v, a: to_a, .. } = &mut self.state;
-        for (to, from) in [(&mut *to_q, q), (&mut *to_v, v), (&mut *to_a, a)] {
+        for (to, from) in [&mut *to_q, &mut *to_v, &mut *to_a].into_iter().zip(seen) {
             to[first..].copy_from_slice(from);
         }
+        let all = [&mut *to_q, &mut *to_v, &mut *to_a].map(|all| &mut all[first..]);
+        self.space.to_bodies(all, share);
         for (place, turn) in self.turns.iter().enumerate() {
             to_q[first + place] += turn * share;
             to_v[first + place] += turn / self.period;
         }
         machine.set_given(time, false, [to_q, to_v, to_a]);
+        time
+    }
+
+    /// Evaluates the machine there; gives the time (s).
+    fn evaluate(&mut self, seen: [&[f64]; 3], share: f64) -> f64 {
+        let time = self.place(seen, share);
         self.equations.evaluate(time, &self.state);
         time
     }
 
+    /// The residual of what was evaluated last, of forces on z.
+    fn own_residual(&self, share: f64) -> Vec<f64> {
+        let mut own = self.equations.residual[self.machine().first_unknown()..].to_vec();
+        self.space.forces(&mut own, share);
+        own
+    }
+
+    /// q and q̇ of the unknowns at the start of the cycle.
+    pub(super) fn at_start(&mut self, series: &Series, coefficients: &Matrix) -> Vec<f64> {
+        let samples = series.sampled(coefficients);
+        self.place(samples.each_ref().map(|own| own.col(0)), 0.0);
+        let first = self.machine().first_unknown();
+        [&self.state.q[first..], &self.state.v[first..]].concat()
+    }
+
     /// Harmonics of the residual.
     pub(super) fn residual(&mut self, series: &Series, coefficients: &Matrix) -> Matrix {
-        self.sampled(series, coefficients, |own, _| {
-            own.equations.residual[own.machine().first_unknown()..].to_vec()
-        })
+        self.sampled(series, coefficients, |own, share| own.own_residual(share))
     }
 
     /// The same, with what it changes by.
@@ -82,12 +107,11 @@ impl<'m> Balance<'m> {
     ) -> (Matrix, Derivative) {
         let n = coefficients.rows;
         let mut all: [Vec<Matrix>; 3] = Default::default();
-        let residual = self.sampled(series, coefficients, |own, _| {
+        let residual = self.sampled(series, coefficients, |own, share| {
             let Tangents { mass, damping, stiffness, .. } = own.equations.tangents(&own.state);
-            for (all, own) in all.iter_mut().zip([mass, damping, stiffness]) {
-                all.push(own);
-            }
-            own.equations.residual[own.machine().first_unknown()..].to_vec()
+            let seen = own.space.tangents([mass, damping, stiffness], share);
+            all.iter_mut().zip(seen).for_each(|(all, own)| all.push(own));
+            own.own_residual(share)
         });
         let means = all.each_ref().map(|all| {
             let mut mean = Matrix::zeros(n, n);
@@ -111,7 +135,7 @@ impl<'m> Balance<'m> {
         (residual, Derivative { means, beside: all })
     }
 
-    /// Harmonics of what is found at every instant.
+    /// Harmonics of what is found at every instant, by its share of the cycle.
     fn sampled(
         &mut self,
         series: &Series,
@@ -122,9 +146,9 @@ impl<'m> Balance<'m> {
         let instants = series.instants();
         let mut found = Vec::with_capacity(instants * coefficients.rows);
         for j in 0..instants {
-            let time =
-                self.evaluate(samples.each_ref().map(|own| own.col(j)), j as f64 / instants as f64);
-            found.extend(of(self, time));
+            let share = j as f64 / instants as f64;
+            self.evaluate(samples.each_ref().map(|own| own.col(j)), share);
+            found.extend(of(self, share));
         }
         series.coefficients(&Matrix { rows: coefficients.rows, cols: instants, data: found })
     }

@@ -1,11 +1,12 @@
 //! Harmonic balance: the motion over a cycle as a sum of harmonics of which the equations of the machine have no residual on average.
 //!
-//! Coefficients of the harmonics ([`series`]) → the motion at equal instants of the cycle, each body in its own frame → residuals and
-//! tangents of the machine there, as every analysis has them ([`balance`]) → harmonics of the residual → Newton's method with the exact
+//! Coefficients of the harmonics, seen from space ([`series`]) → the motion at equal instants of the cycle, each body in its own frame
+//! ([`in_space`]) → residuals and tangents of the machine there, as every analysis has them ([`balance`]) → harmonics of the residual → Newton's method with the exact
 //! derivative of what was sampled ([`solve`], [`mean`]). It begins with a few cycles of the march. The motion is that without steps:
 //! its error is that of the harmonics that are left out, which twice as many tell. Multipliers are those of a march about it.
 
 mod balance;
+mod in_space;
 mod mean;
 mod series;
 mod solve;
@@ -13,6 +14,7 @@ mod solve;
 mod tests;
 
 use self::balance::Balance;
+use self::in_space::InSpace;
 use self::series::{Series, resized};
 use self::solve::{Equilibrating, Solved};
 use super::doubled::StepError;
@@ -71,11 +73,11 @@ pub(super) fn balanced(
 ) -> Result<Periodic, Error> {
     let before = map.cycles();
     let metric = Metric::new(map, x)?;
-    let beginning = beginning(map, options, x)?;
+    let space = InSpace::new(map)?;
+    let beginning = beginning(map, options, x, &space)?;
     let cycles = map.cycles() - before;
-    let mut search = Search { balance: Balance::new(map), metric, map, options, cycles };
-    let turned = search.map.whole_turns()?;
-    let count = options.harmonics.unwrap_or(HARMONICS + turned);
+    let count = options.harmonics.unwrap_or(HARMONICS + space.turns());
+    let mut search = Search { balance: Balance::new(map, space), metric, map, options, cycles };
     let mut own = search.with(&beginning, count, observe)?;
     let mut change = None;
     if options.judged {
@@ -96,7 +98,12 @@ pub(super) fn balanced(
 }
 
 /// Coefficients of the motion after some cycles of the march; of rest at x where it does not get through them.
-fn beginning(map: &mut CycleMap, options: &PeriodicOptions, x: &[f64]) -> Result<Matrix, Error> {
+fn beginning(
+    map: &mut CycleMap,
+    options: &PeriodicOptions,
+    x: &[f64],
+    space: &InSpace,
+) -> Result<Matrix, Error> {
     let few = x.len() <= WHOLE;
     let marched = options.marched.unwrap_or(MARCHED[usize::from(!few)]);
     let mut moved = x.to_vec();
@@ -109,8 +116,11 @@ fn beginning(map: &mut CycleMap, options: &PeriodicOptions, x: &[f64]) -> Result
     }
     let sampled = if marched == 0 { None } else { map.positions(&mut moved).ok() };
     Ok(match sampled {
-        Some(samples) => {
+        Some(mut samples) => {
             let instants = samples.cols;
+            for j in 0..instants {
+                space.positions(samples.col_mut(j), j as f64 / instants as f64);
+            }
             Series::new(map.cycle().period, (instants - 1) / 2, instants).coefficients(&samples)
         }
         None => Matrix { rows: n, cols: 1, data: x[..n].to_vec() },
@@ -139,9 +149,8 @@ impl Search<'_, '_> {
     }
 
     /// The state at the start.
-    fn state(&self, own: &Balanced) -> Vec<f64> {
-        let [q, v, _] = own.series.sampled(&own.solved.coefficients);
-        [q.col(0), v.col(0)].concat()
+    fn state(&mut self, own: &Balanced) -> Vec<f64> {
+        self.balance.at_start(&own.series, &own.solved.coefficients)
     }
 
     fn history(&mut self, own: &Balanced) -> History {
@@ -163,7 +172,10 @@ impl Search<'_, '_> {
     /// By what one motion differs from another one with more harmonics.
     fn change(&mut self, own: &Balanced, other: &Balanced) -> StepError {
         let [a, b] = [own, other].map(|own| self.history(own));
-        let states = [own, other].map(|own| self.metric.weighed(&self.state(own)));
+        let states = [own, other].map(|own| {
+            let state = self.state(own);
+            self.metric.weighed(&state)
+        });
         StepError::between(self.map.machine(), ([&a, &b], 1), [&states[0], &states[1]])
     }
 

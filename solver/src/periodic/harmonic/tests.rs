@@ -1,5 +1,5 @@
 //! The average acceleration in N equal steps is harmonic balance at N instants, with rates of its own: q̇_k = iω̃_k q_k,
-//! ω̃_k = (2/Δt) tan(πk/N).
+//! ω̃_k = (2/Δt) tan(πk/N), of bodies in their own frames.
 
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
@@ -7,6 +7,7 @@ use std::ops::ControlFlow;
 use whirl_specs::{CLEARANCES, LAWS, MOTIONS};
 
 use super::balance::Balance;
+use super::in_space::InSpace;
 use super::series::{Series, resized};
 use super::solve::Equilibrating;
 use super::{balanced, beginning};
@@ -75,8 +76,9 @@ fn steps_are_harmonics_with_rates_of_their_own() {
     let x = map.beginning(&start(&machine));
     let series = Series::of_steps(cycle.period, 15, 31);
     let metric = Metric::new(&map, &x).expect("a metric");
-    let from = resized(&beginning(&mut map, &options, &x).expect("a beginning"), 15);
-    let mut balance = Balance::new(&map);
+    let own = InSpace::none();
+    let from = resized(&beginning(&mut map, &options, &x, &own).expect("a beginning"), 15);
+    let mut balance = Balance::new(&map, own);
     let mut equilibrating =
         Equilibrating { balance: &mut balance, series: &series, metric: &metric };
     let solved = equilibrating.solve(from, (1e-12, 0), &mut goes_on).expect("no interruption");
