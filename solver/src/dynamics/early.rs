@@ -2,27 +2,12 @@
 //! machines are others at their start than a few steps later: springs touch, films begin to carry. One linearisation for both
 //! costs half of what two do.
 
-use serde::{Deserialize, Serialize};
-
-use super::quality_meter::QualityMeter;
+use super::quality_meter::{EarlyStep, QualityMeter};
 use crate::equations::Equations;
 use crate::equations::State;
 
 /// So many steps.
 const EARLY: usize = 8;
-
-/// A step that is not judged yet.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(super) struct EarlyStep {
-    /// When it ended (s).
-    time: f64,
-    /// By which length it is judged (s).
-    dt: f64,
-    start: State,
-    end: State,
-    /// By how much it changed what deformations and springs hold against.
-    change: Vec<f64>,
-}
 
 impl QualityMeter {
     /// Judges a sampled step of a length, which has just ended at time `t` (s), or keeps it until it can be judged.

@@ -10,11 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::histogram::Histogram;
 use super::moving_part::larger;
-use super::newmark::Integrator;
-use super::quality_meter::QualityMeter;
 use super::sampling::{is_sampled, stands_for};
-use crate::bodies::Rotation;
-use crate::equations::Equations;
 use crate::equations::State;
 
 /// States that are looked at together.
@@ -55,8 +51,29 @@ impl InSpace {
         if error == 0.0 { 0.0 } else { error / self.forces[part] }
     }
 
+    /// Whether a step is one of those by which it is measured, at their last.
+    pub(super) fn needs(step: u64) -> bool {
+        (step..step + TOGETHER as u64 - 1).any(|step| weight(step).is_some())
+    }
+
+    /// Has the next states follow none.
+    pub(super) fn forget(&mut self) {
+        self.filled = 0;
+    }
+
+    /// Adds what was false of a part, and its elastic force, as accelerations (m/s²), for so many steps.
+    pub(super) fn add(&mut self, part: usize, [error, force]: [f64; 2], stands_for: u64) {
+        self.errors[part].add_times(error, stands_for);
+        self.forces[part] = larger(self.forces[part], force);
+    }
+
+    /// The state in the middle of those that follow each other.
+    pub(super) fn middle(&self) -> &State {
+        &self.states[TOGETHER / 2]
+    }
+
     /// Keeps the ends of a step of `dt` s; whether five states follow each other.
-    fn keep(&mut self, dt: f64, [start, end]: [&State; 2]) -> bool {
+    pub(super) fn keep(&mut self, dt: f64, [start, end]: [&State; 2]) -> bool {
         if self.filled == 0 || dt != self.dt {
             self.states[0].copy_from(start);
             (self.filled, self.dt) = (1, dt);
@@ -72,7 +89,7 @@ impl InSpace {
 
     /// Gives a state like that in the middle the rates that the motion has: less what the trapezoidal rule adds to them. Whether
     /// it is as smooth as that takes: of e^{iωt} fourth differences are (ωΔt)² of second ones, where forces have kinks they are more.
-    fn correct(&self, out: &mut State) -> bool {
+    pub(super) fn correct(&self, out: &mut State) -> bool {
         let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(|place| &self.states[place]);
         out.copy_from(c);
         let [mut seconds, mut fourths] = [0.0, 0.0];
@@ -90,47 +107,8 @@ impl InSpace {
     }
 }
 
-impl QualityMeter {
-    /// Measures it at a step of `dt` s that is sampled, where the steps before were as long; needs those before it.
-    pub(super) fn add_in_space(&mut self, equations: &mut Equations, dt: f64, ends: [&State; 2]) {
-        let steps = self.sums.steps;
-        let ahead = TOGETHER as u64 - 1;
-        let is_wanted = (0..ahead).any(|ahead| weight(steps + ahead).is_some());
-        if !is_wanted || equations.turning.is_empty() || self.method != Integrator::default() {
-            self.sums.in_space.filled = 0;
-            return;
-        }
-        let follow = self.sums.in_space.keep(dt, ends);
-        let (Some(linearised), Some(weight), true) = (&self.linearised, weight(steps), follow)
-        else {
-            return;
-        };
-        if !self.sums.in_space.correct(&mut self.corrected) {
-            return;
-        }
-        let middle = &self.sums.in_space.states[TOGETHER / 2];
-        equations.change_of_inertia([middle, &self.corrected], &mut self.inertia);
-        let first = self.inertia.len() - self.motion.len();
-        let judged = self.steps.most();
-        linearised.driven(judged, &self.inertia[first..], &mut self.within);
-        linearised.driven(judged, &self.held, &mut self.before);
-        let InSpace { errors, forces, .. } = &mut self.sums.in_space;
-        for ((part, error), force) in self.parts.all.iter().zip(errors).zip(forces) {
-            let body = &equations.machine.bodies[part.moving().body];
-            // A frame that never turns makes no such forces.
-            let turns = body
-                .rotation()
-                .is_some_and(|own| !matches!(own, Rotation::Held | Rotation::Spinning { .. }));
-            if turns && !part.turns() {
-                error.add_times(part.measure(&self.within), weight);
-                *force = larger(*force, part.measure(&self.before));
-            }
-        }
-    }
-}
-
 /// For how many steps one stands at which it is measured; none where it is not.
-fn weight(step: u64) -> Option<u64> {
+pub(super) fn weight(step: u64) -> Option<u64> {
     match stands_for(step) {
         1 => step.is_multiple_of(EVERY).then_some(EVERY),
         more => is_sampled(step).then_some(more),

@@ -7,7 +7,7 @@
 //! steps      control: lengths of parts that the march chooses, by part_errors and contacts
 //! verdict    meters ─▶ energy, quality_meter (sampled, ringing, state_errors, turns, in_space, film_rates) ─▶ quality ─▶ verdict
 //!            in the modes of linearised (modes, rings, parts, stiffest); by windows and histogram
-//! end        steady (settled); checkpoint: what all of these carry over an interruption
+//! end        steady; checkpoint: what all of these carry over an interruption
 //! cycles     cycle, linear_steps: for periodic motions
 //! ```
 
@@ -33,6 +33,7 @@ mod kept_columns;
 mod linear_steps;
 mod linearised;
 mod march;
+mod masses;
 mod merit;
 mod meters;
 mod modes;
@@ -40,6 +41,7 @@ mod moving_part;
 mod newmark;
 mod newton;
 mod part_errors;
+mod part_sums;
 mod parts;
 mod periods;
 mod quality;
@@ -52,7 +54,6 @@ mod rows;
 mod sampled;
 mod sampling;
 mod secants;
-mod settled;
 #[cfg(test)]
 mod small;
 mod splits;
@@ -62,6 +63,7 @@ mod step;
 mod stiffest;
 mod stored_oil;
 mod tell;
+mod turn_sums;
 mod turns;
 mod verdict;
 mod watched;
@@ -83,8 +85,8 @@ pub use periods::{FewestSteps, LEAST_STEPS};
 pub use quality::Quality;
 pub use restart::LastState;
 pub use rings::{Ringing, RingingPart};
-pub(crate) use settled::settled_from;
 pub use state_errors::StateError;
+pub(crate) use steady::settled_from;
 pub use steady::{SteadyRule, SteadyState};
 pub use tell::{Acceleration, Amplitude};
 pub use verdict::{Finding, findings};

@@ -3,6 +3,7 @@
 
 use std::ops::Range;
 
+use super::masses::{known_mass, mass};
 use super::moving_part::MovingPart;
 use super::turns::FreeTurn;
 use crate::bearing::Tied;
@@ -10,7 +11,6 @@ use crate::equations::Equations;
 use crate::equations::State;
 use crate::linalg::{Matrix, dot};
 use crate::machine::{Body, Machine};
-use crate::shaft::Shaft;
 use crate::trains::Trains;
 
 /// A part of a machine, and how its motion is measured (m).
@@ -247,19 +247,6 @@ fn groups(equations: &Equations) -> Vec<Group> {
             Group { members: places.map(member).collect(), from }
         })
         .collect()
-}
-
-/// The mass of a body, where it is known (kg).
-fn known_mass(body: &Body) -> Option<f64> {
-    Some(body.centre_of_mass().mass).filter(|mass| *mass > 0.0)
-}
-
-/// The mass of a body that turns (kg); the mean of its coordinates' where it is not known.
-pub(super) fn mass(body: &Body, shaft: &Shaft) -> f64 {
-    known_mass(body).unwrap_or_else(|| {
-        let trace = (0..shaft.size()).map(|j| shaft.mass[(j, j)]).sum::<f64>();
-        trace / shaft.size().max(1) as f64
-    })
 }
 
 /// J0 of the body of a rotation.

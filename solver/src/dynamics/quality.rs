@@ -2,10 +2,27 @@
 
 use super::film_rates::FilmRates;
 use super::halvings::HalvedSteps;
-use super::moving_part::MovingPart;
+use super::moving_part::{MovingPart, SMALLEST, larger};
+use super::part_sums::PartSums;
+use super::parts::{Part, largest_sensible};
 use super::periods::FewestSteps;
+use super::quality_meter::QualityMeter;
 use super::rings::Ringing;
 use super::state_errors::StateError;
+use super::stiffest::largest_eigenvalue;
+use super::turn_sums::TurnSums;
+use super::windows::Windows;
+use crate::bearing::work::MOTIONS;
+use crate::equations::Equations;
+
+/// ωΔt that counts as resolved, for [`Quality::mode_step`].
+const RESOLVED: f64 = 0.3;
+/// √λ Δt of a contact that makes no more energy than it may wherever in a step it begins, for [`Quality::resolving_step`]:
+/// (ωΔt)²/4 of what it takes where that is in the middle.
+const IMPACT: f64 = 0.28;
+
+/// Share of the energy in play in the bodies of a bearing that may be made there, or lost, whatever flows through it.
+const NEGLIGIBLE: f64 = 1e-3;
 
 /// What the steps of a march were worth.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -64,4 +81,111 @@ pub struct Quality {
     pub(crate) mode_step: Option<f64>,
     /// Where a load that follows an angle had the fewest steps in a period; none where no load does.
     pub fewest_steps: Option<FewestSteps>,
+}
+
+impl QualityMeter {
+    /// What the steps so far were worth; forces of springs are known to `unknown` (N).
+    pub(crate) fn quality(
+        &mut self,
+        equations: &mut Equations,
+        flows: &Windows,
+        unknown: f64,
+    ) -> Quality {
+        self.judge_rest(equations);
+        let sums = &self.sums;
+        let places = 0..MOTIONS * equations.machine.springs.bearings;
+        let fractions = places.map(|place| {
+            let least = NEGLIGIBLE * self.in_play(equations, place / MOTIONS);
+            (place, flows.fraction(place, least, unknown).abs())
+        });
+        // No number is larger than any.
+        let worst =
+            fractions.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, fraction)| *fraction != 0.0);
+        let flow = worst.map(|(place, _)| flows.whole(place)).unwrap_or_default();
+        let ends =
+            worst.map(|(place, _)| &sums.worst[place / MOTIONS]).filter(|own| own.made > 0.0);
+        let eigenvalues = ends.into_iter().flat_map(|own| &own.ends).filter_map(|(t, state)| {
+            let value = largest_eigenvalue(equations, *t, state);
+            (value > 0.0).then_some(value)
+        });
+        let largest = eigenvalues.reduce(f64::max);
+        let parts = sums.parts.iter().zip(&self.parts.all);
+        let most = parts.map(|(sums, part)| sums.reach.min(part.most())).fold(0.0, larger);
+        let least = SMALLEST * most;
+        // The largest fraction of what moves, and the part where it is; turns have errors only.
+        let judge = |of: &dyn Fn(&PartSums) -> f64, of_turn: &dyn Fn(&TurnSums) -> f64| {
+            let parts = sums.parts.iter().zip(&self.parts.all);
+            let judged = parts.map(|(sums, part)| {
+                let (value, amplitude) = (of(sums), larger(sums.reach.min(part.most()), least));
+                (if value == 0.0 { 0.0 } else { value / amplitude }, part.moving())
+            });
+            let turns = sums.turns.iter().zip(&self.parts.turns).map(|(sums, turn)| {
+                let way = turn.radius * sums.reach(self.steps.most());
+                let (value, way) = (turn.radius * of_turn(sums), larger(way, least));
+                let part = MovingPart { body: turn.body, turns: true };
+                (if value == 0.0 { 0.0 } else { value / way }, part)
+            });
+            let all = judged.chain(turns);
+            all.fold((0.0, None), |worst: (f64, Option<MovingPart>), (value, part)| {
+                if value <= worst.0 || worst.0.is_nan() {
+                    return worst;
+                }
+                (value, Some(part))
+            })
+        };
+        // Classes round up.
+        let (local_error, local_error_of) =
+            judge(&|sums| sums.errors.below(0.95).min(sums.largest_error), &TurnSums::error);
+        let (unresolved_motion, unresolved_motion_of) =
+            judge(&|sums| sums.motions.below(0.95), &|_| 0.0);
+        let false_inertia = self.parts.all.iter().enumerate();
+        let false_inertia =
+            false_inertia.map(|(place, part)| (sums.in_space.error(place), part.moving()));
+        let (inertia_error, inertia_error_of) =
+            false_inertia.fold((0.0, None), |worst, (value, part)| match value <= worst.0 {
+                true => worst,
+                false => (value, Some(part)),
+            });
+        let bodies = sums.parts.iter().zip(&self.parts.all).filter(|(_, part)| !part.turns());
+        let farthest = bodies.max_by(|a, b| a.0.displacement.total_cmp(&b.0.displacement));
+        let displacement = farthest.map_or(0.0, |(sums, _)| sums.displacement);
+        let fastest = sums.fastest;
+        Quality {
+            energy_made_share: worst.map_or(0.0, |(_, fraction)| fraction),
+            bearing: worst.map(|(place, _)| place / MOTIONS),
+            energy_made: flow.made,
+            energy_flowed: flow.flowed,
+            local_error,
+            local_error_of,
+            judged: sums.steps == 0
+                || sums.parts.is_empty()
+                || sums.parts.iter().any(|own| own.errors.count() > 0)
+                || sums.turns.iter().any(TurnSums::is_judged),
+            largest_local_error: judge(&|sums| sums.largest_error, &|sums| sums.largest_error).0,
+            unresolved_motion,
+            unresolved_motion_of,
+            inertia_error,
+            inertia_error_of,
+            largest_displacement: displacement,
+            farthest: farthest.map(|(_, part): (_, &Part)| part.body),
+            sensible_displacement: largest_sensible(equations.machine),
+            ringing: Ringing::default(),
+            states: None,
+            films: None,
+            row_error: sums.row_error,
+            halved: HalvedSteps::default(),
+            resolving_step: largest.map(|value| IMPACT / value.sqrt()),
+            mode_step: (fastest * self.steps.most() >= 1.0).then_some(RESOLVED / fastest),
+            fewest_steps: None,
+        }
+    }
+
+    /// The energy in play in the bodies that a bearing joins: the most kinetic energy that each had, of the one that had less (J).
+    /// What flows in others says nothing of this bearing.
+    fn in_play(&self, equations: &Equations, bearing: usize) -> f64 {
+        let joined = &equations.machine.monitors[bearing].bodies;
+        let parts = self.sums.parts.iter().zip(&self.parts.all);
+        let own = parts.filter(|(_, part)| !part.turns() && joined.contains(&part.body));
+        own.map(|(sums, _)| sums.kinetic).reduce(f64::min).unwrap_or(0.0)
+    }
 }

@@ -1,35 +1,21 @@
-//! How the steps of a march are measured: what [`Quality`] is found from.
+//! How the steps of a march are measured: what `quality` is found from.
 
 use serde::{Deserialize, Serialize};
 
-use super::early::EarlyStep;
-use super::halvings::HalvedSteps;
 use super::in_space::InSpace;
 use super::linearised::{Linearised, PartMotion, Place};
 use super::modes::MachineModes;
-use super::moving_part::{MovingPart, SMALLEST, StepLength, larger};
+use super::moving_part::StepLength;
 use super::newmark::Integrator;
-use super::parts::{Part, Parts, largest_sensible};
-use super::quality::Quality;
-use super::rings::Ringing;
-use super::sampled::PartSums;
-use super::sampling::is_sampled;
-use super::stiffest::largest_eigenvalue;
-use super::turns::{TurnRange, TurnSums};
-use super::windows::Windows;
+use super::part_sums::PartSums;
+use super::parts::Parts;
+use super::sampling::{is_sampled, stands_for};
+use super::turn_sums::TurnSums;
+use super::turns::TurnRange;
 use crate::bearing::work::{Flow, MOTIONS};
 use crate::equations::Equations;
 use crate::equations::{State, Weights};
 use crate::error::Error;
-
-/// ωΔt that counts as resolved, for [`Quality::mode_step`].
-const RESOLVED: f64 = 0.3;
-/// √λ Δt of a contact that makes no more energy than it may wherever in a step it begins, for [`Quality::resolving_step`]:
-/// (ωΔt)²/4 of what it takes where that is in the middle.
-const IMPACT: f64 = 0.28;
-
-/// Share of the energy in play in the bodies of a bearing that may be made there, or lost, whatever flows through it.
-const NEGLIGIBLE: f64 = 1e-3;
 
 /// What is carried from step to step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -40,9 +26,9 @@ pub(crate) struct QualitySums {
     pub(super) parts: Vec<PartSums>,
     /// By turns that nothing elastic holds.
     pub(super) turns: Vec<TurnSums>,
-    row_error: f64,
+    pub(super) row_error: f64,
     /// By bearings.
-    worst: Vec<WorstStep>,
+    pub(super) worst: Vec<WorstStep>,
     /// Steps that wait for the first linearisation.
     pub(super) early: Vec<EarlyStep>,
     /// What steps make of inertia in frames that turn.
@@ -55,10 +41,23 @@ pub(crate) struct QualitySums {
 
 /// The step that made most energy at a bearing.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-struct WorstStep {
-    made: f64,
+pub(super) struct WorstStep {
+    pub(super) made: f64,
     /// Times (s) and states at its ends.
-    ends: [(f64, State); 2],
+    pub(super) ends: [(f64, State); 2],
+}
+
+/// A step that is not judged yet.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct EarlyStep {
+    /// When it ended (s).
+    pub(super) time: f64,
+    /// By which length it is judged (s).
+    pub(super) dt: f64,
+    pub(super) start: State,
+    pub(super) end: State,
+    /// By how much it changed what deformations and springs hold against.
+    pub(super) change: Vec<f64>,
 }
 
 /// Measures steps.
@@ -209,109 +208,32 @@ impl QualityMeter {
         }
     }
 
-    /// What the steps so far were worth; forces of springs are known to `unknown` (N).
-    pub(crate) fn quality(
-        &mut self,
-        equations: &mut Equations,
-        flows: &Windows,
-        unknown: f64,
-    ) -> Quality {
-        self.judge_rest(equations);
-        let sums = &self.sums;
-        let places = 0..MOTIONS * equations.machine.springs.bearings;
-        let fractions = places.map(|place| {
-            let least = NEGLIGIBLE * self.in_play(equations, place / MOTIONS);
-            (place, flows.fraction(place, least, unknown).abs())
-        });
-        // No number is larger than any.
-        let worst =
-            fractions.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, fraction)| *fraction != 0.0);
-        let flow = worst.map(|(place, _)| flows.whole(place)).unwrap_or_default();
-        let ends =
-            worst.map(|(place, _)| &sums.worst[place / MOTIONS]).filter(|own| own.made > 0.0);
-        let eigenvalues = ends.into_iter().flat_map(|own| &own.ends).filter_map(|(t, state)| {
-            let value = largest_eigenvalue(equations, *t, state);
-            (value > 0.0).then_some(value)
-        });
-        let largest = eigenvalues.reduce(f64::max);
-        let parts = sums.parts.iter().zip(&self.parts.all);
-        let most = parts.map(|(sums, part)| sums.reach.min(part.most())).fold(0.0, larger);
-        let least = SMALLEST * most;
-        // The largest fraction of what moves, and the part where it is; turns have errors only.
-        let judge = |of: &dyn Fn(&PartSums) -> f64, of_turn: &dyn Fn(&TurnSums) -> f64| {
-            let parts = sums.parts.iter().zip(&self.parts.all);
-            let judged = parts.map(|(sums, part)| {
-                let (value, amplitude) = (of(sums), larger(sums.reach.min(part.most()), least));
-                (if value == 0.0 { 0.0 } else { value / amplitude }, part.moving())
-            });
-            let turns = sums.turns.iter().zip(&self.parts.turns).map(|(sums, turn)| {
-                let way = turn.radius * sums.reach(self.steps.most());
-                let (value, way) = (turn.radius * of_turn(sums), larger(way, least));
-                let part = MovingPart { body: turn.body, turns: true };
-                (if value == 0.0 { 0.0 } else { value / way }, part)
-            });
-            let all = judged.chain(turns);
-            all.fold((0.0, None), |worst: (f64, Option<MovingPart>), (value, part)| {
-                if value <= worst.0 || worst.0.is_nan() {
-                    return worst;
+    /// Adds a step of `dt` s to what is measured of turns, of rows that are sampled. Parts that a march chose are steps of their
+    /// own; those of a step that was cut are one, however many there are.
+    pub(super) fn add_to_turns(&mut self, (t, dt): (f64, f64), ends: [&State; 2]) {
+        let factor = self.method.error_factor(dt);
+        let (sampled, stands_for) = (is_sampled(self.sums.rows), stands_for(self.sums.rows));
+        for (own, turn) in self.sums.turns.iter_mut().zip(&self.parts.turns) {
+            own.take(turn, ends[1]);
+            if sampled {
+                own.measure(turn, (factor, dt), ends);
+                if matches!(self.steps, StepLength::Most(_)) {
+                    own.end_step(stands_for);
                 }
-                (value, Some(part))
-            })
-        };
-        // Classes round up.
-        let (local_error, local_error_of) =
-            judge(&|sums| sums.errors.below(0.95).min(sums.largest_error), &TurnSums::error);
-        let (unresolved_motion, unresolved_motion_of) =
-            judge(&|sums| sums.motions.below(0.95), &|_| 0.0);
-        let false_inertia = self.parts.all.iter().enumerate();
-        let false_inertia =
-            false_inertia.map(|(place, part)| (sums.in_space.error(place), part.moving()));
-        let (inertia_error, inertia_error_of) =
-            false_inertia.fold((0.0, None), |worst, (value, part)| match value <= worst.0 {
-                true => worst,
-                false => (value, Some(part)),
-            });
-        let bodies = sums.parts.iter().zip(&self.parts.all).filter(|(_, part)| !part.turns());
-        let farthest = bodies.max_by(|a, b| a.0.displacement.total_cmp(&b.0.displacement));
-        let displacement = farthest.map_or(0.0, |(sums, _)| sums.displacement);
-        let fastest = sums.fastest;
-        Quality {
-            energy_made_share: worst.map_or(0.0, |(_, fraction)| fraction),
-            bearing: worst.map(|(place, _)| place / MOTIONS),
-            energy_made: flow.made,
-            energy_flowed: flow.flowed,
-            local_error,
-            local_error_of,
-            judged: sums.steps == 0
-                || sums.parts.is_empty()
-                || sums.parts.iter().any(|own| own.errors.count() > 0)
-                || sums.turns.iter().any(TurnSums::is_judged),
-            largest_local_error: judge(&|sums| sums.largest_error, &|sums| sums.largest_error).0,
-            unresolved_motion,
-            unresolved_motion_of,
-            inertia_error,
-            inertia_error_of,
-            largest_displacement: displacement,
-            farthest: farthest.map(|(_, part): (_, &Part)| part.body),
-            sensible_displacement: largest_sensible(equations.machine),
-            ringing: Ringing::default(),
-            states: None,
-            films: None,
-            row_error: sums.row_error,
-            halved: HalvedSteps::default(),
-            resolving_step: largest.map(|value| IMPACT / value.sqrt()),
-            mode_step: (fastest * self.steps.most() >= 1.0).then_some(RESOLVED / fastest),
-            fewest_steps: None,
+            }
+        }
+        for (own, turn) in self.turned.iter_mut().zip(&self.parts.turns) {
+            own.take(turn, (t + dt, ends[1]));
         }
     }
 
-    /// The energy in play in the bodies that a bearing joins: the most kinetic energy that each had, of the one that had less (J).
-    /// What flows in others says nothing of this bearing.
-    fn in_play(&self, equations: &Equations, bearing: usize) -> f64 {
-        let joined = &equations.machine.monitors[bearing].bodies;
-        let parts = self.sums.parts.iter().zip(&self.parts.all);
-        let own = parts.filter(|(_, part)| !part.turns() && joined.contains(&part.body));
-        own.map(|(sums, _)| sums.kinetic).reduce(f64::min).unwrap_or(0.0)
+    /// Ends a row.
+    pub(crate) fn end_row(&mut self) {
+        if is_sampled(self.sums.rows) {
+            let stands_for = stands_for(self.sums.rows);
+            self.sums.turns.iter_mut().for_each(|own| own.end_row(stands_for));
+        }
+        self.sums.rows += 1;
     }
 }
 
@@ -345,6 +267,7 @@ fn undeformed(
 #[cfg(test)]
 mod tests {
     use super::super::small::machine;
+    use super::super::windows::Windows;
     use super::*;
     use crate::linalg::Matrix;
     use crate::machine::{Body, Rotation};
@@ -407,5 +330,26 @@ mod tests {
         let whole = measured(StepLength::Fixed(1e-4), 1e-4);
         assert_eq!(measured(StepLength::Fixed(1e-4), 3e-5), whole);
         assert_ne!(measured(StepLength::Most(1e-4), 3e-5), whole);
+    }
+
+    /// Parts of a step that was cut are one step of a turn; those that a march chose are steps of their own.
+    #[test]
+    fn cut_parts_are_one_step_and_chosen_ones_count_by_themselves() {
+        let machine = machine(Rotation::Free);
+        let mut equations = Equations::new(&machine);
+        let state =
+            |speed: f64, a: f64| State { v: vec![speed; 5], a: vec![a; 5], ..State::new(5) };
+        let states = [state(10.0, 1.0), state(10.1, 1.5), state(10.3, 2.5)];
+        let counted = [StepLength::Fixed(0.1), StepLength::Most(0.1)].map(|steps| {
+            let mut meter =
+                QualityMeter::new(&mut equations, Integrator::default(), steps, &states[0])
+                    .expect("a machine with mass");
+            for (t, ends) in [0.0, 0.03].into_iter().zip(states.windows(2)) {
+                meter.add_to_turns((t, 0.05), [&ends[0], &ends[1]]);
+            }
+            meter.end_row();
+            meter.sums.turns.iter().map(|own| own.errors.count()).collect::<Vec<_>>()
+        });
+        assert_eq!(counted, [vec![1], vec![2]]);
     }
 }

@@ -1,50 +1,16 @@
 //! What is measured of the steps that are sampled, by the parts of the machine: their local error, how far they go, and what
-//! they move in modes that they do not resolve.
+//! they move in modes that they do not resolve, and what they make of inertia.
 
-use serde::{Deserialize, Serialize};
-
-use super::histogram::Histogram;
+use super::in_space::{InSpace, weight};
 use super::linearised::{Kind, Linearised, Place};
 use super::moving_part::larger;
+use super::newmark::Integrator;
 use super::parts::Part;
 use super::quality_meter::QualityMeter;
 use super::sampling::{scattered, stands_for};
+use crate::bodies::Rotation;
 use crate::equations::Equations;
 use crate::equations::State;
-
-/// What is carried of a part of the machine (m).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(super) struct PartSums {
-    /// Whether the modes are no longer those in which it moves, and were not taken anew yet.
-    changed: bool,
-    /// Whether it moves in modes that would not be judged, and should be.
-    unknown: bool,
-    /// Of the steps of which it could be judged.
-    pub(super) errors: Histogram,
-    pub(super) largest_error: f64,
-    /// Largest displacement that measures are fractions of, in modes on which something acts, and in all directions (m).
-    pub(super) reach: f64,
-    pub(super) displacement: f64,
-    /// Motion in a step in modes that are not resolved.
-    pub(super) motions: Histogram,
-    /// The most kinetic energy, without rotations (J).
-    pub(super) kinetic: f64,
-}
-
-impl PartSums {
-    pub(super) fn new() -> Self {
-        PartSums {
-            changed: false,
-            unknown: false,
-            errors: Histogram::new(),
-            largest_error: 0.0,
-            reach: 0.0,
-            displacement: 0.0,
-            motions: Histogram::new(),
-            kinetic: 0.0,
-        }
-    }
-}
 
 /// Steps from one linearisation to the next, at least. Of many unknowns it is as dear as hundreds of steps, so that they are
 /// n²/4 apart: together they take a few hundredths of the time that steps do.
@@ -214,6 +180,44 @@ impl QualityMeter {
         for (sums, part) in sums.parts.iter_mut().zip(&parts.all) {
             sums.displacement = larger(sums.displacement, part.measure(motion));
             sums.kinetic = larger(sums.kinetic, part.kinetic_energy(rates));
+        }
+    }
+
+    /// Measures what becomes of inertia (`in_space`) at a step of `dt` s that is sampled, where the steps before were as long;
+    /// needs those before it.
+    pub(super) fn add_in_space(&mut self, equations: &mut Equations, dt: f64, ends: [&State; 2]) {
+        let steps = self.sums.steps;
+        if !InSpace::needs(steps)
+            || equations.turning.is_empty()
+            || self.method != Integrator::default()
+        {
+            self.sums.in_space.forget();
+            return;
+        }
+        let follow = self.sums.in_space.keep(dt, ends);
+        let (Some(linearised), Some(weight), true) = (&self.linearised, weight(steps), follow)
+        else {
+            return;
+        };
+        if !self.sums.in_space.correct(&mut self.corrected) {
+            return;
+        }
+        let middle = self.sums.in_space.middle();
+        equations.change_of_inertia([middle, &self.corrected], &mut self.inertia);
+        let first = self.inertia.len() - self.motion.len();
+        let judged = self.steps.most();
+        linearised.driven(judged, &self.inertia[first..], &mut self.within);
+        linearised.driven(judged, &self.held, &mut self.before);
+        for (number, part) in self.parts.all.iter().enumerate() {
+            let body = &equations.machine.bodies[part.moving().body];
+            // A frame that never turns makes no such forces.
+            let turns = body
+                .rotation()
+                .is_some_and(|own| !matches!(own, Rotation::Held | Rotation::Spinning { .. }));
+            if turns && !part.turns() {
+                let measured = [&self.within, &self.before].map(|own| part.measure(own));
+                self.sums.in_space.add(number, measured, weight);
+            }
         }
     }
 }

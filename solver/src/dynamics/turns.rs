@@ -6,20 +6,11 @@
 //! and accelerations are W at most that time is V/W, the time in which W changes the speed by V, and the way V²/W. Of a swing
 //! a sin ωt it is a, of a run-up that takes the time τ to a speed half of the way that it takes. It is a radian at most,
 //! or what one step turns by: beyond that it matters to nothing how far a turn has gone.
-//!
-//! In θ̈ = −λθ̇ the acceleration changes by −λ times what the speed does, and from λΔt = 2 on both change their signs in each
-//! step of the trapezoidal rule, while the turn hardly moves: the change of the acceleration says nothing of its error there, and
-//! what rings is measured by itself. In θ̈ = −ω²θ acceleration and speed change against each other in half of the time only, so that
-//! steps which are far too long for it still count.
 
 use serde::{Deserialize, Serialize};
 
-use super::histogram::Histogram;
-use super::moving_part::{StepLength, larger};
-use super::parts;
-use super::quality_meter::QualityMeter;
-use super::rings::LASTS;
-use super::sampling::{is_sampled, stands_for};
+use super::masses;
+use super::moving_part::larger;
 use crate::equations::State;
 use crate::machine::Machine;
 
@@ -31,7 +22,7 @@ pub(super) struct FreeTurn {
     /// The body, or that of several which is hardest to turn.
     pub(super) body: usize,
     /// What coordinates bring to it, by their places in q.
-    row: Vec<(usize, f64)>,
+    pub(super) row: Vec<(usize, f64)>,
     /// √(ΣJ0/m) (m).
     pub(super) radius: f64,
 }
@@ -53,7 +44,7 @@ impl FreeTurn {
             let coupled = machine.places()[body].flexible.clone().zip(&shaft.g0);
             let coupled = coupled.filter(|(_, g)| **g != 0.0);
             row.extend(coupled.map(|(place, g)| (place, ratio * g / inertia)));
-            mass += parts::mass(&machine.bodies[body], shaft);
+            mass += masses::mass(&machine.bodies[body], shaft);
         }
         let radius = if mass > 0.0 { (inertia / mass).sqrt() } else { 1.0 };
         Some(FreeTurn { body: machine.owner(hardest).body, row, radius })
@@ -62,109 +53,6 @@ impl FreeTurn {
     /// Its part in a motion, by places in q.
     pub(super) fn of(&self, x: impl Fn(usize) -> f64) -> f64 {
         self.row.iter().map(|(place, own)| own * x(*place)).sum()
-    }
-}
-
-/// What is carried of a turn for the verdict.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(super) struct TurnSums {
-    /// Least and largest speed (rad/s).
-    speeds: [f64; 2],
-    /// Of the rows that were sampled: errors of the steps that resolve it (rad), by what it changed its speed in each row, to and
-    /// fro (rad/s), and the largest of both.
-    errors: Histogram,
-    changes: Histogram,
-    pub(super) largest_error: f64,
-    largest_change: f64,
-    /// The largest error of a step by which it is not resolved (rad).
-    unresolved: f64,
-    step: StepSums,
-}
-
-/// What was measured of a step so far, of which there may be parts.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-struct StepSums {
-    /// Of the parts that resolve it, if there are any (rad).
-    error: Option<f64>,
-    /// How much it changed its speed in the row (rad/s).
-    change: f64,
-}
-
-impl TurnSums {
-    /// From a state on.
-    pub(super) fn new(turn: &FreeTurn, start: &State) -> Self {
-        TurnSums {
-            speeds: [turn.of(|place| start.v[place]); 2],
-            errors: Histogram::new(),
-            changes: Histogram::new(),
-            largest_error: 0.0,
-            largest_change: 0.0,
-            unresolved: 0.0,
-            step: StepSums::default(),
-        }
-    }
-
-    /// Takes the end of a step, or of a part of one.
-    pub(super) fn take(&mut self, turn: &FreeTurn, end: &State) {
-        widen(&mut self.speeds, turn.of(|place| end.v[place]));
-    }
-
-    /// Measures a step of `dt` s, or a part of one, of which errors are `factor` times the change of accelerations. Those of parts
-    /// that follow each other add up.
-    pub(super) fn measure(
-        &mut self,
-        turn: &FreeTurn,
-        (factor, dt): (f64, f64),
-        [start, end]: [&State; 2],
-    ) {
-        let speed = turn.of(|place| end.v[place] - start.v[place]);
-        let acceleration = turn.of(|place| end.a[place] - start.a[place]);
-        let lag = turn.of(|place| end.lag[place] - start.lag[place]);
-        let error = factor * (acceleration + dt * lag).abs();
-        self.step.change += speed.abs();
-        // λΔt > 2.
-        if -acceleration * dt * speed > 2.0 * speed * speed {
-            self.unresolved = larger(self.unresolved, error);
-        } else {
-            self.step.error = Some(self.step.error.unwrap_or(0.0) + error);
-        }
-    }
-
-    /// Ends a step that was measured, and stands for so many.
-    pub(super) fn end_step(&mut self, stands_for: u64) {
-        if let Some(error) = self.step.error.take() {
-            self.errors.add_times(error, stands_for);
-            self.largest_error = larger(self.largest_error, error);
-        }
-    }
-
-    /// Ends a row that was measured, and its step.
-    pub(super) fn end_row(&mut self, stands_for: u64) {
-        self.end_step(stands_for);
-        let change = std::mem::take(&mut self.step.change);
-        self.changes.add_times(change, stands_for);
-        self.largest_change = larger(self.largest_change, change);
-    }
-
-    /// Whether a step resolved it.
-    pub(super) fn is_judged(&self) -> bool {
-        self.errors.count() > 0
-    }
-
-    /// The error that 95 % of the steps stay below; classes round up (rad). Where none resolves it, and there are too few for
-    /// ringing to be told, that of the others.
-    pub(super) fn error(&self) -> f64 {
-        if self.errors.count() == 0 && (self.changes.count() as f64) < LASTS + 3.0 {
-            return self.unresolved;
-        }
-        self.errors.below(0.95).min(self.largest_error)
-    }
-
-    /// How far it departs from a uniform turn in rows of `dt` s (rad), by the acceleration that 95 % of them stay below, as for
-    /// errors: a short pulse says nothing of the swing beside it.
-    pub(super) fn reach(&self, dt: f64) -> f64 {
-        let change = self.changes.below(0.95).min(self.largest_change);
-        reach(self.speeds, change / dt, dt)
     }
 }
 
@@ -205,157 +93,13 @@ impl TurnRange {
 }
 
 /// V²/W of a range of speeds and an acceleration, for steps of `dt` s at most (rad).
-fn reach([least, most]: [f64; 2], acceleration: f64, dt: f64) -> f64 {
+pub(super) fn reach([least, most]: [f64; 2], acceleration: f64, dt: f64) -> f64 {
     let speed = 0.5 * (most - least);
     let way = if speed == 0.0 { 0.0 } else { speed * speed / acceleration };
     let limit = (larger(most, -least) * dt).max(1.0);
     if way > limit { limit } else { larger(way, LEAST) }
 }
 
-fn widen([least, most]: &mut [f64; 2], speed: f64) {
+pub(super) fn widen([least, most]: &mut [f64; 2], speed: f64) {
     (*least, *most) = (-larger(-*least, -speed), larger(*most, speed));
-}
-
-impl QualityMeter {
-    /// Adds a step of `dt` s to what is measured of turns, of rows that are sampled. Parts that a march chose are steps of their
-    /// own; those of a step that was cut are one, however many there are.
-    pub(super) fn add_to_turns(&mut self, (t, dt): (f64, f64), ends: [&State; 2]) {
-        let factor = self.method.error_factor(dt);
-        let (sampled, stands_for) = (is_sampled(self.sums.rows), stands_for(self.sums.rows));
-        for (own, turn) in self.sums.turns.iter_mut().zip(&self.parts.turns) {
-            own.take(turn, ends[1]);
-            if sampled {
-                own.measure(turn, (factor, dt), ends);
-                if matches!(self.steps, StepLength::Most(_)) {
-                    own.end_step(stands_for);
-                }
-            }
-        }
-        for (own, turn) in self.turned.iter_mut().zip(&self.parts.turns) {
-            own.take(turn, (t + dt, ends[1]));
-        }
-    }
-
-    /// Ends a row.
-    pub(crate) fn end_row(&mut self) {
-        if is_sampled(self.sums.rows) {
-            let stands_for = stands_for(self.sums.rows);
-            self.sums.turns.iter_mut().for_each(|own| own.end_row(stands_for));
-        }
-        self.sums.rows += 1;
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use std::f64::consts::PI;
-
-    use super::super::newmark::Integrator;
-    use super::super::small::machine;
-    use super::*;
-    use crate::equations::Equations;
-    use crate::machine::Rotation;
-
-    fn turn() -> FreeTurn {
-        FreeTurn { body: 0, row: vec![(0, 1.0)], radius: 1.0 }
-    }
-
-    fn state(speed: f64, acceleration: f64) -> State {
-        State { v: vec![speed], a: vec![acceleration], ..State::new(1) }
-    }
-
-    /// Of θ̈ = t the trapezoidal rule misses h³/12 in a part of h s.
-    #[test]
-    fn parts_of_a_step_count_by_their_own_lengths_as_one() {
-        for parts in [vec![1.0], vec![0.5, 0.5], vec![0.25, 0.75], vec![0.1; 10]] {
-            let (turn, mut sums) = (turn(), TurnSums::new(&turn(), &state(0.0, 0.0)));
-            let at = |t: f64| state(0.5 * t * t, t);
-            let mut t = 1.0;
-            for dt in &parts {
-                sums.measure(&turn, (dt * dt / 12.0, *dt), [&at(t), &at(t + dt)]);
-                t += dt;
-            }
-            sums.end_row(1);
-            let exact = parts.iter().map(|dt| dt.powi(3) / 12.0).sum::<f64>();
-            assert!((sums.largest_error / exact - 1.0).abs() < 1e-12, "{parts:?}");
-            assert_eq!((sums.errors.count(), sums.changes.count()), (1, 1));
-            assert!((sums.largest_change - 1.5).abs() < 1e-12, "{sums:?}");
-        }
-    }
-
-    /// Parts of a step that was cut are one step of a turn; those that a march chose are steps of their own.
-    #[test]
-    fn cut_parts_are_one_step_and_chosen_ones_count_by_themselves() {
-        let machine = machine(Rotation::Free);
-        let mut equations = Equations::new(&machine);
-        let state =
-            |speed: f64, a: f64| State { v: vec![speed; 5], a: vec![a; 5], ..State::new(5) };
-        let states = [state(10.0, 1.0), state(10.1, 1.5), state(10.3, 2.5)];
-        let counted = [StepLength::Fixed(0.1), StepLength::Most(0.1)].map(|steps| {
-            let mut meter =
-                QualityMeter::new(&mut equations, Integrator::default(), steps, &states[0])
-                    .expect("a machine with mass");
-            for (t, ends) in [0.0, 0.03].into_iter().zip(states.windows(2)) {
-                meter.add_to_turns((t, 0.05), [&ends[0], &ends[1]]);
-            }
-            meter.end_row();
-            meter.sums.turns.iter().map(|own| own.errors.count()).collect::<Vec<_>>()
-        });
-        assert_eq!(counted, [vec![1], vec![2]]);
-    }
-
-    /// In steps of 1 s from a state, each by the trapezoidal rule: the share of them that resolve the turn, and the error.
-    fn resolved(
-        steps: usize,
-        start: [f64; 2],
-        step: impl Fn([f64; 2]) -> [f64; 2],
-        a: impl Fn([f64; 2]) -> f64,
-    ) -> (f64, f64) {
-        let (turn, mut x) = (turn(), start);
-        let mut sums = TurnSums::new(&turn, &state(x[1], a(x)));
-        for _ in 0..steps {
-            let next = step(x);
-            sums.measure(&turn, (1.0 / 12.0, 1.0), [&state(x[1], a(x)), &state(next[1], a(next))]);
-            sums.end_row(1);
-            x = next;
-        }
-        (sums.errors.count() as f64 / steps as f64, sums.error())
-    }
-
-    #[test]
-    fn a_fall_of_the_speed_is_resolved_until_it_alternates() {
-        for (lambda, share) in [(0.5, 1.0), (1.99, 1.0), (2.01, 0.0), (100.0, 0.0)] {
-            let factor = (1.0 - 0.5 * lambda) / (1.0 + 0.5 * lambda);
-            let step = |[x, v]: [f64; 2]| [x + 0.5 * (1.0 + factor) * v, factor * v];
-            let start = [0.0, 1.0];
-            let found = [42, 43].map(|steps| resolved(steps, start, step, |[_, v]| -lambda * v));
-            assert_eq!(found.map(|own| own.0), [share; 2], "{lambda}");
-            // That of the first step, which changes most, until there is ringing to be told.
-            let first = lambda * (1.0 - factor) / 12.0;
-            let errors = found.map(|own| own.1);
-            match share > 0.0 {
-                true => assert!(errors.iter().all(|own| *own > 0.0 && *own <= first), "{errors:?}"),
-                false => assert!(
-                    (errors[0] / first - 1.0).abs() < 1e-12 && errors[1] == 0.0,
-                    "{errors:?}"
-                ),
-            }
-        }
-    }
-
-    /// Of a cos φ a step is left out where φ in its middle is within the last atan(½ωΔt) of the first or the third quarter.
-    #[test]
-    fn an_oscillation_counts_however_long_steps_are() {
-        for omega in [0.1, 0.3, 1.0, 3.0, 30.0, 1e3_f64] {
-            let turn = 2.0 * (0.5 * omega).atan();
-            let step = |[x, v]: [f64; 2]| {
-                let (x, v) = (x, v / omega);
-                [x * turn.cos() + v * turn.sin(), omega * (v * turn.cos() - x * turn.sin())]
-            };
-            let (share, _) = resolved(20_000, [1.0, 0.0], step, |[x, _]| -omega * omega * x);
-            let exact = 1.0 - (0.5 * omega).atan() / PI;
-            // Half of the last sweep through all phases, of which there are 25 in the longest steps.
-            assert!((share - exact).abs() < 0.02, "{omega}: {share} for {exact}");
-        }
-    }
 }

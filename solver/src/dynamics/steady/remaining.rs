@@ -7,7 +7,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::SteadyState;
+use super::reached::SteadyState;
 use super::samples::Samples;
 use crate::dynamics::moving_part::larger;
 use crate::linalg::widely;
