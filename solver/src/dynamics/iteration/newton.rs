@@ -285,15 +285,8 @@ impl Newton {
                     let (weights, memory) = (self.merit.weights(), &mut self.direction);
                     self.extrapolation.learn(&self.correction, weights, memory);
                     self.factors.count(iteration);
-                    let ending = Ending::Converged;
-                    let iterations = iteration;
-                    return StepReport {
-                        ending,
-                        iterations,
-                        residual: norm,
-                        force_change,
-                        row_error,
-                    };
+                    let (ending, iterations, residual) = (Ending::Converged, iteration, norm);
+                    return StepReport { ending, iterations, residual, force_change, row_error };
                 }
             }
             let size = self.merit.length(&self.direction);

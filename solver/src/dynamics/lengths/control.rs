@@ -11,7 +11,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::bearing::work::{Flow, MOTIONS};
-use crate::dynamics::motion::{MovingPart, SMALLEST, TurnRange, larger};
+use crate::dynamics::motion::{MovingPart, SMALLEST, TurnRange, larger, ratio};
 
 /// A march that chooses the parts of its steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -252,10 +252,6 @@ impl StepControl {
             }
         }
     }
-}
-
-fn ratio(value: f64, limit: f64) -> f64 {
-    if value == 0.0 { 0.0 } else { value / limit }
 }
 
 fn raise(so_far: &mut [f64], own: &[f64]) {

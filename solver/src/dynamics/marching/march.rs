@@ -92,11 +92,7 @@ impl<'m> March<'m> {
         if options.laws_at_rest {
             state.laws.hold = Hold::Settled;
         }
-        let released = machine.loads.iter().map(|load| {
-            let theta = machine.places()[load.body].rotation;
-            theta.is_some_and(|theta| load.reaches(state.v[theta]))
-        });
-        let released = released.collect();
+        let released = machine.loads.iter().map(|load| machine.ends(load, &state.v)).collect();
         let begun = March::begin(machine, options, (state, released, 0.0), true);
         begun.map_err(|error| {
             let outcome = Outcome {

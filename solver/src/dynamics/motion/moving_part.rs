@@ -39,8 +39,3 @@ impl StepLength {
         }
     }
 }
-
-/// The larger of two; what is no number is larger than any, and stays it.
-pub(in crate::dynamics) fn larger(a: f64, b: f64) -> f64 {
-    if b <= a || a.is_nan() { a } else { b }
-}

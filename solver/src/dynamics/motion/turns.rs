@@ -10,7 +10,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::masses;
-use super::moving_part::larger;
+use super::worst::larger;
 use crate::equations::State;
 use crate::machine::Machine;
 

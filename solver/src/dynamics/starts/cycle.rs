@@ -18,11 +18,7 @@ impl<'m> March<'m> {
         t: f64,
     ) -> Result<Self, Error> {
         machine.set_given(t, false, [&mut state.q, &mut state.v, &mut state.a]);
-        let released = machine.loads.iter().map(|load| {
-            let theta = machine.places()[load.body].rotation;
-            theta.is_some_and(|theta| load.reaches(state.v[theta]))
-        });
-        let released = released.collect();
+        let released = machine.loads.iter().map(|load| machine.ends(load, &state.v)).collect();
         let mut march = March::begin(machine, options, (state, released, t), true)?;
         march.go_on(Clock { time: t, step: 0 }, t, None);
         Ok(march)

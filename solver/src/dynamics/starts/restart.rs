@@ -290,19 +290,22 @@ fn content(body: &Body) -> Key {
     }
 }
 
+/// Names of the joints of some planes, plane by plane.
+fn joints(machine: &Machine, planes: Range<usize>) -> Vec<&str> {
+    let planes = machine.springs.planes[planes].iter();
+    planes.map(|plane| machine.monitors[plane.bearing].name.as_str()).collect()
+}
+
 /// By laws with states what these are, and their places among all states.
 fn placed_states(machine: &Machine) -> Vec<(Key, Range<usize>)> {
     let springs = &machine.springs;
     let mut first = 0;
     let mut all = Vec::new();
     for law in springs.laws.iter().filter(|law| !law.bound.states.is_empty()) {
-        let joints: Vec<&str> = springs.planes[law.planes.clone()]
-            .iter()
-            .map(|plane| machine.monitors[plane.bearing].name.as_str())
-            .collect();
         let states: Vec<&str> = law.bound.states.iter().map(|own| own.name.as_str()).collect();
         let place = first..first + law.springs * states.len();
         first = place.end;
+        let joints = joints(machine, law.planes.clone());
         all.push((Key::of(&(joints, states, law.springs)), place));
     }
     all
@@ -310,13 +313,9 @@ fn placed_states(machine: &Machine) -> Vec<(Key, Range<usize>)> {
 
 /// Where films are, and on which nodes.
 fn films(machine: &Machine) -> Key {
-    let springs = &machine.springs;
-    let of_law = springs.laws.iter().filter_map(|law| {
+    let of_law = machine.springs.laws.iter().filter_map(|law| {
         let film = &law.bound.law.film()?.film;
-        let joints: Vec<&str> = springs.planes[law.planes.clone()]
-            .iter()
-            .map(|plane| machine.monitors[plane.bearing].name.as_str())
-            .collect();
+        let joints = joints(machine, law.planes.clone());
         let openings: Vec<&str> = film.openings.iter().map(|own| own.name.as_str()).collect();
         Some((joints, film.name(), [film.grid.around, film.grid.along], openings))
     });

@@ -121,26 +121,14 @@ pub fn findings(
         !value.is_finite() || value > limit
     });
     type Measured = (&'static str, (Option<usize>, Option<MovingPart>), f64, f64, f64);
-    let finding = |(what, (bearing, part), value, limit, step): Measured| Finding {
-        what: what.to_owned(),
-        bearing,
-        part,
-        coordinate: None,
-        value,
-        limit,
-        unit: "1".to_owned(),
-        remedy: automatic.map_or_else(|| shorter(step), narrower),
+    let finding = |(what, (bearing, part), value, limit, step): Measured| {
+        let own = beyond(what, (value, limit, "1"), mended(step, automatic));
+        Finding { bearing, part, ..own }
     };
-    let unjudged = (!quality.judged).then(|| Finding {
-        what: "parts of the machine that move in modes which steps resolve, so that a local error can be judged"
-            .to_owned(),
-        bearing: None,
-        part: None,
-        coordinate: None,
-        value: 0.0,
-        limit: 1.0,
-        unit: "parts".to_owned(),
-        remedy: automatic.map_or_else(|| shorter(resolved), narrower),
+    let unjudged = (!quality.judged).then(|| {
+        let what =
+            "parts of the machine that move in modes which steps resolve, so that a local error can be judged";
+        beyond(what, (0.0, 1.0, "parts"), mended(resolved, automatic))
     });
     let too_far = runaway(quality).into_iter();
     let often = halved(quality, (time_step, automatic)).into_iter();
@@ -173,28 +161,21 @@ fn rings(quality: &Quality, time_step: f64, automatic: Option<AutomaticStep>) ->
         Some(RingingPart::Velocity(own)) => ("the velocities", body(own, false)),
         None => ("a quantity", (None, None)),
     };
-    let shorter = automatic.map_or_else(|| shorter(0.1 * time_step), narrower);
-    Some(Finding {
-        what: format!(
-            "part of {called} that alternates from step to step, for forty steps or more, as a fraction of its range"
+    let shorter = mended(0.1 * time_step, automatic);
+    let what = format!(
+        "part of {called} that alternates from step to step, for forty steps or more, as a fraction of its range"
+    );
+    let remedy = match (ringing.damped, quality.films) {
+        (true, _) => format!("set a smaller `spectral_radius` in [march], or {shorter}"),
+        (false, Some(_)) => {
+            format!("begin in equilibrium, let loads rise over some steps, or {shorter}")
+        }
+        (false, None) => format!(
+            "set `integrator = \"generalized-alpha\"` in [march], which damps motion far faster than the step, \
+             or {shorter}"
         ),
-        bearing,
-        part,
-        coordinate: None,
-        value,
-        limit,
-        unit: "1".to_owned(),
-        remedy: match (ringing.damped, quality.films) {
-            (true, _) => format!("set a smaller `spectral_radius` in [march], or {shorter}"),
-            (false, Some(_)) => {
-                format!("begin in equilibrium, let loads rise over some steps, or {shorter}")
-            }
-            (false, None) => format!(
-                "set `integrator = \"generalized-alpha\"` in [march], which damps motion far faster than the step, \
-                 or {shorter}"
-            ),
-        },
-    })
+    };
+    Some(Finding { bearing, part, ..beyond(what, (value, limit, "1"), remedy) })
 }
 
 /// Whether gaps of a film change too fast for the steps.
@@ -204,16 +185,11 @@ fn squeezed(
     automatic: Option<AutomaticStep>,
 ) -> Option<Finding> {
     let FilmRates { share, bearing } = *films;
-    (share > FILM_STEPS).then(|| Finding {
-        what: "steps in which the gap of a film changes by more than itself, as a fraction of all"
-            .to_owned(),
-        bearing: Some(bearing),
-        part: None,
-        coordinate: None,
-        value: share,
-        limit: FILM_STEPS,
-        unit: "1".to_owned(),
-        remedy: automatic.map_or_else(|| shorter(0.5 * time_step), narrower),
+    (share > FILM_STEPS).then(|| {
+        let what =
+            "steps in which the gap of a film changes by more than itself, as a fraction of all";
+        let own = beyond(what, (share, FILM_STEPS, "1"), mended(0.5 * time_step, automatic));
+        Finding { bearing: Some(bearing), ..own }
     })
 }
 
@@ -243,22 +219,14 @@ fn missed(
     let step = (factor * time_step).min(by_rate.max(0.1 * time_step));
     // What comes to rest within half a step alternates in it.
     let alternates = fastest * time_step > 2.0;
-    let shorter = automatic.map_or_else(|| shorter(step), narrower);
-    Some(Finding {
-        what,
-        bearing: Some(bearing),
-        part: None,
-        coordinate: None,
-        value,
-        limit,
-        unit: "1".to_owned(),
-        remedy: match alternates {
-            true => format!(
-                "set `integrator = \"generalized-alpha\"` in [march], which damps what is far faster than the step, or {shorter}"
-            ),
-            false => shorter,
-        },
-    })
+    let shorter = mended(step, automatic);
+    let remedy = match alternates {
+        true => format!(
+            "set `integrator = \"generalized-alpha\"` in [march], which damps what is far faster than the step, or {shorter}"
+        ),
+        false => shorter,
+    };
+    Some(Finding { bearing: Some(bearing), ..beyond(what, (value, limit, "1"), remedy) })
 }
 
 /// Whether steps had to be halved again and again to be solved.
@@ -279,20 +247,15 @@ fn halved(
         _ => "an equation that remains unsolved",
     };
     let jumps = "look for a law, or a table of a load, that jumps or is very steep there";
-    often.then(|| Finding {
-        what: format!(
+    often.then(|| {
+        let what = format!(
             "steps that could not be solved whole, halved {halvings} times in all, most often for {cause}"
-        ),
-        bearing,
-        part: None,
-        coordinate,
-        value: steps as f64,
-        limit,
-        unit: "steps".to_owned(),
-        remedy: match automatic {
+        );
+        let remedy = match automatic {
             Some(_) => jumps.to_owned(),
             None => format!("{jumps}; or {}", shorter(0.1 * time_step)),
-        },
+        };
+        Finding { bearing, coordinate, ..beyond(what, (steps as f64, limit, "steps"), remedy) }
     })
 }
 
@@ -300,17 +263,10 @@ fn halved(
 fn runaway(quality: &Quality) -> Option<Finding> {
     let (value, limit) = (quality.largest_displacement, quality.sensible_displacement);
     let too_far = value.is_nan() || value > limit;
+    let remedy = "look for a stiffness or damping that is negative or missing at this body, and for a load that nothing carries";
     too_far.then(|| Finding {
-        what: "displacement larger than the machine".to_owned(),
-        bearing: None,
         part: quality.farthest.map(|body| MovingPart { body, turns: false }),
-        coordinate: None,
-        value,
-        limit,
-        unit: "m".to_owned(),
-        remedy:
-            "look for a stiffness or damping that is negative or missing at this body, and for a load that nothing carries"
-                .to_owned(),
+        ..beyond("displacement larger than the machine", (value, limit, "m"), remedy.to_owned())
     })
 }
 
@@ -321,22 +277,30 @@ fn outrun(quality: &Quality, time_step: f64, automatic: bool) -> Option<Finding>
     let too_few = steps < LEAST_STEPS * (1.0 - 1e-6);
     too_few.then(|| {
         let rpm = whirl_text::shown(speed.abs() * 60.0 / std::f64::consts::TAU, 4, 1e-3..1e7);
-        Finding {
-            what: format!(
-                "fewest steps in a period of a load that follows the angle, at {rpm} rpm"
-            ),
-            bearing: None,
-            part: Some(MovingPart { body, turns: true }),
-            coordinate: None,
-            value: steps,
-            limit: LEAST_STEPS,
-            unit: "steps".to_owned(),
-            remedy: match automatic {
-                true => "set a shorter `output_step` in [march]".to_owned(),
-                false => shorter(time_step * steps / LEAST_STEPS),
-            },
-        }
+        let what =
+            format!("fewest steps in a period of a load that follows the angle, at {rpm} rpm");
+        let remedy = match automatic {
+            true => "set a shorter `output_step` in [march]".to_owned(),
+            false => shorter(time_step * steps / LEAST_STEPS),
+        };
+        let own = beyond(what, (steps, LEAST_STEPS, "steps"), remedy);
+        Finding { part: Some(MovingPart { body, turns: true }), ..own }
     })
+}
+
+/// What is beyond its limit, at no place yet.
+fn beyond(
+    what: impl Into<String>,
+    (value, limit, unit): (f64, f64, &str),
+    remedy: String,
+) -> Finding {
+    let (what, unit) = (what.into(), unit.to_owned());
+    Finding { what, bearing: None, part: None, coordinate: None, value, limit, unit, remedy }
+}
+
+/// The remedy of a shorter step, or of a narrower tolerance where the march chooses its steps.
+fn mended(step: f64, automatic: Option<AutomaticStep>) -> String {
+    automatic.map_or_else(|| shorter(step), narrower)
 }
 
 /// The remedy of a shorter step, in two digits rounded down.

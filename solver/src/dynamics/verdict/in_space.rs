@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::histogram::Histogram;
 use super::sampling::{is_sampled, stands_for};
-use crate::dynamics::motion::larger;
+use crate::dynamics::motion::{larger, ratio};
 use crate::equations::State;
 
 /// States that are looked at together.
@@ -47,8 +47,7 @@ impl InSpace {
 
     /// What 95 % of the steps stay below of a part, as a fraction of its largest elastic force.
     pub(super) fn error(&self, part: usize) -> f64 {
-        let error = self.errors[part].below(0.95);
-        if error == 0.0 { 0.0 } else { error / self.forces[part] }
+        ratio(self.errors[part].below(0.95), self.forces[part])
     }
 
     /// Whether a step is one of those by which it is measured, at their last.

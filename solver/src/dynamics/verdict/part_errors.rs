@@ -27,10 +27,7 @@ impl QualityMeter {
         let QualityMeter { undeformed, parts, motion, within, .. } = self;
         let Some(modes) = undeformed else { return };
         let first = end.a.len() - motion.len();
-        end.integrated(dt, first)
-            .zip(start.integrated(dt, first))
-            .zip(motion.iter_mut())
-            .for_each(|((end, start), out)| *out = end - start);
+        end.integrated_since(start, dt, motion);
         let weight = |square: f64| 1.0 / (1.0 + beta * square.max(0.0) * dt * dt);
         modes.weighted(modes.within(f64::NEG_INFINITY..f64::INFINITY), weight, motion, within);
         let places = parts.all.len();

@@ -11,7 +11,7 @@ use super::windows::Windows;
 use crate::bearing::work::MOTIONS;
 use crate::dynamics::iteration::HalvedSteps;
 use crate::dynamics::motion::{
-    MovingPart, Part, SMALLEST, larger, largest_eigenvalue, largest_sensible,
+    MovingPart, Part, SMALLEST, larger, largest_eigenvalue, largest_sensible, ratio, worse,
 };
 use crate::equations::Equations;
 
@@ -109,29 +109,22 @@ impl QualityMeter {
             (value > 0.0).then_some(value)
         });
         let largest = eigenvalues.reduce(f64::max);
-        let parts = sums.parts.iter().zip(&self.parts.all);
-        let most = parts.map(|(sums, part)| sums.reach.min(part.most())).fold(0.0, larger);
+        let parts = || sums.parts.iter().zip(&self.parts.all);
+        let most = parts().map(|(sums, part)| sums.reach.min(part.most())).fold(0.0, larger);
         let least = SMALLEST * most;
         // The largest fraction of what moves, and the part where it is; turns have errors only.
         let judge = |of: &dyn Fn(&PartSums) -> f64, of_turn: &dyn Fn(&TurnSums) -> f64| {
-            let parts = sums.parts.iter().zip(&self.parts.all);
-            let judged = parts.map(|(sums, part)| {
-                let (value, amplitude) = (of(sums), larger(sums.reach.min(part.most()), least));
-                (if value == 0.0 { 0.0 } else { value / amplitude }, part.moving())
+            let judged = parts().map(|(sums, part)| {
+                let amplitude = larger(sums.reach.min(part.most()), least);
+                (ratio(of(sums), amplitude), part.moving())
             });
             let turns = sums.turns.iter().zip(&self.parts.turns).map(|(sums, turn)| {
                 let way = turn.radius * sums.reach(self.steps.most());
-                let (value, way) = (turn.radius * of_turn(sums), larger(way, least));
                 let part = MovingPart { body: turn.body, turns: true };
-                (if value == 0.0 { 0.0 } else { value / way }, part)
+                (ratio(turn.radius * of_turn(sums), larger(way, least)), part)
             });
             let all = judged.chain(turns);
-            all.fold((0.0, None), |worst: (f64, Option<MovingPart>), (value, part)| {
-                if value <= worst.0 || worst.0.is_nan() {
-                    return worst;
-                }
-                (value, Some(part))
-            })
+            all.fold((0.0, None), |worst, (value, part)| worse(worst, (value, Some(part))))
         };
         // Classes round up.
         let (local_error, local_error_of) =
@@ -146,7 +139,7 @@ impl QualityMeter {
                 true => worst,
                 false => (value, Some(part)),
             });
-        let bodies = sums.parts.iter().zip(&self.parts.all).filter(|(_, part)| !part.turns());
+        let bodies = parts().filter(|(_, part)| !part.turns());
         let farthest = bodies.max_by(|a, b| a.0.displacement.total_cmp(&b.0.displacement));
         let displacement = farthest.map_or(0.0, |(sums, _)| sums.displacement);
         let fastest = sums.fastest;

@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use super::histogram::Histogram;
 use super::rings::{LASTS, RINGING, Ringing, RingingPart};
-use crate::dynamics::motion::{Parts, SMALLEST, larger};
+use crate::dynamics::motion::{Parts, SMALLEST, larger, ratio};
 use crate::equations::{Equations, State};
 use crate::linalg::widely;
 
@@ -300,7 +300,7 @@ impl RingingMeter {
         });
         let mut found = Ringing { damped: self.damped, ..Ringing::default() };
         for (what, amplitude, range) in signals.chain(bodies) {
-            let share = if amplitude == 0.0 { 0.0 } else { amplitude / range };
+            let share = ratio(amplitude, range);
             // Classes of amplitudes round up, by less than what lets a joint or a rotation be named before its body.
             let beside = if matches!(what, RingingPart::Velocity(_)) { NAMED_BEFORE } else { 1.0 };
             let share = if share > 0.5 { 0.5 } else { share };

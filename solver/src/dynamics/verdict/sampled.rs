@@ -114,11 +114,7 @@ impl QualityMeter {
     /// which its acceleration changes with it. Overdamped motion is slow in fast modes; what rings in them is not resolved.
     fn add_errors(&mut self, linearised: &Linearised, dt: f64, start: &State, end: &State) {
         let (factor, stands_for) = (self.method.error_factor(dt), stands_for(self.sums.steps));
-        let first = end.a.len() - self.motion.len();
-        end.integrated(dt, first)
-            .zip(start.integrated(dt, first))
-            .zip(self.motion.iter_mut())
-            .for_each(|((end, start), out)| *out = end - start);
+        end.integrated_since(start, dt, &mut self.motion);
         for kind in [None, Some(Kind::Free), Some(Kind::Resolved)] {
             match kind {
                 None => self.within.copy_from_slice(&self.motion),

@@ -13,6 +13,7 @@ use serde::{Deserialize, Serialize};
 use super::histogram::Histogram;
 use crate::bearing::{LawStates, Springs};
 use crate::dynamics::iteration::Integrator;
+use crate::dynamics::motion::{larger, ratio, worse};
 use crate::equations::State;
 
 /// A state that moves by a smaller share of the range of others of its unit, or of the range that its law declares, is measured by
@@ -106,12 +107,11 @@ impl StateMeter {
     pub(super) fn judge(&self, dt: f64, [start, end]: [&State; 2]) -> f64 {
         let rows = self.rows.iter().flat_map(|row| std::iter::repeat_n(row, row.springs));
         rows.enumerate().fold(0.0, |worst, (place, row)| {
-            let error = self.error(place, dt, [start, end]);
             let [low, high] = self.sums.ranges[place];
             let value = end.laws.known[place];
             let range = [low.min(value), high.max(value)];
             let reach = (range[1] - range[0]).max(row.least(range));
-            larger(worst, if error == 0.0 { 0.0 } else { error / reach })
+            larger(worst, ratio(self.error(place, dt, [start, end]), reach))
         })
     }
 
@@ -191,21 +191,9 @@ impl StateMeter {
                     self.rows.iter().zip(&reaches).filter(|(other, _)| other.unit == row.unit);
                 let most = same.map(|(_, (moved, _))| *moved).fold(0.0, larger);
                 let reach = larger(larger(moved, SMALLEST * most), least);
-                [errors.below(0.95), *summed].map(|error| match error {
-                    0.0 => (0.0, row.bearing),
-                    error => (error / reach, row.bearing),
-                })
+                [errors.below(0.95), *summed].map(|error| (ratio(error, reach), row.bearing))
             });
-        let worse = |a: (f64, usize), b: (f64, usize)| match b.0 <= a.0 || a.0.is_nan() {
-            true => a,
-            false => b,
-        };
         let worst = shares.reduce(|a, b| [worse(a[0], b[0]), worse(a[1], b[1])]);
         worst.map(|[local, summed]| StateError { local, summed, fastest: self.sums.fastest })
     }
-}
-
-/// The larger of two; what is no number is larger than any, and stays it.
-fn larger(a: f64, b: f64) -> f64 {
-    if b <= a || a.is_nan() { a } else { b }
 }

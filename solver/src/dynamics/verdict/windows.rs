@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::bearing::work::Flow;
+use crate::dynamics::motion::larger;
 
 /// Steps of a window at first: longer than a contact whose first step makes energy that matters.
 const SHORTEST: u64 = 64;
@@ -85,10 +86,7 @@ impl Windows {
             let flowed = sum(flows[beside].iter().copied()).flowed;
             fraction(own, f64::max(flowed, average))
         });
-        parts.fold(fraction(whole, whole.flowed), |worst, fraction| {
-            // A fraction that is no number is the worst, and stays it.
-            if fraction <= worst || worst.is_nan() { worst } else { fraction }
-        })
+        parts.fold(fraction(whole, whole.flowed), larger)
     }
 
     fn of(&self, place: usize) -> impl Iterator<Item = &Flow> {

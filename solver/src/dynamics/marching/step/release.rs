@@ -21,8 +21,7 @@ impl March<'_> {
     pub(in crate::dynamics::marching) fn release_at_step(&mut self) {
         for (load, released) in self.machine.loads.iter().zip(&mut self.equations.released) {
             if load.target().is_some_and(|target| target.release == Release::AtStep) {
-                let theta = self.machine.places()[load.body].rotation;
-                *released |= theta.is_some_and(|theta| load.reaches(self.state.v[theta]));
+                *released |= self.machine.ends(load, &self.state.v);
             }
         }
     }

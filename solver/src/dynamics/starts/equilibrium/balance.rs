@@ -76,12 +76,8 @@ impl<'m> Balance<'m> {
         speeds: &[Option<f64>],
         step: Option<f64>,
     ) -> Result<Self, Error> {
-        let mut state = State::new(machine.size());
-        state.laws.hold = Hold::Settled;
-        machine.set_given(0.0, false, [&mut state.q, &mut state.v, &mut state.a]);
-        Balance::of(machine, speeds, (step, true), state, &|_, shaft, speed| {
-            TurningStart::new(shaft, speed)
-        })
+        let turning = |_, shaft: &'m Shaft, speed: f64| TurningStart::new(shaft, speed);
+        Balance::of(machine, speeds, (step, true), at_rest(machine), &turning)
     }
 
     /// The same at speeds that stay: `speeds` are also those of bodies whose rotation is given, and couples that would speed up a
@@ -91,9 +87,7 @@ impl<'m> Balance<'m> {
         speeds: &[Option<f64>],
         turning: &dyn Fn(usize) -> TurningStart<'m>,
     ) -> Result<Self, Error> {
-        let mut state = State::new(machine.size());
-        state.laws.hold = Hold::Settled;
-        machine.set_given(0.0, false, [&mut state.q, &mut state.v, &mut state.a]);
+        let mut state = at_rest(machine);
         for (place, speed) in machine.places().iter().zip(speeds) {
             if let (Some(theta), Some(speed)) = (place.rotation, speed) {
                 (state.v[theta], state.a[theta]) = (*speed, 0.0);
@@ -459,6 +453,14 @@ fn twisted(own: &TurningStart) -> Vec<f64> {
     let (g0, quarter) = (&own.shaft.g0, &own.quarter_turn);
     let half = multiply(quarter.view(), quarter.view());
     (0..g0.len()).map(|i| g0[i] + dot(half.col(i), g0)).collect()
+}
+
+/// The state in the middle with the rotations that are given, the laws settled.
+fn at_rest(machine: &Machine) -> State {
+    let mut state = State::new(machine.size());
+    state.laws.hold = Hold::Settled;
+    machine.set_given(0.0, false, [&mut state.q, &mut state.v, &mut state.a]);
+    state
 }
 
 fn add(sum: &mut [f64], terms: &[f64]) {

@@ -80,7 +80,8 @@ pub(crate) fn standing_at(
         return Err(unbalanced(&mut balance, &nearest));
     }
     // What turns with a body acts on no small motion but by its couple on the rotation.
-    let ended: Vec<bool> = machine.loads.iter().map(|load| balance.released(load)).collect();
+    let ended: Vec<bool> =
+        machine.loads.iter().map(|load| machine.ends(load, &balance.state.v)).collect();
     let both = machine.loads.iter().zip(&ended);
     let released =
         both.map(|(load, ended)| load.turns_with_its_body() || *ended).collect::<Vec<_>>();

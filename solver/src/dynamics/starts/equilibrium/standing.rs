@@ -63,9 +63,8 @@ fn overhung(rotation: Rotation) -> Machine {
     .expect("a machine")
 }
 
-/// The largest way of the disc in space within some steps, over its deflection.
-fn drift(machine: &Machine, initial: Vec<BodyStart>, dt: f64, steps: usize) -> f64 {
-    let options = MarchOptions {
+fn options(initial: Vec<BodyStart>, dt: f64, steps: usize) -> MarchOptions {
+    MarchOptions {
         time_step: dt,
         automatic: None,
         steps,
@@ -76,8 +75,12 @@ fn drift(machine: &Machine, initial: Vec<BodyStart>, dt: f64, steps: usize) -> f
         stop_when_steady: false,
         initial,
         laws_at_rest: false,
-    };
-    let mut march = March::new(machine, &options).expect("starts");
+    }
+}
+
+/// The largest way of the disc in space within some steps, over its deflection.
+fn drift(machine: &Machine, initial: Vec<BodyStart>, dt: f64, steps: usize) -> f64 {
+    let mut march = March::new(machine, &options(initial, dt, steps)).expect("starts");
     let place = &machine.places()[0];
     let node = &machine.bodies[0].nodes()[2];
     let at = |q: &[f64]| {
@@ -128,19 +131,7 @@ fn accelerations_at_the_start_are_those_of_what_stands() {
         let shaft = machine.bodies[0].shaft().expect("it turns");
         let s = shaft.roundness().expect("round").generator;
         let exact = s.apply(&s.apply(&own.position)).into_iter().map(|x| SPEED * SPEED * x);
-        let options = MarchOptions {
-            time_step: DT,
-            automatic: None,
-            steps: 1,
-            integrator: Integrator::default(),
-            newton: NewtonOptions::default(),
-            cycle: None,
-            steady_rule: SteadyRule::default(),
-            stop_when_steady: false,
-            laws_at_rest: false,
-            initial: found.bodies.clone(),
-        };
-        let march = March::new(&machine, &options).expect("starts");
+        let march = March::new(&machine, &options(found.bodies.clone(), DT, 1)).expect("starts");
         let place = machine.places()[0].flexible.clone();
         let apart: Vec<f64> =
             march.state().a[place].iter().zip(exact).map(|(own, exact)| own - exact).collect();

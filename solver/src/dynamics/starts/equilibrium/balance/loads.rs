@@ -5,12 +5,6 @@ use crate::equations::{instant, placed};
 use crate::loads::{Frame, Load};
 
 impl Balance<'_> {
-    /// Whether a load has ended at the speed at which the machine starts.
-    pub(in crate::dynamics::starts::equilibrium) fn released(&self, load: &Load) -> bool {
-        let theta = self.machine.places()[load.body].rotation;
-        theta.is_some_and(|theta| load.reaches(self.state.v[theta]))
-    }
-
     /// Loads at t = 0: those fixed in space as far as they act, and of those that turn with a body what stands in space all the
     /// same, along z and about it, and the couple of the rest on the rotation.
     pub(super) fn loads(&mut self) {
@@ -21,7 +15,7 @@ impl Balance<'_> {
         for load in &machine.loads {
             let (place, position) = placed(machine, load, &self.state.q);
             let now = instant(machine, 0.0, &self.state);
-            let factor = load.factor(&now, self.released(load));
+            let factor = load.factor(&now, machine.ends(load, &self.state.v));
             for (part, last) in self.parts(load) {
                 let share = if load.frame == Frame::Space { self.share } else { 1.0 };
                 load.add_force((&part, share * factor), &position, &self.state.q, place, &mut one);

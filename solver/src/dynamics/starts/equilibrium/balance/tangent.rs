@@ -126,7 +126,7 @@ impl Balance<'_> {
             let share = if own.frame == Frame::Space { self.share } else { 1.0 };
             for (amplitude, last) in self.parts(own) {
                 for (a1, part) in [0.0, 1.0].into_iter().zip(load.iter_mut()) {
-                    let released = self.released(own);
+                    let released = self.machine.ends(own, &self.state.v);
                     own.subtract_tangent(&amplitude, &now, released, &position, a1, part);
                 }
                 let [position, both] = &mut *load;
