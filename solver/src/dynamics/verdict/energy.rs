@@ -27,8 +27,8 @@ pub struct EnergyBalance {
     /// Work done on the dampers of the bodies.
     pub dissipated: f64,
     /// Energy in play: strain energy, half of what the forces of joints do along the displacements, and kinetic energy without
-    /// rotations at the start, and the most that loads, dampers and springs have moved since, each on balance. What goes to and fro counts once, however long a run is: an error that grows with it is
-    /// not hidden.
+    /// rotations at the start, and the most that loads, dampers and springs have moved since, each on balance. What goes to and fro
+    /// counts once, however long a run is: an error that grows with it is not hidden.
     #[serde(skip)]
     pub(crate) in_play: f64,
     /// Work of the forces that act on the rounding of what they hold, and that of the kinetic energy: a machine that stands still, or
@@ -133,7 +133,8 @@ impl EnergyMeter {
         }
     }
 
-    /// Energy made and flowed at every bearing, in each of its [`MOTIONS`], by a step that ends at a state just evaluated and may be added then, or may not.
+    /// Energy made and flowed at every bearing, in each of its [`MOTIONS`], by a step that ends at a state just evaluated and may
+    /// be added then, or may not.
     pub(crate) fn measure(&mut self, equations: &Equations) -> &[Flow] {
         self.measured = Some(self.along.measure(&equations.machine.springs, &equations.springs));
         self.along.flows()

@@ -57,8 +57,9 @@ impl March<'_> {
         self.meters.turn_back(&self.equations);
     }
 
-    /// Takes a step of `dt` from time `t`: in two parts if a load ends within it, in halves if it does not converge, is beyond
-    /// the tolerance, or passes rows of a table over an angle or a speed unseen. `depth`: of such parts in parts; `halvings`: of a step, which led to `dt`.
+    /// Takes a step of `dt` from time `t`: in two parts if a load ends within it, in halves if it does not converge, is beyond the
+    /// tolerance, or passes rows of a table over an angle or a speed unseen. `depth`: of such parts in parts; `halvings`: of a
+    /// step, which led to `dt`.
     fn part(&mut self, (t, dt): (f64, f64), depth: usize, halvings: u32) -> Result<(), Error> {
         let mut start = std::mem::replace(&mut self.starts[depth], State::new(0));
         start.copy_from(&self.state);

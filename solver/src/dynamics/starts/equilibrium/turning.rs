@@ -116,10 +116,11 @@ impl<'m> TurningStart<'m> {
 
 /// L of η̇ = θ̇ L η, the motion in the frame of a deflection that stands in space: A_θ θ̇ φη + A φη̇ = 0.
 ///
-/// Of a body that is not round there is no such motion; projected on sideways motions it is Y L = H, which is exact where the section at every z moves as a whole; M, by which
-/// it may be projected, too, has the rotary inertia of tilts that H has not. Points on the axis at which motion is known
-/// count as masses as large as the body, so that tilts of thin discs, of which Y and H have nothing, follow at the
-/// journals. A share of M settles coordinates without a sideways motion: they stay where they are in the frame.
+/// Of a body that is not round there is no such motion; projected on sideways motions it is Y L = H, which is exact where the
+/// section at every z moves as a whole; M, by which it may be projected, too, has the rotary inertia of tilts that H has not.
+/// Points on the axis at which motion is known count as masses as large as the body, so that tilts of thin discs, of which Y and H
+/// have nothing, follow at the journals. A share of M settles coordinates without a sideways motion: they stay where they are in
+/// the frame.
 fn quarter_turn(shaft: &Shaft) -> Result<Matrix, Error> {
     let n = shaft.size();
     if n == 0 {
