@@ -253,6 +253,12 @@ impl Machine {
         }
     }
 
+    /// Whether a load has reached the speed at which it ends, at the rates of all coordinates.
+    pub(crate) fn ends(&self, load: &Load, v: &[f64]) -> bool {
+        let theta = self.places()[load.body].rotation;
+        theta.is_some_and(|theta| load.reaches(v[theta]))
+    }
+
     /// What coordinate `place` of q is.
     pub fn coordinate(&self, place: usize) -> String {
         let Owner { body, coordinate } = self.owner(place);

@@ -15,7 +15,7 @@ use whirl_solver::film::{Journal, OilFilm, WrongFilm};
 use whirl_solver::output::Integral;
 use whirl_specs::{CLEARANCES, FILMS, Film};
 
-use super::film_bore::{BoreShape, POCKET};
+use super::film_bore::{Around, BoreShape, POCKET};
 use super::library::FileStore;
 use super::names;
 use super::shapes::{ANGLE, ARC, LENGTH, POSITION, SUPPLY};
@@ -100,36 +100,6 @@ struct Opening {
     length: f64,
     /// Above that of the cavity (Pa).
     pressure: f64,
-}
-
-/// Size of an opening around the bore: rad or m.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Around {
-    Arc(f64),
-    Width(f64),
-}
-
-impl Around {
-    /// By `arc` or `width` of a table.
-    pub(super) fn read(table: &Table) -> Option<Around> {
-        let (arc, width) = (table.quantity("arc"), table.quantity("width"));
-        if table.gives("arc") && table.gives("width") {
-            table.conflict("arc", "width");
-        }
-        if !table.has("arc") && !table.has("width") {
-            let help = "add `width = \"5 mm\"`, its size around the bore; or `arc = \"20 deg\"`";
-            table.absent("width", help);
-        }
-        arc.map(Around::Arc).or(width.map(Around::Width))
-    }
-
-    /// Half of it (rad) on a radius (m).
-    pub(super) fn half(self, radius: f64) -> f64 {
-        match self {
-            Around::Arc(angle) => 0.5 * angle,
-            Around::Width(width) => 0.5 * width / radius,
-        }
-    }
 }
 
 impl Opening {

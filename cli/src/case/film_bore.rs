@@ -11,7 +11,6 @@ use whirl_codegen::rational::nearest;
 use whirl_codegen::units::Dimension;
 
 use super::columns::{self, Columns};
-use super::film::Around;
 use super::library::FileStore;
 use super::names;
 use super::shapes::{ANGLE, ARC, LENGTH, POSITION};
@@ -48,6 +47,36 @@ pub(super) const POCKET: &[Key] = &[
     key("length", LENGTH, "along z; that of the film if left out"),
     merged("depth", LENGTH, "beyond the bore around it"),
 ];
+
+/// Size of an opening or a pocket around the bore: rad or m.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Around {
+    Arc(f64),
+    Width(f64),
+}
+
+impl Around {
+    /// By `arc` or `width` of a table.
+    pub(super) fn read(table: &Table) -> Option<Around> {
+        let (arc, width) = (table.quantity("arc"), table.quantity("width"));
+        if table.gives("arc") && table.gives("width") {
+            table.conflict("arc", "width");
+        }
+        if !table.has("arc") && !table.has("width") {
+            let help = "add `width = \"5 mm\"`, its size around the bore; or `arc = \"20 deg\"`";
+            table.absent("width", help);
+        }
+        arc.map(Around::Arc).or(width.map(Around::Width))
+    }
+
+    /// Half of it (rad) on a radius (m).
+    pub(super) fn half(self, radius: f64) -> f64 {
+        match self {
+            Around::Arc(angle) => 0.5 * angle,
+            Around::Width(width) => 0.5 * width / radius,
+        }
+    }
+}
 
 /// What makes a bore other than round.
 #[derive(Debug, Clone, Default)]

@@ -1,91 +1,40 @@
 //! Marching a machine in time.
 //!
 //! ```text
-//! start      equilibrium, restart, accelerate, early
-//! march      march ─▶ step (splits, halvings, jumps, watched, periods, tell) ─▶ newton (newmark, rows, merit)
-//! iteration  factors (factored, costs, splits) with secants, kept_columns, extrapolation; condensed: in the measures of joints
-//! steps      control: lengths of parts that the march chooses, by part_errors and contacts
-//! verdict    meters ─▶ energy, quality_meter (sampled, ringing, state_errors, turns, in_space, film_rates) ─▶ quality ─▶ verdict
-//!            in the modes of linearised (modes, rings, parts, stiffest); by windows and histogram
-//! end        steady (settled); checkpoint: what all of these carry over an interruption
-//! cycles     cycle, linear_steps: for periodic motions
+//! starts     where a march begins: in equilibrium, at the end of another, at one time again and again
+//! marching   the march from step to step: its options, steps, rows, checkpoints, outcome
+//! verdict    what steps are measured by, and what the program believes of a run
+//! lengths    how long the parts of steps are, and where they end
+//! iteration  how a step is solved: Newmark's formulas, Newton's method, its factors
+//! steady     whether a motion repeats
+//! motion     what of the motion of a machine is judged by itself: parts, turns, modes
 //! ```
+//!
+//! Each names only those below it.
 
-mod accelerate;
-mod checkpoint;
-mod condensed;
-mod contacts;
-mod control;
-mod costs;
-mod cycle;
-mod early;
-mod energy;
-mod equilibrium;
-mod extrapolation;
-mod factored;
-mod factors;
-mod film_rates;
-mod halvings;
-mod histogram;
-mod in_space;
-mod jumps;
-mod kept_columns;
-mod linear_steps;
-mod linearised;
-mod march;
-mod merit;
-mod meters;
-mod modes;
-mod moving_part;
-mod newmark;
-mod newton;
-mod part_errors;
-mod parts;
-mod periods;
-mod quality;
-mod quality_meter;
-mod restart;
-mod ringing;
-mod rings;
-mod row;
-mod rows;
-mod sampled;
-mod sampling;
-mod secants;
-mod settled;
+mod iteration;
+mod lengths;
+mod marching;
+mod motion;
 #[cfg(test)]
 mod small;
-mod splits;
-mod state_errors;
+mod starts;
 mod steady;
-mod step;
-mod stiffest;
-mod stored_oil;
-mod tell;
-mod turns;
 mod verdict;
-mod watched;
-mod windows;
 
-pub use checkpoint::Checkpoint;
-pub use control::{AutomaticStep, PartsTaken};
-pub use energy::EnergyBalance;
-pub use equilibrium::{Equilibrium, equilibrium};
-pub(crate) use equilibrium::{Standing, standing_at};
-pub use film_rates::FilmRates;
-pub use halvings::{HalvedAt, HalvedSteps};
-pub(crate) use linear_steps::{Changes, LinearStep, LinearSteps};
-pub use march::{BodyStart, Failure, March, MarchOptions, Outcome, Progress, march};
-pub use moving_part::MovingPart;
-pub use newmark::{Coefficients, Integrator, Newmark};
-pub use newton::NewtonOptions;
-pub use periods::{FewestSteps, LEAST_STEPS};
-pub use quality::Quality;
-pub use restart::LastState;
-pub use rings::{Ringing, RingingPart};
-pub(crate) use row::write_row;
-pub(crate) use settled::settled_from;
-pub use state_errors::StateError;
+pub use iteration::{Coefficients, HalvedAt, HalvedSteps, Integrator, Newmark, NewtonOptions};
+pub use lengths::{AutomaticStep, PartsTaken};
+pub use marching::{
+    Acceleration, Amplitude, BodyStart, Checkpoint, Failure, March, MarchOptions, Outcome,
+    Progress, march,
+};
+pub(crate) use marching::{Changes, LinearStep, LinearSteps, write_row};
+pub use motion::MovingPart;
+pub use starts::{Equilibrium, LastState, equilibrium};
+pub(crate) use starts::{Standing, standing_at};
+pub(crate) use steady::settled_from;
 pub use steady::{SteadyRule, SteadyState};
-pub use tell::{Acceleration, Amplitude};
-pub use verdict::{Finding, findings};
+pub use verdict::{
+    EnergyBalance, FewestSteps, FilmRates, Finding, LEAST_STEPS, Quality, Ringing, RingingPart,
+    StateError, findings,
+};

@@ -67,7 +67,7 @@ pub struct Equations<'m> {
     pub(crate) told: Vec<Option<ToldLoad>>,
     /// What every load had as its amplitude.
     pub(crate) amplitudes: Vec<[f64; 3]>,
-    /// Whether what begins at the instant of an evaluation does not act yet: see `dynamics::step`.
+    /// Whether what begins at the instant of an evaluation does not act yet: see `dynamics::marching`.
     pub(crate) before: bool,
     /// What the loads were multiplied by.
     pub(crate) load_factors: Vec<f64>,

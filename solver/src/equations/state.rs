@@ -48,9 +48,14 @@ impl State {
         self.laws.copy_from(&other.laws);
     }
 
-    /// The accelerations from the coordinate `first` on that steps of `dt` s integrate: those of Newmark's method are q̈.
-    pub(crate) fn integrated(&self, dt: f64, first: usize) -> impl Iterator<Item = f64> {
-        self.a[first..].iter().zip(&self.lag[first..]).map(move |(a, lag)| a + dt * lag)
+    /// Writes by how much the accelerations that steps of `dt` s integrate, those of Newmark's method are q̈, differ from those at the
+    /// start of a step, of as many of the last coordinates.
+    pub(crate) fn integrated_since(&self, start: &State, dt: f64, out: &mut [f64]) {
+        let first = self.a.len() - out.len();
+        let integrated = |of: &State, place: usize| of.a[place] + dt * of.lag[place];
+        for (out, place) in out.iter_mut().zip(first..) {
+            *out = integrated(self, place) - integrated(start, place);
+        }
     }
 
     pub(crate) fn copy_from(&mut self, other: &State) {

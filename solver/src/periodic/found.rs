@@ -1,46 +1,16 @@
 //! A periodic motion with all that is known of it.
 
-use super::cycle::Cycle;
-use super::doubled::{StepError, finer};
-use super::harmonic::{Harmonics, balanced};
+use super::doubled::finer;
+use super::harmonic::balanced;
 use super::map::{CycleMap, Orbit};
-use super::multipliers::{Multiplier, Stability, largest, paired, stability};
+use super::motion::Periodic;
+use super::multipliers::{largest, paired, stability};
 use super::options::{Method, PeriodicOptions};
 use super::solve::{Observe, Solved, solve};
 use super::weighed::Weighed;
-use crate::dynamics::{BodyStart, Outcome};
+use crate::dynamics::BodyStart;
 use crate::error::Error;
-use crate::history::History;
 use crate::machine::Machine;
-
-/// A periodic motion.
-#[derive(Debug, Clone)]
-pub struct Periodic {
-    /// Its cycle.
-    pub cycle: Cycle,
-    /// x at the start: positions of the unknowns, then their rates.
-    pub state: Vec<f64>,
-    /// The method that found it.
-    pub method: Method,
-    /// Cycles that were marched for it.
-    pub cycles: usize,
-    /// ‖x(T) − x(0)‖/‖x‖ in the energy norm.
-    pub miss: f64,
-    /// The rows of its cycle, one a step, the end of the cycle the last.
-    pub history: History,
-    /// What the steps of the cycle were worth.
-    pub outcome: Outcome,
-    /// The largest multipliers first; all of them where states are few.
-    pub multipliers: Vec<Multiplier>,
-    /// What they say.
-    pub stability: Stability,
-    /// What steps half as long change, where that was found; nothing of harmonics, which have no steps.
-    pub step_error: Option<StepError>,
-    /// Of what it is the sum, where harmonics were balanced.
-    pub harmonics: Option<Harmonics>,
-    /// Steps of the shortest contact of a spring that is free at other times; none where there is none.
-    pub contact_steps: Option<usize>,
-}
 
 /// Finds the periodic motion of a machine that is reached from a start, with its multipliers. `observe` is called after every
 /// cycle and may end the search.

@@ -3,16 +3,26 @@
 //! That a cycle is like the one before does not say that it is like those to come: a resonance with a damping ratio ζ grows by
 //! 2πζ of what is left a period. So what is left is estimated (`remaining`). The paper asks for the repetition alone (section 5.1),
 //! which `one_cycle` does.
+//!
+//! ```text
+//! reached    when it was: what `remaining` and `one_cycle` find, from the signals of a cycle in samples
+//! settled    from when on it may be told
+//! ```
 
 mod one_cycle;
+mod reached;
 mod remaining;
 mod samples;
+mod settled;
 
 use serde::{Deserialize, Serialize};
 
 use self::one_cycle::OneCycle;
 use self::remaining::Remaining;
 use self::samples::Samples;
+
+pub use self::reached::SteadyState;
+pub(crate) use self::settled::settled_from;
 
 /// How a steady state is told.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -32,13 +42,6 @@ impl SteadyRule {
             SteadyRule::OneCycle => 2,
         }
     }
-}
-
-/// When the steady state was reached, if it was.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct SteadyState {
-    /// End of the cycle (s) from which on less than 1 % was left, or of the first one over which the test held at every step.
-    pub time: f64,
 }
 
 /// Tells a steady state from spring forces and displacements.

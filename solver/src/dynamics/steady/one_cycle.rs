@@ -3,7 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::SteadyState;
+use super::reached::SteadyState;
 use super::samples::Samples;
 
 /// Largest change of a signal over a cycle, as a fraction of its peak in a cycle: a force that passes through zero is

@@ -7,9 +7,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::SteadyState;
+use super::reached::SteadyState;
 use super::samples::Samples;
-use crate::dynamics::moving_part::larger;
+use crate::dynamics::motion::larger;
 use crate::linalg::widely;
 
 /// What may be left in a steady state.

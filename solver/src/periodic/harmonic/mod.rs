@@ -18,9 +18,9 @@ use self::in_space::InSpace;
 use self::series::{Series, resized};
 use self::solve::{Equilibrating, Solved};
 use super::doubled::StepError;
-use super::found::Periodic;
 use super::map::{CycleMap, Orbit};
 use super::metric::Metric;
+use super::motion::{Harmonics, Periodic};
 use super::multipliers::{largest, paired, stability};
 use super::options::{Method, PeriodicOptions};
 use super::shooting::WHOLE;
@@ -39,21 +39,6 @@ const CHANGE: f64 = 1e-3;
 const MOST: usize = 200;
 /// Cycles marched at first, of few states and of many.
 const MARCHED: [usize; 2] = [8, 2];
-
-/// Harmonics of which a motion was made.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Harmonics {
-    /// How many beside the mean.
-    pub count: usize,
-    /// Instants of the cycle at which forces were sampled.
-    pub instants: usize,
-    /// Corrections of Newton's method.
-    pub corrections: usize,
-    /// What twice as many change, where that was found.
-    pub change: Option<StepError>,
-    /// What a march over the cycle, from the same start, has otherwise.
-    pub steps: StepError,
-}
 
 /// Coefficients of so many harmonics, and what they are worth.
 struct Balanced {
