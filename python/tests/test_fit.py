@@ -8,7 +8,7 @@ import pytest
 
 import whirl
 from whirl._coefficients import at_one_speed
-from whirl._rational import Rational
+from whirl._rational import Rational, Samples, fitted
 
 ENTRIES = ("xx", "xy", "yx", "yy")
 NAMES = [f"{letter}_{entry}" for letter in "kc" for entry in ENTRIES]
@@ -423,6 +423,23 @@ def test_what_is_wrong_with_a_table_is_said(tmp_path):
         whirl.fit_law(3)
 
 
+def test_poles_decay_whatever_the_rows_are():
+    for seed in range(8):
+        for count in (1, 2, 3, 4):
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", whirl.WhirlWarning)
+                found = whirl.fit_law(table(noise=0.3, seed=seed), poles=count)
+            assert len(found.poles) == count and (found.poles.real > 0).all()
+
+
+def test_the_largest_error_falls_where_rows_count_more():
+    """Of a relaxation over all times most rows are of high frequency, most of the error at low ones."""
+    rows_hz = np.linspace(0.0, 600.0, 121)
+    own = Samples(2 * np.pi * rows_hz, *coefficients(ColeCole(), rows_hz))
+    of_squares, evened = fitted(own, 4), fitted(own, 4, tolerance=0.01)
+    assert own.errors(evened).max() < 0.01 < 0.3 * own.errors(of_squares).max()
+
+
 def test_what_cannot_be_asked_of_a_table_is_said():
     def refused(text, match, **options):
         with pytest.raises(whirl.FitError, match=match) as raised:
@@ -454,7 +471,7 @@ def test_what_cannot_be_asked_of_a_table_is_said():
     refused(table(growing, ROWS[1:]), r"own states grow \(p = -400 1/s\).*signs of the damping")
     # Nothing of this kind: rows that go up and down.
     jagged = table(noise=0.3)
-    refused(jagged, "no law keeps 1 %.*best of up to 8 poles", pairs=False)
+    refused(jagged, "no law keeps 1 %.*best with up to 8 poles", pairs=False)
 
 
 def test_what_limits_a_law_is_told_of():

@@ -316,7 +316,7 @@ def _beyond(table, samples, tolerance, best, counts, pairs) -> str:
     error = (
         "no fit is sound"
         if best is None
-        else f"the best of up to {most} poles misses {_percent(best[0])} of an entry"
+        else f"the best with up to {most} poles is off by {_percent(best[0])}"
     )
     help = "allow more by `tolerance`, take the number of poles by `poles`, or smooth the rows"
     if most < MOST_POLES and len(counts) > 1:
