@@ -15,11 +15,13 @@ from .case import Case, cases
 from .errors import (
     CaseError,
     Diagnostic,
+    FitError,
     MissingExtra,
     RunError,
     WhirlError,
     WhirlWarning,
 )
+from .fit import FittedLaw, fit_law
 from .history import Column, History
 from .law import Curve, Law, LawInput, LawOutput, Parameter, explain
 from .linear import (
@@ -55,6 +57,8 @@ __all__ = [
     "Diagnostic",
     "Excited",
     "Finding",
+    "FitError",
+    "FittedLaw",
     "History",
     "JointCoefficients",
     "Law",
@@ -78,6 +82,7 @@ __all__ = [
     "WhirlWarning",
     "cases",
     "explain",
+    "fit_law",
     "forget_bodies",
     "from_ross",
     "keep_bodies",

@@ -8,7 +8,15 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from .results import Results
 
-__all__ = ["CaseError", "Diagnostic", "MissingExtra", "RunError", "WhirlError", "WhirlWarning"]
+__all__ = [
+    "CaseError",
+    "Diagnostic",
+    "FitError",
+    "MissingExtra",
+    "RunError",
+    "WhirlError",
+    "WhirlWarning",
+]
 
 
 @dataclass(frozen=True)
@@ -62,6 +70,10 @@ class CaseError(WhirlError, ValueError):
 
     def __str__(self) -> str:
         return "\n\n".join(str(own) for own in self.diagnostics)
+
+
+class FitError(WhirlError, ValueError):
+    """A table to which no law can be fitted as was asked."""
 
 
 class RunError(WhirlError, RuntimeError):

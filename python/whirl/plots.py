@@ -264,6 +264,30 @@ def plot_response(found: Any, point: str | None, axes: Any) -> Any:
     return np.array([upper, lower], dtype=object)
 
 
+def plot_fit(found: Any, axes: Any) -> Any:
+    """Stiffness and damping over the frequency, of a fitted law as lines and of its table as points."""
+    if axes is None:
+        pyplot = extra("plots", "matplotlib.pyplot", "FittedLaw.plot()")
+        _, axes = pyplot.subplots(2, 1, sharex=True, layout="constrained", figsize=(6.4, 6.0))
+    upper, lower = np.asarray(axes, dtype=object).ravel()
+    rows = found.frequency_hz
+    frequency = np.linspace(0.0, 1.1 * rows[-1] if rows[-1] > 0 else 100.0, 401)
+    for letter, own, table, values in (
+        ("k", upper, found.K, found.stiffness(frequency)),
+        ("c", lower, found.C, found.damping(frequency)),
+    ):
+        for row, column in np.ndindex(2, 2):
+            label = f"{letter}_{'xy'[row]}{'xy'[column]}"
+            (line,) = own.plot(frequency, values[:, row, column], linewidth=1.3, label=label)
+            own.plot(rows, table[:, row, column], "o", markersize=4, color=line.get_color())
+    at = "" if found.speed_rpm is None else f", {found.speed_rpm:.6g} rpm"
+    _labelled(
+        upper, "", "stiffness (N/m)", f"{found.name}{at}: points of the table, lines of the law"
+    )
+    _labelled(lower, "frequency (Hz)", "damping (N·s/m)", "")
+    return np.array([upper, lower], dtype=object)
+
+
 def _axes(axes: Any, what: str) -> Any:
     if axes is not None:
         return axes
