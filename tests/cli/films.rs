@@ -124,6 +124,171 @@ fn a_short_film_is_that_of_ocvirk() {
 }
 
 /// What turns the journal is made into heat, what enters leaves, and both sides have their moments.
+/// Bores with lobes: forces by an independent program (finite volumes on 288 × 48 and 576 × 96 cells, extrapolated; no pressure below
+/// zero) at a place of the journal, which balances them.
+const LOBES: [(&str, [f64; 2], [f64; 2]); 4] = [
+    ("lobes = 2\npreload = 0.5\nlobe_angle = \"90 deg\"", [-20.0, 15.0], [-96.674, -321.313]),
+    ("lobes = 2\npreload = 0.5", [-25.0, 18.0], [408.033, -425.469]),
+    ("lobes = 3\npreload = 0.4\nlobe_angle = \"180 deg\"", [-18.0, 12.0], [58.638, -300.656]),
+    (
+        "lobes = 2\npreload = 0.5\nlobe_angle = \"90 deg\"\nlobe_offset = 0.9",
+        [-20.0, 10.0],
+        [236.977, -359.801],
+    ),
+];
+
+/// A film on 25 mm of the journal, with this table.
+fn shaped(table: &str) -> String {
+    format!(
+        "law = \"reynolds\"\nparameters = {{ mu_0 = \"20 mPa*s\", sigma = \"0.01 um\" }}\nlength = \"25 mm\"\n\
+         [joint.b.film]\n{table}"
+    )
+}
+
+#[test]
+fn bores_with_lobes_carry_what_another_program_finds() {
+    for (table, place, force) in LOBES {
+        let joint = shaped(&format!("grid = [144, 13]\n{table}"));
+        let text = rotor((50.0, &joint), force.map(|own| -own), "");
+        let bench = Workbench::new().file("case.toml", &text);
+        let outcome = bench.whirl(&["run", "case.toml", "--no-figures"]);
+        assert_eq!(outcome.status, 0, "{table}: {}", outcome.stderr);
+        let history = bench.history("results/case");
+        for (axis, exact) in ["X", "Y"].into_iter().zip(place) {
+            let found = history.column(&format!("{axis}_b_um"))[0];
+            // What cells of 2.5° leave of the forces, 3e-3, over slopes of 15 to 40 N/µm.
+            assert!((found - exact).abs() < 0.15, "{table}: {axis} {found} for {exact}");
+        }
+    }
+}
+
+/// One lobe is a round bore of the clearance c/(1 − m) whose middle is c m/(1 − m) away: the same coefficients, the journal there.
+#[test]
+fn one_lobe_is_a_round_bore_out_of_the_middle() {
+    let [clearance, preload] = [60.0, 0.4];
+    let angle = 130.0_f64.to_radians();
+    let analysis = "[analysis.k]\nkind = \"coefficients\"\nspeeds = \"3000 rpm\"\n";
+    let of = |clearance: f64, table: &str| {
+        let text = rotor((clearance, &shaped(table)), [-400.0, 150.0], analysis);
+        let bench = Workbench::new().file("case.toml", &text);
+        for arguments in [&["run", "case.toml", "--no-figures"][..], &["analyse", "case.toml"]] {
+            let outcome = bench.whirl(arguments);
+            assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        }
+        let history = bench.history("results/case");
+        let place = ["X_b_um", "Y_b_um"].map(|own| history.column(own)[0]);
+        let file = fs::read_to_string(bench.path("results/case/k.csv")).expect("coefficients");
+        let head: Vec<String> =
+            file.lines().next().expect("a head").split(',').map(str::to_owned).collect();
+        let cells: Vec<f64> = file
+            .lines()
+            .nth(1)
+            .expect("a row")
+            .split(',')
+            .map(|own| own.parse().unwrap_or(0.0))
+            .collect();
+        let own = head
+            .iter()
+            .zip(&cells)
+            .filter(|(name, _)| name.starts_with("k_") || name.starts_with("c_"));
+        (place, own.map(|(_, own)| *own).collect::<Vec<f64>>())
+    };
+    let lobe = format!("lobes = 1\npreload = {preload}\nlobe_angle = \"130 deg\"");
+    let (place, found) = of(clearance, &lobe);
+    let (round, exact) = of(clearance / (1.0 - preload), "");
+    assert_eq!(found.len(), 8);
+    let away = clearance * preload / (1.0 - preload);
+    for (axis, out) in [angle.cos(), angle.sin()].into_iter().enumerate() {
+        let apart = place[axis] - (round[axis] - away * out);
+        assert!(apart.abs() < 1e-3, "{place:?} {round:?}");
+    }
+    let most = |own: &[f64]| own.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
+    for half in [0..4, 4..8] {
+        let size = most(&exact[half.clone()]);
+        for k in half {
+            assert!((found[k] - exact[k]).abs() < 1e-4 * size, "{found:?} {exact:?}");
+        }
+    }
+}
+
+/// A profile by a file and a pocket all around are other ways to say a shape.
+#[test]
+fn profiles_and_pockets_are_depths_of_the_bore() {
+    let place = |joint: String, clearance: f64| {
+        let rows: String = (0..=360)
+            .map(|k| {
+                let within = (f64::from(k) - 90.0 + 90.0).rem_euclid(180.0) - 90.0;
+                format!("{k}, {}\n", 50.0 * (1.0 - within.to_radians().cos()))
+            })
+            .collect();
+        let text = rotor((clearance, &joint), [96.674, 321.313], "");
+        let bench = Workbench::new()
+            .file("case.toml", &text)
+            .file("bore.csv", &format!("angle [deg], depth [um]\n{rows}"));
+        let outcome = bench.whirl(&["run", "case.toml", "--no-figures"]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        let history = bench.history("results/case");
+        ["X_b_um", "Y_b_um"].map(|own| history.column(own)[0])
+    };
+    let lobes = place(shaped(LOBES[0].0), 50.0);
+    for own in [
+        place(shaped("profile = \"bore.csv\""), 50.0),
+        place(
+            shaped(
+                "profile = \"bore.csv\"\n\
+                 pocket.around = { angle = \"10 deg\", arc = \"360 deg\", depth = \"7 um\" }",
+            ),
+            43.0,
+        ),
+    ] {
+        for axis in 0..2 {
+            assert!((own[axis] - lobes[axis]).abs() < 5e-3, "{own:?} {lobes:?}");
+        }
+    }
+    // One that is deep carries nothing where it is.
+    let deep = "pocket.below = { angle = \"250 deg\", arc = \"60 deg\", length = \"15 mm\", depth = \"2 mm\" }";
+    let round = place(shaped(""), 50.0);
+    let pocket = place(shaped(deep), 50.0);
+    assert!(pocket[0].hypot(pocket[1]) > round[0].hypot(round[1]) + 1.0, "{pocket:?} {round:?}");
+}
+
+#[test]
+fn shapes_of_bores_that_cannot_be_are_refused() {
+    for (table, words) in [
+        ("preload = 0.5", ["`preload` is of a bore with `lobes`", "add `lobes = 2`"]),
+        ("lobes = 3", ["preload", "without one the bore is round"]),
+        ("lobes = 2\npreload = 0.5\nlobe_offset = 1.5", ["share of the arc", "lobe_offset = 0.5"]),
+        (
+            "pocket.p = { angle = \"1 deg\", width = \"0.1 mm\", depth = \"9 um\" }",
+            ["the pocket `p` lies between nodes", "more nodes in `grid`"],
+        ),
+        ("profile = \"turns.csv\"", ["goes around the bore more than once", "over one turn"]),
+        ("profile = \"in.csv\"", ["leaves a gap of -20 µm", "beyond the round bore"]),
+    ] {
+        let text = rotor((50.0, &shaped(table)), [10.0, 0.0], "");
+        let bench = Workbench::new()
+            .file("case.toml", &text)
+            .file("turns.csv", "angle [deg], depth [um]\n0, 1\n400, 2\n")
+            .file("in.csv", "angle [deg], depth [um]\n0, -70\n180, 2\n");
+        let outcome = bench.whirl(&["check", "case.toml"]);
+        assert_eq!(outcome.status, 2, "{table}: {}", outcome.stdout);
+        assert!(
+            outcome.stderr.contains("case.toml:") || outcome.stderr.contains(".csv"),
+            "{}",
+            outcome.stderr
+        );
+        for word in words {
+            assert!(outcome.stderr.contains(word), "{table}: `{word}` is in\n{}", outcome.stderr);
+        }
+    }
+    let said = Workbench::new()
+        .file("case.toml", &rotor((50.0, &shaped(LOBES[2].0)), [10.0, 0.0], ""))
+        .whirl(&["check", "case.toml"]);
+    for word in ["bore of 3 lobes, the first around 180°, preload 0.4", "gaps from 50 to"] {
+        assert!(said.stdout.contains(word), "{word}: {}", said.stdout);
+    }
+}
+
 #[test]
 fn outputs_of_a_film_belong_together() {
     let joint = "law = \"jfo\"\nlength = \"25 mm\"\n[joint.b.film]\ngrid = [96, 9]\nleft = \"0.5 bar\"\n\

@@ -9,7 +9,9 @@ use crate::workbench::Workbench;
 
 #[test]
 fn a_film_of_a_case_is_that_of_its_keys() {
-    let bench = Workbench::new().file("films.toml", include_str!("films.toml"));
+    let bench = Workbench::new()
+        .file("films.toml", include_str!("films.toml"))
+        .file("bore.csv", include_str!("bore.csv"));
     let outcome = bench.whirl(&["run", "films.toml", "--out", "out"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
     let history = bench.history("out");
@@ -23,7 +25,23 @@ fn a_film_of_a_case_is_that_of_its_keys() {
     film.supply("hole", middle - half..middle + half, -0.0085..0.0005, 1.7e5).expect("a hole");
     let (middle, half) = (200_f64.to_radians(), 12.5_f64.to_radians());
     film.supply("groove", middle - half..middle + half, -0.0115..0.0115, 0.9e5).expect("a groove");
-    let journal = Journal::new(film, &CLEARANCES[0], 31e-6).expect("a journal");
+    let mut journal = Journal::new(film, &CLEARANCES[0], 31e-6).expect("a journal");
+    journal.shape(|angle, z| {
+        let degrees = angle.to_degrees().rem_euclid(360.0);
+        // The lobes are from −20° to 160° and from 160° to 340°, narrowest at six tenths of each.
+        let within = (degrees + 20.0).rem_euclid(180.0) - 108.0;
+        let lobe = 31.0 * 0.3 / 0.7 * (1.0 - within.to_radians().cos());
+        let profile = match degrees {
+            own if own < 20.0 => 3.0 - 1.5 * (own + 60.0) / 80.0,
+            own if own < 140.0 => 1.5 - 3.5 * (own - 20.0) / 120.0,
+            own if own < 300.0 => -2.0 + 5.0 * (own - 140.0) / 160.0,
+            own => 3.0 - 1.5 * (own - 300.0) / 80.0,
+        };
+        let from = |middle: f64| ((degrees - middle + 180.0).rem_euclid(360.0) - 180.0).abs();
+        let step = from(-30.0) <= 20.0 + 1e-9 && (z - 3e-3).abs() <= 4e-3 + 1e-12;
+        let slot = from(150.0) <= (4.5_f64 / 21.0).to_degrees();
+        1e-6 * (lobe + profile + if step { 4.0 } else { 0.0 } + if slot { 2.5 } else { 0.0 })
+    });
     let (mut oil, mut balance) = (Oil::full(&journal.film), Balance::new(&journal.film));
     let last = |name: &str| history.last(name);
     let motion = JournalMotion {

@@ -20,7 +20,8 @@ use whirl_tests::History;
 use crate::workbench::Workbench;
 
 /// Everything that the cases name, by its name.
-const FILES: [(&str, &str); 24] = [
+const FILES: [(&str, &str); 25] = [
+    ("bore.csv", include_str!("bore.csv")),
     ("films.toml", include_str!("films.toml")),
     ("quake.csv", include_str!("quake.csv")),
     ("generated.toml", include_str!("generated.toml")),
