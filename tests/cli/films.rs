@@ -124,16 +124,16 @@ fn a_short_film_is_that_of_ocvirk() {
 }
 
 /// What turns the journal is made into heat, what enters leaves, and both sides have their moments.
-/// Bores with lobes: forces by an independent program (finite volumes on 288 × 48 and 576 × 96 cells, extrapolated; no pressure below
-/// zero) at a place of the journal, which balances them.
+/// Bores with lobes: forces of the pressure and of the shear of a full film by an independent program (finite volumes on 288 × 48 and
+/// 576 × 96 cells, extrapolated; no pressure below zero) at a place of the journal, which loads against them keep there.
 const LOBES: [(&str, [f64; 2], [f64; 2]); 4] = [
-    ("lobes = 2\npreload = 0.5\nlobe_angle = \"90 deg\"", [-20.0, 15.0], [-96.674, -321.313]),
-    ("lobes = 2\npreload = 0.5", [-25.0, 18.0], [408.033, -425.469]),
-    ("lobes = 3\npreload = 0.4\nlobe_angle = \"180 deg\"", [-18.0, 12.0], [58.638, -300.656]),
+    ("lobes = 2\npreload = 0.5\nlobe_angle = \"90 deg\"", [-20.0, 15.0], [-94.900, -320.519]),
+    ("lobes = 2\npreload = 0.5", [-25.0, 18.0], [409.829, -422.337]),
+    ("lobes = 3\npreload = 0.4\nlobe_angle = \"180 deg\"", [-18.0, 12.0], [60.029, -298.825]),
     (
         "lobes = 2\npreload = 0.5\nlobe_angle = \"90 deg\"\nlobe_offset = 0.9",
         [-20.0, 10.0],
-        [236.977, -359.801],
+        [238.581, -358.213],
     ),
 ];
 
@@ -156,8 +156,8 @@ fn bores_with_lobes_carry_what_another_program_finds() {
         let history = bench.history("results/case");
         for (axis, exact) in ["X", "Y"].into_iter().zip(place) {
             let found = history.column(&format!("{axis}_b_um"))[0];
-            // What cells of 2.5° leave of the forces, 3e-3, over slopes of 15 to 40 N/µm.
-            assert!((found - exact).abs() < 0.15, "{table}: {axis} {found} for {exact}");
+            // A thousandth of the clearance, by nodes 2.5° apart.
+            assert!((found - exact).abs() < 0.05, "{table}: {axis} {found} for {exact}");
         }
     }
 }
@@ -246,7 +246,7 @@ fn profiles_and_pockets_are_depths_of_the_bore() {
         }
     }
     // One that is deep carries nothing where it is.
-    let deep = "pocket.below = { angle = \"250 deg\", arc = \"60 deg\", length = \"15 mm\", depth = \"2 mm\" }";
+    let deep = "pocket.below = { angle = \"250 deg\", arc = \"60 deg\", length = \"15 mm\", depth = \"0.3 mm\" }";
     let round = place(shaped(""), 50.0);
     let pocket = place(shaped(deep), 50.0);
     assert!(pocket[0].hypot(pocket[1]) > round[0].hypot(round[1]) + 1.0, "{pocket:?} {round:?}");

@@ -364,8 +364,12 @@ impl FilmSource {
                 let what = format!(
                     "with these parameters the film `{name}` has no pressure that is a number"
                 );
-                let help = "its viscosity and its roughness are above zero, and an end is open, or an opening";
-                note(place, WrongFilm { what, help: help.to_owned() });
+                let mut help =
+                    "its viscosity and its roughness are above zero, and an end is open, or an opening".to_owned();
+                if !bore.is_round() {
+                    help += "; a pocket much deeper than the clearance has one pressure: make it an opening";
+                }
+                note(place, WrongFilm { what, help });
             }
         }
         errors.into_result(FilmLaw { name: self.name(), hash: hash.hex(), journal })

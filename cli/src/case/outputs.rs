@@ -164,8 +164,8 @@ fn read_one(table: &Table, machine: Option<&JoinedMachine>) -> Option<Wanted> {
             }
             let places = match bearing.law.source.acts() {
                 Acts::Joint | Acts::Gear => 1,
-                Acts::Ring => bearing.rings(),
-                Acts::Spring => bearing.rings() * bearing.springs,
+                // Of a law of a ring each has one.
+                Acts::Ring | Acts::Spring => bearing.facts.springs.unwrap_or(1),
             };
             return Some(Wanted::States { joint, states, places });
         }
