@@ -189,6 +189,113 @@ fn harmonics_of_other_methods_are_refused() {
     }
 }
 
+/// Oil whirl beyond its threshold of 989.28 rad/s as a limit cycle: period, largest and smallest eccentricity, multipliers, by another
+/// program (harmonic balance with 10 and 20 harmonics, shooting extrapolated).
+#[test]
+fn oil_whirl_has_a_period_of_its_own() {
+    for (speed, period, eccentricity, multipliers) in [
+        (1009.0641165576, 0.0158418320, [0.640012, 0.691919520], Some(0.96927814)),
+        (1236.5981820558, 0.010188045685, [0.96455229, 0.96813862], None),
+    ] {
+        let keys = "self_excited = true\nsteps = 240\nharmonics = 20\n";
+        let (bench, motions) = motions(&film(speed, 0.0, keys));
+        let motion = &motions[0];
+        assert!((number(motion, "period_s") / period - 1.0).abs() < 1e-7, "{motion}");
+        assert_eq!(motion["stability"], "stable");
+        let [x, y] = ["X_film_um", "Y_film_um"].map(|own| column(&bench, "cycle.csv", own));
+        let ratio: Vec<f64> = x.iter().zip(&y).map(|(x, y)| x.hypot(*y) / 100.0).collect();
+        let [least, most] =
+            [f64::min, f64::max].map(|own| ratio.iter().copied().fold(ratio[0], own));
+        // Between rows the extremes are (π/240)²/2 of what varies away at most.
+        for (found, exact) in [least, most].into_iter().zip(eccentricity) {
+            assert!(
+                (found - exact).abs() < 1e-4 * (eccentricity[1] - eccentricity[0]) + 1e-7,
+                "{found} {exact}"
+            );
+        }
+        let file = "cycle.multipliers.csv";
+        let [own, finer] =
+            ["modulus", "modulus_of_half_steps"].map(|own| column(&bench, file, own));
+        let of = std::fs::read_to_string(bench.path("out/cycle.multipliers.csv")).expect("a table");
+        let phase = of.lines().skip(1).position(|own| own.ends_with("phase")).expect("its phase");
+        assert!((own[phase] - 1.0).abs() < 1e-3, "{own:?}");
+        if let Some(exact) = multipliers {
+            let other =
+                (0..own.len()).filter(|k| *k != phase).map(|k| (4.0 * finer[k] - own[k]) / 3.0);
+            let largest = other.fold(0.0, f64::max);
+            assert!((largest - exact).abs() < 1e-5, "{largest}");
+        }
+    }
+}
+
+/// ẍ − (1 − x²) ẋ + x = 0 in space, at 3 rad/s and an amplitude of a millimetre in place of one.
+#[test]
+fn an_oscillator_of_van_der_pol_has_its_period() {
+    let law = "kind = \"law\"\nname = \"own\"\ntitle = \"van der Pol\"\nsource = \"closed form\"\n\
+               [inputs.e_x]\nunit = \"mm\"\nrange = [-3, 3]\n[inputs.e_x_dot]\nunit = \"mm/s\"\nrange = [-9, 9]\n\
+               [inputs.e_y]\nunit = \"mm\"\nrange = [-3, 3]\n[inputs.e_y_dot]\nunit = \"mm/s\"\nrange = [-9, 9]\n\
+               [parameters.a]\nvalue = 1\nunit = \"mm\"\n[parameters.c]\nvalue = 3\nunit = \"N*s/m\"\n\
+               [parameters.k]\nvalue = 9\nunit = \"N/m\"\n\
+               [outputs.F_x]\nunit = \"mN\"\nvalue = 'c*(1 - e_x^2/a^2)*e_x_dot - k*e_x'\n\
+               [outputs.F_y]\nunit = \"mN\"\nvalue = '-c*e_y_dot - k*e_y'\n";
+    let case = |keys: &str| {
+        format!(
+            "title = \"van der Pol\"\n[body.mass]\nturns = \"no\"\nmass = \"1 kg\"\n[joint.own]\nkind = \"bearing\"\n\
+             journal = {{ body = \"mass\" }}\nlaw = \"own.toml\"\n\
+             [analysis.cycle]\nkind = \"periodic\"\nself_excited = true\nsteps = 360\n{keys}"
+        )
+    };
+    let bench = Workbench::new()
+        .file("own.toml", law)
+        .file("case.toml", &case("near = \"0.4 Hz\"\nharmonics = 40\n"));
+    analysed(&bench);
+    let text = std::fs::read_to_string(bench.path("out/cycle.json")).expect("a summary");
+    let motion = serde_json::from_str::<Value>(&text).expect("JSON")["motions"][0].clone();
+    assert!((number(&motion, "period_s") * 3.0 / 6.663286859323130 - 1.0).abs() < 1e-9, "{motion}");
+    let range = &motion["columns"]["X_own_um"];
+    let amplitude = 0.5 * (number(range, "max") - number(range, "min")) / 1e3;
+    // Between 360 rows the maximum is seen to (π/360)²/2.
+    assert!((amplitude / 2.008619860874837 - 1.0).abs() < 1e-4, "{amplitude}");
+    // μ = 8.597e-4 beside the phase and what y does.
+    let own = column(&bench, "cycle.multipliers.csv", "modulus");
+    assert!(own.iter().any(|own| (own - 1.0).abs() < 1e-4), "{own:?}");
+    // Without a rotation the frequency must be told.
+    let bench = Workbench::new().file("own.toml", law).file("case.toml", &case(""));
+    let outcome = bench.whirl(&["analyse", "case.toml", "--out", "out"]);
+    assert_eq!(outcome.status, 2, "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("`near`"), "{}", outcome.stderr);
+}
+
+#[test]
+fn what_drives_a_machine_or_lets_it_die_has_no_motion_of_its_own() {
+    let keys = "self_excited = true\nsteps = 120\n";
+    for (speed, unbalance, keys, words) in [
+        (
+            1009.0,
+            0.1,
+            keys,
+            ["the unbalance of rotor drives the machine", "leave out `self_excited`"],
+        ),
+        (900.0, 0.0, keys, ["the motion dies out", ""]),
+        (900.0, 0.0, "near = \"80 Hz\"\n", ["of a motion that is `self_excited`", "leave it out"]),
+        (
+            900.0,
+            0.0,
+            "self_excited = true\nmethod = \"shooting\"\n",
+            ["found by their harmonics", "leave out `method`"],
+        ),
+    ] {
+        let bench = Workbench::new().file("case.toml", &film(speed, unbalance, keys));
+        let outcome = bench.whirl(&["analyse", "case.toml", "--out", "out"]);
+        assert_eq!(outcome.status, 2, "{}", outcome.stderr);
+        assert!(
+            words.iter().all(|own| outcome.stderr.contains(own)),
+            "{words:?}: {}",
+            outcome.stderr
+        );
+    }
+}
+
 /// Between 109.85 and 287.75 rad/s a disc of e = ¼ mm turns freely or rubs all around: a beginning in contact finds the other
 /// motion. The linear motion is r = meΩ²/|k − mω̃² + idω̃|.
 #[test]

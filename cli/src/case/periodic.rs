@@ -19,8 +19,19 @@ pub(super) const MOST_HARMONICS: usize = 1000;
 pub(super) const METHODS: &[&str] = &["accelerated", "shooting", "harmonic"];
 pub(super) const BEGINNINGS: &[&str] = &["equilibrium", "rest"];
 /// Keys that other kinds of analysis have no use for.
-const KEYS: [&str; 9] =
-    ["steps", "method", "harmonics", "marched", "periods", "begin", "cycles", "vary", "points"];
+const KEYS: [&str; 11] = [
+    "steps",
+    "method",
+    "harmonics",
+    "self_excited",
+    "near",
+    "marched",
+    "periods",
+    "begin",
+    "cycles",
+    "vary",
+    "points",
+];
 /// Cycles in which a motion is looked for, where the case does not say it.
 const CYCLES: usize = 400;
 /// Points of a branch where the case does not say it, and the most of them.
@@ -36,6 +47,10 @@ pub(crate) struct PeriodicKeys {
     pub(crate) method: Option<Method>,
     /// Harmonics that are balanced; as many as are enough if there is none.
     pub(crate) harmonics: Option<usize>,
+    /// Whether the machine moves by itself, with a period that nothing tells.
+    pub(crate) self_excited: bool,
+    /// About which frequency that has (Hz).
+    pub(crate) near: Option<f64>,
     /// Cycles that are marched first.
     pub(crate) marched: Option<usize>,
     /// Common periods of loads and speeds in a cycle.
@@ -116,6 +131,8 @@ impl Default for PeriodicKeys {
             steps: None,
             method: None,
             harmonics: None,
+            self_excited: false,
+            near: None,
             marched: None,
             periods: 1,
             begin: None,
@@ -145,10 +162,15 @@ pub(super) fn read(table: &Table) -> PeriodicKeys {
     };
     const ALL: [Method; 3] = [Method::Accelerated, Method::Shooting, Method::Harmonic];
     let method = place("method", METHODS).map(|own| ALL[own]);
+    let self_excited = table.optional_boolean("self_excited") == Some(true);
+    let near = table.quantity("near");
+    of_its_own(table, self_excited);
     PeriodicKeys {
         steps: table.optional_count("steps"),
         method,
         harmonics: harmonics(table, method),
+        self_excited,
+        near,
         marched: table.optional_count("marched"),
         periods: table.optional_count("periods").unwrap_or(usual.periods),
         begin: place("begin", BEGINNINGS).map(|own| [Beginning::Equilibrium, Beginning::Rest][own]),
@@ -158,11 +180,32 @@ pub(super) fn read(table: &Table) -> PeriodicKeys {
     }
 }
 
+/// Notes keys that a motion with a period of its own has no use for, or alone.
+fn of_its_own(table: &Table, self_excited: bool) {
+    let note = |key: &str, message: &str, help: &str| {
+        if table.gives(key) {
+            table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
+        }
+    };
+    if !self_excited {
+        let help = "write `self_excited = true`, or leave it out";
+        return note("near", "`near` is of a motion that is `self_excited`", help);
+    }
+    let help = "leave it out: the period is found";
+    note("periods", "`periods` are those of loads and speeds", help);
+    let help = "leave it out, and look for the motion at `speeds`";
+    note("vary", "motions with a period of their own are not followed", help);
+    if table.optional_word("method").is_some_and(|own| own != "harmonic") {
+        let help = "leave out `method`";
+        note("method", "motions with a period of their own are found by their harmonics", help);
+    }
+}
+
 /// How many harmonics are balanced, where they are.
 fn harmonics(table: &Table, method: Option<Method>) -> Option<usize> {
     let key = "harmonics";
     let given = table.optional_count(key)?;
-    if method != Some(Method::Harmonic) {
+    if method != Some(Method::Harmonic) && table.optional_boolean("self_excited") != Some(true) {
         let message = "`harmonics` are those of the method `harmonic`";
         let help = "write `method = \"harmonic\"`, or leave them out";
         table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));

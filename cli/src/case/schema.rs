@@ -431,6 +431,13 @@ const ANALYSIS: &[Key] = &[
         "balanced by the method `harmonic`, beside the mean; as many as are enough if left out",
     )
     .like("30"),
+    key("self_excited", Flag, "true looks for a motion that the machine has by itself, such as oil whirl, with its period"),
+    key(
+        "near",
+        FREQUENCY,
+        "about which frequency a motion that is self-excited has; half of the fastest rotation if left out",
+    )
+    .like("\"24 Hz\""),
     key("marched", Count(0, MOST_MARCHED), "cycles of a periodic motion marched before the method")
         .like("8"),
     key(

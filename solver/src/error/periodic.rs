@@ -55,6 +55,18 @@ pub enum PeriodicError {
         /// The quotient of whole numbers nearest to that of the second over the first.
         nearest: [f64; 2],
     },
+    /// Something that goes with a frequency of its own beside a motion that should have the only one.
+    #[error("{what} drives the machine: a motion of its own would have two frequencies")]
+    Driven {
+        /// What, in words.
+        what: String,
+    },
+    /// Nothing turns, so that nothing tells how long a motion may take.
+    #[error("nothing turns, so that nothing tells about how long the motion takes")]
+    NoFrequency,
+    /// A machine that comes to rest.
+    #[error("the motion dies out: the machine does not keep itself going")]
+    DiesOut,
     /// Harmonics whose residual was not brought to zero.
     #[error("no motion was found in which the first {harmonics} harmonics are balanced")]
     NotBalanced {

@@ -5,13 +5,16 @@ use std::f64::consts::TAU;
 use crate::bodies::Rotation;
 use crate::dynamics::settled_from;
 use crate::error::{Error, PeriodicError};
-use crate::loads::TimeFunction;
+use crate::loads::{Load, TimeFunction};
 use crate::machine::Machine;
 
 /// Periods of the slowest in a common one at most.
 const MOST: usize = 64;
 /// Part of a period by which others may miss the end of a common one.
 const MISSED: f64 = 1e-9;
+
+/// Distance of a centre of mass from the axis that is rounding (m).
+const BALANCED: f64 = 1e-12;
 
 /// Something that repeats.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,6 +58,42 @@ pub fn repeating(machine: &Machine) -> Result<Vec<Repeating>, Error> {
         }
     }
     Ok(all)
+}
+
+/// What of all that a machine is told changes in space though speeds are constant, in words: a load that varies or turns, an unbalance,
+/// a body that is not round.
+///
+/// # Errors
+/// As [`repeating`]; a mass that is not positive definite.
+pub(super) fn driven(machine: &Machine) -> Result<Option<String>, Error> {
+    let varies = |load: &Load| match &load.time_function {
+        TimeFunction::Constant => load.turns_with_its_body(),
+        _ => true,
+    };
+    let load =
+        machine.loads.iter().find(|load| load.action.amplitude() != [0.0; 3] && varies(load));
+    if let Some(load) = load {
+        let name = if load.name.is_empty() { "a load" } else { &load.name };
+        return Ok(Some(name.to_owned()));
+    }
+    let speeds = speeds(machine)?;
+    for (body, speed) in machine.bodies.iter().zip(speeds) {
+        let Some(shaft) = body.shaft().filter(|_| speed != 0.0) else { continue };
+        let roundness = shaft.roundness()?;
+        if !roundness.is_round_at(0.0) {
+            return Ok(Some(format!("{}, which is not round,", body.name())));
+        }
+        let once = roundness.generator.apply_transpose(&shaft.y0);
+        let out = roundness.generator.apply_transpose(&once);
+        let size = out.iter().map(|own| own * own).sum::<f64>().sqrt();
+        if size > BALANCED * shaft.centre_of_mass.mass.max(shaft.y0.len() as f64 * f64::EPSILON) {
+            return Ok(Some(format!("the unbalance of {}", body.name())));
+        }
+    }
+    if machine.springs.have_run_out() {
+        return Ok(Some("a run-out".to_owned()));
+    }
+    Ok(None)
 }
 
 /// Speeds of the bodies in a cycle (rad/s); 0 of those that stand.

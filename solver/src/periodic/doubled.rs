@@ -35,7 +35,7 @@ pub(super) fn finer(
     observe: Observe,
 ) -> Result<(Vec<Complex64>, StepError), Error> {
     let machine = map.machine();
-    let mut twice = CycleMap::new(machine, map.cycle().doubled(), options.newton)?;
+    let mut twice = map.doubled()?;
     let mut weighed = Weighed::new(&mut twice, x)?;
     let y = weighed.weighed(x);
     let options = PeriodicOptions { marched: Some(0), ..options.clone() };

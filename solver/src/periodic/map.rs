@@ -3,7 +3,9 @@
 //! The state x has the positions and rates of all unknowns; accelerations follow from r = 0 at the start. What turns by whole
 //! turns is turned back by them, so that a periodic motion is a fixed point.
 
+use super::common::speeds;
 use super::cycle::Cycle;
+use super::in_space::InSpace;
 use crate::dynamics::{
     BodyStart, Changes, Integrator, LinearStep, LinearSteps, March, MarchOptions, NewtonOptions,
     Outcome, SteadyRule,
@@ -22,6 +24,8 @@ pub struct CycleMap<'m> {
     march: March<'m>,
     /// By how much rotations that are unknown advance (rad), by their places among the unknowns.
     turns: Vec<f64>,
+    /// How bodies are turned back whose rotation does not repeat with the cycle.
+    back: Option<InSpace>,
     cycles: usize,
 }
 
@@ -41,12 +45,39 @@ impl<'m> CycleMap<'m> {
     /// # Errors
     /// What the machine is told does not repeat, or a rotation is not known; a mass matrix that cannot be inverted.
     pub fn new(machine: &'m Machine, cycle: Cycle, newton: NewtonOptions) -> Result<Self, Error> {
+        let turns = cycle.turns(machine)?;
+        let turns = turns[machine.first_unknown()..].to_vec();
+        CycleMap::with(machine, cycle, newton, (turns, None))
+    }
+
+    /// The same over a stretch of time in which nothing that the machine is told changes, and all bodies that turn are round: they need
+    /// not turn by whole turns.
+    ///
+    /// # Errors
+    /// A speed that is not known; a mass matrix that cannot be inverted.
+    pub(super) fn free(
+        machine: &'m Machine,
+        cycle: Cycle,
+        newton: NewtonOptions,
+    ) -> Result<Self, Error> {
+        let speeds = speeds(machine)?;
+        let unknown = machine.first_unknown()..machine.rotations();
+        let turned = unknown.map(|place| speeds[machine.owner(place).body] * cycle.period);
+        let back = InSpace::new(machine, &speeds)?;
+        CycleMap::with(machine, cycle, newton, (turned.collect(), Some(back)))
+    }
+
+    fn with(
+        machine: &'m Machine,
+        cycle: Cycle,
+        newton: NewtonOptions,
+        (turns, back): (Vec<f64>, Option<InSpace>),
+    ) -> Result<Self, Error> {
         let springs = &machine.springs;
         if let Some(plane) = springs.remembering(|_| true).or_else(|| springs.with_film(|_| true)) {
             let (joint, law) = machine.names_of(plane);
             return Err(PeriodicError::Remembers { joint, law }.into());
         }
-        let turns = cycle.turns(machine)?;
         let options = MarchOptions {
             time_step: cycle.time_step(),
             automatic: None,
@@ -64,8 +95,21 @@ impl<'m> CycleMap<'m> {
             initial: Vec::new(),
         };
         let march = March::at(machine, &options, State::new(machine.size()), cycle.start)?;
-        let turns = turns[machine.first_unknown()..].to_vec();
-        Ok(CycleMap { machine, cycle, options, march, turns, cycles: 0 })
+        Ok(CycleMap { machine, cycle, options, march, turns, back, cycles: 0 })
+    }
+
+    /// The same in twice as many steps.
+    ///
+    /// # Errors
+    /// A mass matrix that cannot be inverted.
+    pub(super) fn doubled(&self) -> Result<Self, Error> {
+        let told = (self.turns.clone(), self.back.clone());
+        CycleMap::with(self.machine, self.cycle.doubled(), self.options.newton, told)
+    }
+
+    /// Whether its cycle is one of the motion alone, and not of what the machine is told.
+    pub(super) fn is_free(&self) -> bool {
+        self.back.is_some()
     }
 
     /// The machine.
@@ -88,9 +132,18 @@ impl<'m> CycleMap<'m> {
         self.cycles
     }
 
-    /// By how much rotations that are unknown advance (rad), by their places among the unknowns.
-    pub(super) fn turns(&self) -> &[f64] {
-        &self.turns
+    /// Mean speeds of rotations that are unknown (rad/s), by their places among the unknowns.
+    pub(super) fn speeds(&self) -> Vec<f64> {
+        self.turns.iter().map(|turn| turn / self.cycle.period).collect()
+    }
+
+    /// Turns changes of a state at the end of the cycle back, as the state is.
+    pub(super) fn turn_back(&self, change: &mut [f64]) {
+        if let Some(space) = &self.back {
+            let (q, v) = change.split_at_mut(self.unknowns());
+            space.positions(q, self.cycle.period);
+            space.positions(v, self.cycle.period);
+        }
     }
 
     /// As [`CycleMap::apply`], with the positions of the unknowns over the cycle, what they turn by taken off: a column a step, from the
@@ -137,7 +190,9 @@ impl<'m> CycleMap<'m> {
         let n = self.unknowns();
         let unit = Changes::new(n, 2 * n, |i, j| f64::from(u8::from(i == j)));
         let steps = self.linearised(x, LinearSteps::new(unit, false))?;
-        Ok(Matrix::from_fn(2 * n, 2 * n, |i, j| steps.changes.value(i, j)))
+        let mut whole = Matrix::from_fn(2 * n, 2 * n, |i, j| steps.changes.value(i, j));
+        (0..2 * n).for_each(|j| self.turn_back(whole.col_mut(j)));
+        Ok(whole)
     }
 
     /// As [`CycleMap::apply`], with its steps linearised about it.
@@ -214,5 +269,6 @@ impl<'m> CycleMap<'m> {
         q.copy_from_slice(&state.q[first..]);
         v.copy_from_slice(&state.v[first..]);
         q.iter_mut().zip(&self.turns).for_each(|(q, turn)| *q -= turn);
+        self.turn_back(x);
     }
 }

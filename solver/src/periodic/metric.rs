@@ -76,6 +76,17 @@ impl Metric {
         }
     }
 
+    /// Lᵀ of positions, column after column.
+    pub(super) fn weighed_columns(&self, positions: &Matrix) -> Vec<f64> {
+        (0..positions.cols).flat_map(|j| self.weighed_positions(positions.col(j))).collect()
+    }
+
+    /// The columns of which they were made.
+    pub(super) fn columns(&self, mut weighed: Matrix) -> Matrix {
+        (0..weighed.cols).for_each(|j| self.positions(weighed.col_mut(j)));
+        weighed
+    }
+
     /// The state of which it was made.
     pub(super) fn state(&self, weighed: &[f64]) -> Vec<f64> {
         let mut x = weighed.to_vec();

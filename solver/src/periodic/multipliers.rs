@@ -36,6 +36,8 @@ pub struct Multiplier {
 pub enum MultiplierKind {
     /// Of the motion.
     Motion,
+    /// Of the phase of a motion with a period of its own: 1, as one that begins later goes on alike.
+    Phase,
     /// Of motion that the steps do not resolve: it says how fast that dies in the march, not in the machine.
     Unresolved,
 }
@@ -143,6 +145,15 @@ pub(super) fn paired(own: &[Complex64], finer: &[Complex64]) -> Vec<Multiplier> 
         }
     }
     all
+}
+
+/// Calls the multiplier nearest to 1 that of the phase.
+pub(super) fn name_phase(all: &mut [Multiplier]) {
+    let apart = |own: &Multiplier| (own.value - 1.0).norm();
+    let nearest = all.iter_mut().min_by(|a, b| apart(a).total_cmp(&apart(b)));
+    if let Some(own) = nearest {
+        own.kind = MultiplierKind::Phase;
+    }
 }
 
 /// How far from the unit circle it must be for a verdict: twice what steps half as long change, and rounding.

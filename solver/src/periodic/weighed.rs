@@ -87,7 +87,8 @@ impl<'a, 'm> Weighed<'a, 'm> {
         let x = self.state(y);
         let mut changes = Changes::new(x.len() / 2, 1, |i, _| x[i]);
         cycle.steps.iter_mut().for_each(|own| own.apply(&mut changes, &mut cycle.memory));
-        let changed: Vec<f64> = (0..x.len()).map(|i| changes.value(i, 0)).collect();
+        let mut changed: Vec<f64> = (0..x.len()).map(|i| changes.value(i, 0)).collect();
+        self.map.turn_back(&mut changed);
         self.weighed(&changed)
     }
 }

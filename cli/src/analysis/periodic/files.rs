@@ -48,6 +48,7 @@ fn multipliers(all: &[Motion]) -> String {
             let finer = own.finer.map_or(String::new(), |finer| finer.norm().to_string());
             let of = match own.kind {
                 MultiplierKind::Motion => "motion",
+                MultiplierKind::Phase => "phase",
                 MultiplierKind::Unresolved => "unresolved",
             };
             let (re, im, size) = (own.value.re, own.value.im, own.value.norm());

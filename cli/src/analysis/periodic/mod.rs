@@ -105,6 +105,9 @@ pub(super) fn foreseen(
     let own = turned::at(case, analysis, of.zip(speed));
     let built = machine::build_planned(&own, cache, &mut Vec::new())?;
     let sought = Sought { case: &own, analysis, built: &built, speed };
+    if analysis.periodic.self_excited {
+        return Ok(());
+    }
     sought.cycle(None).map(|_| ()).map_err(|error| place::of(case, error))
 }
 

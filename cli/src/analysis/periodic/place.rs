@@ -51,8 +51,16 @@ pub(super) fn of(case: &Case, error: Error) -> Failure {
             None,
             "march it until it repeats itself (`whirl run`, `stop_when_steady`), or give the joint a law without states",
         ),
+        PeriodicError::NoFrequency => {
+            at(None, "say about which frequency the motion has: `near = \"24 Hz\"`")
+        }
         PeriodicError::NothingRepeats => at(None, "give a body a speed, or a load a frequency"),
-        PeriodicError::NotFound { .. }
+        PeriodicError::Driven { .. } => at(
+            None,
+            "leave out `self_excited`, or take out of the case what turns or varies: unbalance, run-out, loads",
+        ),
+        PeriodicError::DiesOut
+        | PeriodicError::NotFound { .. }
         | PeriodicError::NotBalanced { .. }
         | PeriodicError::NoMachine { .. }
         | PeriodicError::Interrupted { .. } => error.into(),
@@ -98,8 +106,11 @@ fn load_called<'c>(case: &'c Case, name: &str) -> Option<&'c Located> {
 pub(super) fn not_there(error: &Error) -> bool {
     matches!(
         error,
-        Error::Periodic(PeriodicError::NotFound { .. } | PeriodicError::NotBalanced { .. })
-            | Error::NewtonDiverged { .. }
+        Error::Periodic(
+            PeriodicError::NotFound { .. }
+                | PeriodicError::NotBalanced { .. }
+                | PeriodicError::DiesOut
+        ) | Error::NewtonDiverged { .. }
             | Error::NoForce { .. }
     )
 }

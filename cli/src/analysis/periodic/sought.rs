@@ -4,9 +4,10 @@ use std::ops::ControlFlow;
 
 use whirl_solver::Error;
 use whirl_solver::dynamics::{BodyStart, equilibrium};
+use whirl_solver::error::PeriodicError;
 use whirl_solver::periodic::{
-    Cycle, CycleMap, CycleProgress, PeriodicOptions, Repeating, common_period, periodic_from,
-    repeating, start,
+    Cycle, CycleMap, CycleProgress, Periodic, PeriodicOptions, Repeating, common_period,
+    periodic_from, repeating, self_excited, start,
 };
 
 use super::motions::Motion;
@@ -36,7 +37,10 @@ impl Sought<'_> {
         near: Option<&[f64]>,
         interruption: &Interruption,
     ) -> Result<Motion, Error> {
-        let Sought { case, built, speed, .. } = *self;
+        let Sought { built, .. } = *self;
+        if self.analysis.periodic.self_excited {
+            return self.own(interruption);
+        }
         let (repeating, cycle) = self.cycle(None)?;
         let options = self.options(cycle);
         let mut map = CycleMap::new(&built.machine, cycle, options.newton)?;
@@ -54,15 +58,40 @@ impl Sought<'_> {
                 periodic_from(&mut map, &options, &x, &mut observe)?
             }
         };
-        let length = (cycle.time_step(), None);
+        Ok(self.motion(repeating, periodic))
+    }
+
+    /// A motion that the machine has by itself.
+    fn own(&self, interruption: &Interruption) -> Result<Motion, Error> {
+        let mut observe = |_: &CycleProgress| match interruption.asked() {
+            true => ControlFlow::Break(()),
+            false => ControlFlow::Continue(()),
+        };
+        let keys = &self.analysis.periodic;
+        let fastest = repeating(&self.built.machine)
+            .map_or(0.0, |all| all.iter().map(|own| own.hertz).fold(0.0, f64::max));
+        let near = keys.near.or((fastest > 0.0).then_some(0.5 * fastest));
+        let period = 1.0 / near.ok_or(PeriodicError::NoFrequency)?;
+        let cycle = Cycle { start: 0.0, period, steps: keys.steps.unwrap_or(STEPS) };
+        let start = self.beginning(cycle)?;
+        let machine = &self.built.machine;
+        let periodic = self_excited(machine, &self.options(cycle), &start, &mut observe)?;
+        let hertz = 1.0 / periodic.cycle.period;
+        let mut all = vec![Repeating { hertz, what: "the motion itself".to_owned() }];
+        all.extend(repeating(machine).unwrap_or_default());
+        Ok(self.motion(all, periodic))
+    }
+
+    fn motion(&self, repeating: Vec<Repeating>, periodic: Periodic) -> Motion {
+        let length = (periodic.cycle.time_step(), None);
         let verdict = VerdictFacts::new(
-            (&built.machine, &case.supports()),
+            (&self.built.machine, &self.case.supports()),
             &periodic.outcome,
             length,
             (None, None),
         );
         let columns = periodic.history.names().to_vec();
-        Ok(Motion { speed, repeating, periodic, verdict, columns })
+        Motion { speed: self.speed, repeating, periodic, verdict, columns }
     }
 
     /// What repeats, and the cycle, in so many steps if they are told.

@@ -1,11 +1,11 @@
 //! The equations of a machine over a cycle: residuals of all instants, as harmonics, and their derivative.
 
-use super::in_space::InSpace;
 use super::series::Series;
 use crate::equations::{Equations, State, Tangents};
 use crate::linalg::{Matrix, multiply};
 use crate::machine::Machine;
-use crate::periodic::map::CycleMap;
+use crate::periodic::cycle::Cycle;
+use crate::periodic::in_space::InSpace;
 
 /// A machine at the instants of a cycle.
 pub(super) struct Balance<'m> {
@@ -13,8 +13,8 @@ pub(super) struct Balance<'m> {
     state: State,
     start: f64,
     period: f64,
-    /// By how much rotations that are unknown advance in the cycle (rad), by their places among the unknowns.
-    turns: Vec<f64>,
+    /// Mean speeds of rotations that are unknown (rad/s), by their places among the unknowns.
+    speeds: Vec<f64>,
     /// How coordinates of bodies that turn are seen.
     space: InSpace,
 }
@@ -27,9 +27,12 @@ pub(super) struct Derivative {
 }
 
 impl<'m> Balance<'m> {
-    pub(super) fn new(map: &CycleMap<'m>, space: InSpace) -> Balance<'m> {
-        let machine = map.machine();
-        let cycle = map.cycle();
+    /// Of a machine over a cycle, with the mean speeds of rotations that are unknown (rad/s).
+    pub(super) fn new(
+        machine: &'m Machine,
+        cycle: Cycle,
+        (speeds, space): (Vec<f64>, InSpace),
+    ) -> Balance<'m> {
         let mut state = State::new(machine.size());
         machine.set_given(cycle.start, false, [&mut state.q, &mut state.v, &mut state.a]);
         let mut equations = Equations::new(machine);
@@ -40,14 +43,12 @@ impl<'m> Balance<'m> {
             .iter()
             .map(|load| theta(load.body).is_some_and(|theta| load.reaches(state.v[theta])));
         equations.released = ended.collect();
-        Balance {
-            equations,
-            state,
-            start: cycle.start,
-            period: cycle.period,
-            turns: map.turns().to_vec(),
-            space,
-        }
+        Balance { equations, state, start: cycle.start, period: cycle.period, speeds, space }
+    }
+
+    /// Takes another length of the cycle (s).
+    pub(super) fn set_period(&mut self, period: f64) {
+        self.period = period;
     }
 
     fn machine(&self) -> &'m Machine {
@@ -57,16 +58,17 @@ impl<'m> Balance<'m> {
     /// Puts z and its rates at a share of the cycle into the state; gives the time (s).
     fn place(&mut self, seen: [&[f64]; 3], share: f64) -> f64 {
         let (machine, first) = (self.machine(), self.machine().first_unknown());
-        let time = self.start + share * self.period;
+        let since = share * self.period;
+        let time = self.start + since;
         let State { q: to_q, v: to_v, a: to_a, .. } = &mut self.state;
         for (to, from) in [&mut *to_q, &mut *to_v, &mut *to_a].into_iter().zip(seen) {
             to[first..].copy_from_slice(from);
         }
         let all = [&mut *to_q, &mut *to_v, &mut *to_a].map(|all| &mut all[first..]);
-        self.space.to_bodies(all, share);
-        for (place, turn) in self.turns.iter().enumerate() {
-            to_q[first + place] += turn * share;
-            to_v[first + place] += turn / self.period;
+        self.space.to_bodies(all, since);
+        for (place, speed) in self.speeds.iter().enumerate() {
+            to_q[first + place] += speed * since;
+            to_v[first + place] += speed;
         }
         machine.set_given(time, false, [to_q, to_v, to_a]);
         time
@@ -82,7 +84,7 @@ impl<'m> Balance<'m> {
     /// The residual of what was evaluated last, of forces on z.
     fn own_residual(&self, share: f64) -> Vec<f64> {
         let mut own = self.equations.residual[self.machine().first_unknown()..].to_vec();
-        self.space.forces(&mut own, share);
+        self.space.forces(&mut own, share * self.period);
         own
     }
 
@@ -109,7 +111,7 @@ impl<'m> Balance<'m> {
         let mut all: [Vec<Matrix>; 3] = Default::default();
         let residual = self.sampled(series, coefficients, |own, share| {
             let Tangents { mass, damping, stiffness, .. } = own.equations.tangents(&own.state);
-            let seen = own.space.tangents([mass, damping, stiffness], share);
+            let seen = own.space.tangents([mass, damping, stiffness], share * own.period);
             all.iter_mut().zip(seen).for_each(|(all, own)| all.push(own));
             own.own_residual(share)
         });
@@ -171,13 +173,24 @@ impl<'m> Balance<'m> {
 }
 
 impl Derivative {
+    /// Harmonics of what −∂r comes to as all frequencies grow by a share of themselves, over that share.
+    pub(super) fn by_frequency(&self, series: &Series, coefficients: &Matrix) -> Matrix {
+        let [_, v, a] = series.sampled(coefficients);
+        let twice = Matrix { data: a.data.iter().map(|own| 2.0 * own).collect(), ..a };
+        let still = Matrix::zeros(v.rows, v.cols);
+        self.of_samples(series, [&twice, &v, &still])
+    }
+
     /// Harmonics of what −∂r comes to by a change of the coefficients.
     pub(super) fn apply(&self, series: &Series, change: &Matrix) -> Matrix {
-        // In the order of `means`.
         let [q, v, a] = series.sampled(change);
-        let moved = [a, v, q];
-        let mut sum = Matrix::zeros(change.rows, series.instants());
-        for ((mean, beside), moved) in self.means.iter().zip(&self.beside).zip(&moved) {
+        self.of_samples(series, [&a, &v, &q])
+    }
+
+    /// The same of samples in the order of the derivatives.
+    fn of_samples(&self, series: &Series, moved: [&Matrix; 3]) -> Matrix {
+        let mut sum = Matrix::zeros(moved[0].rows, series.instants());
+        for ((mean, beside), moved) in self.means.iter().zip(&self.beside).zip(moved) {
             let whole = multiply(mean.view(), moved.view());
             sum.data.iter_mut().zip(&whole.data).for_each(|(sum, own)| *sum += own);
             for (j, own) in beside.iter().enumerate() {

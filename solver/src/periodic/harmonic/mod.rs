@@ -1,35 +1,40 @@
-//! Harmonic balance: the motion over a cycle as a sum of harmonics of which the equations of the machine have no residual on average.
+//! Harmonic balance: the motion over a cycle as a sum of harmonics of which the equations of the machine have no residual on
+//! average.
 //!
-//! Coefficients of the harmonics, seen from space ([`series`]) → the motion at equal instants of the cycle, each body in its own frame
-//! ([`in_space`]) → residuals and tangents of the machine there, as every analysis has them ([`balance`]) → harmonics of the residual → Newton's method with the exact
-//! derivative of what was sampled ([`solve`], [`mean`]). It begins with a few cycles of the march. The motion is that without steps:
-//! its error is that of the harmonics that are left out, which twice as many tell. Multipliers are those of a march about it.
+//! Coefficients of the harmonics, seen from space ([`series`]) → the motion at equal instants of the cycle, each body in its own
+//! frame ([`super::in_space`]) → residuals and tangents of the machine there, as every analysis has them ([`balance`]) → harmonics of
+//! the residual → Newton's method with the exact derivative of what was sampled ([`solve`], [`mean`]). It begins with a few cycles of
+//! the march, or with one that grows into a motion of the machine itself ([`own`]). The motion is that without steps: its error is that
+//! of the harmonics that are left out, which twice as many tell. Multipliers are those of a march about it.
 
 mod balance;
-mod in_space;
 mod mean;
+mod own;
 mod series;
 mod solve;
 #[cfg(test)]
 mod tests;
 
 use self::balance::Balance;
-use self::in_space::InSpace;
 use self::series::{Series, resized};
-use self::solve::{Equilibrating, Solved};
+use self::solve::{Equilibrating, Motion, Solved};
+use super::common::{driven, speeds};
+use super::cycle::Cycle;
 use super::doubled::StepError;
+use super::in_space::InSpace;
 use super::map::{CycleMap, Orbit};
 use super::metric::Metric;
 use super::motion::{Harmonics, Periodic};
-use super::multipliers::{largest, paired, stability};
+use super::multipliers::{largest, name_phase, paired, stability};
 use super::options::{Method, PeriodicOptions};
 use super::shooting::WHOLE;
 use super::solve::Observe;
 use super::weighed::Weighed;
-use crate::dynamics::write_row;
+use crate::dynamics::{BodyStart, write_row};
 use crate::error::{Error, PeriodicError};
 use crate::history::History;
 use crate::linalg::Matrix;
+use crate::machine::Machine;
 
 /// Harmonics beside those by which bodies turn, and instants for each: forces with corners fall as 1/k².
 const HARMONICS: usize = 20;
@@ -39,12 +44,6 @@ const CHANGE: f64 = 1e-3;
 const MOST: usize = 200;
 /// Cycles marched at first, of few states and of many.
 const MARCHED: [usize; 2] = [8, 2];
-
-/// Coefficients of so many harmonics, and what they are worth.
-struct Balanced {
-    solved: Solved,
-    series: Series,
-}
 
 /// Finds the periodic motion from a state x.
 ///
@@ -58,27 +57,48 @@ pub(super) fn balanced(
 ) -> Result<Periodic, Error> {
     let before = map.cycles();
     let metric = Metric::new(map, x)?;
-    let space = InSpace::new(map)?;
+    let space = InSpace::new(map.machine(), &speeds(map.machine())?)?;
     let beginning = beginning(map, options, x, &space)?;
     let cycles = map.cycles() - before;
-    let count = options.harmonics.unwrap_or(HARMONICS + space.turns());
-    let mut search = Search { balance: Balance::new(map, space), metric, map, options, cycles };
-    let mut own = search.with(&beginning, count, observe)?;
-    let mut change = None;
-    if options.judged {
-        loop {
-            let twice =
-                search.with(&own.solved.coefficients, 2 * own.series.harmonics(), observe)?;
-            let found = search.change(&own, &twice);
-            change = Some(found);
-            let is_enough = found.state.max(found.force).max(found.displacement) <= CHANGE;
-            let count = 2 * twice.series.harmonics();
-            if is_enough || options.harmonics.is_some() || count > MOST {
-                break;
-            }
-            own = twice;
-        }
+    let cycle = map.cycle();
+    let count = options.harmonics.unwrap_or(HARMONICS + space.turns(cycle.period));
+    let balance = Balance::new(map.machine(), cycle, (map.speeds(), space));
+    let mut search = Search { balance, metric, map, options, cycles, reference: None };
+    let from = Motion { coefficients: beginning, period: cycle.period };
+    let (own, change) = search.enough(&from, count, observe)?;
+    search.periodic(own, change)
+}
+
+/// Finds the motion that a machine has by itself from a state x. The cycle of the options is about as long as its period, in so many
+/// steps.
+///
+/// # Errors
+/// There is none, or what the machine is told changes; an interruption; a step that does not converge.
+pub fn self_excited(
+    machine: &Machine,
+    options: &PeriodicOptions,
+    start: &[BodyStart],
+    observe: Observe,
+) -> Result<Periodic, Error> {
+    if let Some(what) = driven(machine)? {
+        return Err(PeriodicError::Driven { what }.into());
     }
+    let space = InSpace::new(machine, &speeds(machine)?)?;
+    let mut map = CycleMap::free(machine, options.cycle, options.newton)?;
+    let x = map.beginning(start);
+    let metric = Metric::new(&map, &x)?;
+    let grown = own::grown(&mut map, (&metric, &space), options, &x, observe)?;
+    let count = options.harmonics.unwrap_or(HARMONICS);
+    let from = grown.motion(count).ok_or(PeriodicError::NotBalanced { harmonics: count })?;
+    let balance = Balance::new(machine, options.cycle, (map.speeds(), space));
+    let reference = Some(grown.reference);
+    let cycles = grown.cycles;
+    let mut search = Search { balance, metric, map: &mut map, options, cycles, reference };
+    let (own, change) = search.enough(&from, count, observe)?;
+    let cycle = Cycle { period: own.motion.period, ..options.cycle };
+    let Search { balance, metric, .. } = search;
+    let mut map = CycleMap::free(machine, cycle, options.newton)?;
+    let search = Search { balance, metric, map: &mut map, options, cycles, reference };
     search.periodic(own, change)
 }
 
@@ -104,7 +124,8 @@ fn beginning(
         Some(mut samples) => {
             let instants = samples.cols;
             for j in 0..instants {
-                space.positions(samples.col_mut(j), j as f64 / instants as f64);
+                space
+                    .positions(samples.col_mut(j), map.cycle().period * j as f64 / instants as f64);
             }
             Series::new(map.cycle().period, (instants - 1) / 2, instants).coefficients(&samples)
         }
@@ -119,33 +140,62 @@ struct Search<'a, 'm> {
     metric: Metric,
     options: &'a PeriodicOptions,
     cycles: usize,
+    /// As [`Equilibrating::reference`].
+    reference: Option<usize>,
 }
 
 impl Search<'_, '_> {
-    fn with(&mut self, from: &Matrix, count: usize, observe: Observe) -> Result<Balanced, Error> {
-        let series = Series::new(self.map.cycle().period, count, INSTANTS * count.max(1));
-        let told = (self.options.tolerance, self.cycles);
-        let mut equilibrating =
-            Equilibrating { balance: &mut self.balance, series: &series, metric: &self.metric };
-        match equilibrating.solve(resized(from, count), told, observe)? {
-            Some(solved) => Ok(Balanced { solved, series }),
-            None => Err(PeriodicError::NotBalanced { harmonics: count }.into()),
+    /// A motion with as many harmonics as are enough, from one nearby, and what twice as many change.
+    fn enough(
+        &mut self,
+        from: &Motion,
+        count: usize,
+        observe: Observe,
+    ) -> Result<(Solved, Option<StepError>), Error> {
+        let mut own = self.with(from, count, observe)?;
+        if !self.options.judged {
+            return Ok((own, None));
+        }
+        loop {
+            let twice = self.with(&own.motion, 2 * own.motion.count(), observe)?;
+            let change = self.change(&own.motion, &twice.motion);
+            let is_enough = change.state.max(change.force).max(change.displacement) <= CHANGE;
+            let next = 2 * twice.motion.count();
+            if is_enough || self.options.harmonics.is_some() || next > MOST {
+                return Ok((own, Some(change)));
+            }
+            own = twice;
         }
     }
 
-    /// The state at the start.
-    fn state(&mut self, own: &Balanced) -> Vec<f64> {
-        self.balance.at_start(&own.series, &own.solved.coefficients)
+    fn with(&mut self, from: &Motion, count: usize, observe: Observe) -> Result<Solved, Error> {
+        let from = Motion { coefficients: resized(&from.coefficients, count), ..from.clone() };
+        let told = (self.options.tolerance, self.cycles);
+        let mut equilibrating = Equilibrating {
+            balance: &mut self.balance,
+            metric: &self.metric,
+            series: Series::new,
+            reference: self.reference,
+        };
+        let found = equilibrating.solve(from, told, observe)?;
+        found.ok_or_else(|| PeriodicError::NotBalanced { harmonics: count }.into())
     }
 
-    fn history(&mut self, own: &Balanced) -> History {
+    /// The state at the start.
+    fn state(&mut self, own: &Motion) -> Vec<f64> {
+        self.balance.set_period(own.period);
+        self.balance.at_start(&own.series(&mut Series::new), &own.coefficients)
+    }
+
+    fn history(&mut self, own: &Motion) -> History {
         let machine = self.map.machine();
         let mut history = History::for_machine(machine);
         let asked: usize = machine.outputs.iter().map(|own| own.columns().len()).sum();
         let mut row = vec![0.0; history.names().len()];
         let usual = row.len() - asked;
         let steps = self.map.cycle().steps;
-        self.balance.rows(&own.solved.coefficients, steps, |equations, state, time| {
+        self.balance.set_period(own.period);
+        self.balance.rows(&own.coefficients, steps, |equations, state, time| {
             let (first, outputs) = row.split_at_mut(usual);
             write_row(equations, state, time, 0, first);
             equations.write_outputs(state, time, outputs);
@@ -155,7 +205,7 @@ impl Search<'_, '_> {
     }
 
     /// By what one motion differs from another one with more harmonics.
-    fn change(&mut self, own: &Balanced, other: &Balanced) -> StepError {
+    fn change(&mut self, own: &Motion, other: &Motion) -> StepError {
         let [a, b] = [own, other].map(|own| self.history(own));
         let states = [own, other].map(|own| {
             let state = self.state(own);
@@ -165,9 +215,9 @@ impl Search<'_, '_> {
     }
 
     /// All that is known of a motion.
-    fn periodic(mut self, own: Balanced, change: Option<StepError>) -> Result<Periodic, Error> {
-        let state = self.state(&own);
-        let history = self.history(&own);
+    fn periodic(mut self, own: Solved, change: Option<StepError>) -> Result<Periodic, Error> {
+        let state = self.state(&own.motion);
+        let history = self.history(&own.motion);
         let Search { map, options, cycles, .. } = self;
         let values = {
             let mut weighed = Weighed::new(map, &state)?;
@@ -175,7 +225,7 @@ impl Search<'_, '_> {
             largest(&mut weighed, &y, options.multipliers)?
         };
         let finer = if options.judged {
-            let mut twice = CycleMap::new(map.machine(), map.cycle().doubled(), options.newton)?;
+            let mut twice = map.doubled()?;
             let mut weighed = Weighed::new(&mut twice, &state)?;
             let y = weighed.weighed(&state);
             largest(&mut weighed, &y, options.multipliers)?
@@ -183,23 +233,26 @@ impl Search<'_, '_> {
             Vec::new()
         };
         let Orbit { history: marched, outcome, forces } = map.orbit(&state)?;
-        let multipliers = paired(&values, &finer);
+        let mut multipliers = paired(&values, &finer);
+        if map.is_free() {
+            name_phase(&mut multipliers);
+        }
         let steps = StepError::between(map.machine(), ([&history, &marched], 1), [&[], &[]]);
         Ok(Periodic {
             cycle: map.cycle(),
             state,
             method: Method::Harmonic,
             cycles,
-            miss: own.solved.left,
+            miss: own.left,
             history,
             outcome,
             stability: stability(&multipliers),
             multipliers,
             step_error: None,
             harmonics: Some(Harmonics {
-                count: own.series.harmonics(),
-                instants: own.series.instants(),
-                corrections: own.solved.corrections,
+                count: own.motion.count(),
+                instants: own.motion.series(&mut Series::new).instants(),
+                corrections: own.corrections,
                 change,
                 steps,
             }),

@@ -7,14 +7,14 @@ use std::ops::ControlFlow;
 use whirl_specs::{CLEARANCES, LAWS, MOTIONS};
 
 use super::balance::Balance;
-use super::in_space::InSpace;
 use super::series::{Series, resized};
-use super::solve::Equilibrating;
+use super::solve::{Equilibrating, Motion};
 use super::{balanced, beginning};
 use crate::bearing::{Bearing, Sides};
 use crate::dynamics::{BodyStart, NewtonOptions};
 use crate::gravity::weights;
 use crate::machine::{Body, Machine, MachineParts, Rotation};
+use crate::periodic::in_space::InSpace;
 use crate::periodic::metric::Metric;
 use crate::periodic::{Cycle, CycleMap, CycleProgress, Method, PeriodicOptions, periodic};
 use crate::roundness::tests::Prism;
@@ -74,15 +74,17 @@ fn steps_are_harmonics_with_rates_of_their_own() {
     let found = periodic(&machine, &options, &start(&machine), &mut goes_on).expect("a motion");
     let mut map = CycleMap::new(&machine, cycle, NewtonOptions::default()).expect("a cycle");
     let x = map.beginning(&start(&machine));
-    let series = Series::of_steps(cycle.period, 15, 31);
     let metric = Metric::new(&map, &x).expect("a metric");
     let own = InSpace::none();
     let from = resized(&beginning(&mut map, &options, &x, &own).expect("a beginning"), 15);
-    let mut balance = Balance::new(&map, own);
+    let mut balance = Balance::new(&machine, cycle, (map.speeds(), own));
+    let series = |period: f64, harmonics: usize, _: usize| Series::of_steps(period, harmonics, 31);
     let mut equilibrating =
-        Equilibrating { balance: &mut balance, series: &series, metric: &metric };
+        Equilibrating { balance: &mut balance, metric: &metric, series, reference: None };
+    let from = Motion { coefficients: from, period: cycle.period };
     let solved = equilibrating.solve(from, (1e-12, 0), &mut goes_on).expect("no interruption");
-    let [q, v, _] = series.sampled(&solved.expect("a motion").coefficients);
+    let series = series(cycle.period, 15, 31);
+    let [q, v, _] = series.sampled(&solved.expect("a motion").motion.coefficients);
     let state = [q.col(0), v.col(0)].concat();
     let [own, marched] = [&state, &found.state].map(|own| metric.weighed(own));
     let size = marched.iter().map(|x| x * x).sum::<f64>().sqrt();

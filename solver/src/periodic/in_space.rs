@@ -1,4 +1,4 @@
-//! Coordinates of bodies that turn, as space sees them: q = e^{−αS} z with the angle α = Ωt of the cycle and the generator S of a turn
+//! Coordinates of bodies that turn, as space sees them: q = e^{−αS} z with the angle α = Ωt and the generator S of a turn
 //! ([`crate::roundness`]).
 //!
 //! What stands in space has a constant z, and joints between a body that turns and one that stands couple equal harmonics of both. With
@@ -9,18 +9,19 @@ use std::ops::Range;
 
 use crate::error::Error;
 use crate::linalg::{Matrix, multiply, transpose_multiply};
-use crate::periodic::map::CycleMap;
+use crate::machine::Machine;
 
-/// Bodies that turn by whole turns in a cycle.
+/// Bodies that turn at constant speeds.
+#[derive(Debug, Clone)]
 pub(super) struct InSpace {
     bodies: Vec<Turned>,
 }
 
+#[derive(Debug, Clone)]
 struct Turned {
     /// Its coordinates, by their places among the unknowns.
     place: Range<usize>,
-    /// By what it turns in the cycle (rad), and its speed (rad/s).
-    turn: f64,
+    /// Ω (rad/s).
     speed: f64,
     /// S and S².
     once: Matrix,
@@ -28,25 +29,21 @@ struct Turned {
 }
 
 impl InSpace {
-    /// Of the bodies of a machine.
+    /// Of the bodies of a machine, with their speeds (rad/s).
     ///
     /// # Errors
-    /// As those of [`CycleMap::new`]; a mass that is not positive definite.
-    pub(super) fn new(map: &CycleMap) -> Result<InSpace, Error> {
-        let (machine, cycle) = (map.machine(), map.cycle());
-        let turns = cycle.turns(machine)?;
+    /// A mass that is not positive definite.
+    pub(super) fn new(machine: &Machine, speeds: &[f64]) -> Result<InSpace, Error> {
         let mut bodies = Vec::new();
-        for (body, place) in machine.bodies.iter().zip(machine.places()) {
-            let (Some(shaft), Some(theta)) = (body.shaft(), place.rotation) else { continue };
-            let turn = turns[theta];
-            if turn == 0.0 || shaft.size() == 0 {
+        for ((body, place), &speed) in machine.bodies.iter().zip(machine.places()).zip(speeds) {
+            let Some(shaft) = body.shaft().filter(|own| speed != 0.0 && own.size() > 0) else {
                 continue;
-            }
+            };
             let once = shaft.roundness()?.generator;
             let twice = multiply(once.view(), once.view());
             let first = machine.first_unknown();
             let place = place.flexible.start - first..place.flexible.end - first;
-            bodies.push(Turned { place, turn, speed: turn / cycle.period, once, twice });
+            bodies.push(Turned { place, speed, once, twice });
         }
         Ok(InSpace { bodies })
     }
@@ -57,13 +54,14 @@ impl InSpace {
         InSpace { bodies: Vec::new() }
     }
 
-    /// The most whole turns of a body.
-    pub(super) fn turns(&self) -> usize {
-        self.bodies.iter().map(|own| (own.turn / TAU).abs().round() as usize).max().unwrap_or(0)
+    /// The most turns of a body in a time (s), to the nearest whole one.
+    pub(super) fn turns(&self, time: f64) -> usize {
+        let turned = self.bodies.iter().map(|own| (own.speed * time / TAU).abs().round() as usize);
+        turned.max().unwrap_or(0)
     }
 
-    /// q, q̇ and q̈ of z and its rates, in their places, at a share of the cycle.
-    pub(super) fn to_bodies(&self, [z, rate, acceleration]: [&mut [f64]; 3], share: f64) {
+    /// q, q̇ and q̈ of z and its rates, in their places, after a time (s).
+    pub(super) fn to_bodies(&self, [z, rate, acceleration]: [&mut [f64]; 3], time: f64) {
         for own in &self.bodies {
             let [z, rate, acceleration] =
                 [&mut *z, &mut *rate, &mut *acceleration].map(|all| &mut all[own.place.clone()]);
@@ -73,23 +71,23 @@ impl InSpace {
             add(acceleration, speed * speed, &own.twice, z);
             add(rate, -speed, &own.once, z);
             for all in [z, rate, acceleration] {
-                own.turn_by(-own.turn * share, all);
+                own.turn_by(-own.speed * time, all);
             }
         }
     }
 
-    /// z of q at a share of the cycle.
-    pub(super) fn positions(&self, q: &mut [f64], share: f64) {
+    /// z of q after a time (s).
+    pub(super) fn positions(&self, q: &mut [f64], time: f64) {
         for own in &self.bodies {
-            own.turn_by(own.turn * share, &mut q[own.place.clone()]);
+            own.turn_by(own.speed * time, &mut q[own.place.clone()]);
         }
     }
 
     /// What forces on q are on z: Eᵀ f with E = e^{−αS}.
-    pub(super) fn forces(&self, force: &mut [f64], share: f64) {
+    pub(super) fn forces(&self, force: &mut [f64], time: f64) {
         for own in &self.bodies {
             let force = &mut force[own.place.clone()];
-            let (sin, cos) = (-own.turn * share).sin_cos();
+            let (sin, cos) = (-own.speed * time).sin_cos();
             let [once, twice] = [&own.once, &own.twice].map(|own| own.apply_transpose(force));
             for (force, (once, twice)) in force.iter_mut().zip(once.iter().zip(&twice)) {
                 *force += sin * once + (1.0 - cos) * twice;
@@ -98,11 +96,11 @@ impl InSpace {
     }
 
     /// −∂r/∂q̈, −∂r/∂q̇ and −∂r/∂q as those by z̈, ż and z.
-    pub(super) fn tangents(&self, all: [Matrix; 3], share: f64) -> [Matrix; 3] {
+    pub(super) fn tangents(&self, all: [Matrix; 3], time: f64) -> [Matrix; 3] {
         let [mut mass, mut damping, mut stiffness] = all;
         for own in &self.bodies {
             let n = own.place.len();
-            let (sin, cos) = (-own.turn * share).sin_cos();
+            let (sin, cos) = (-own.speed * time).sin_cos();
             let turned = Matrix::from_fn(n, n, |i, j| {
                 let unit = f64::from(u8::from(i == j));
                 unit + sin * own.once[(i, j)] + (1.0 - cos) * own.twice[(i, j)]
