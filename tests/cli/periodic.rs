@@ -197,7 +197,7 @@ fn oil_whirl_has_a_period_of_its_own() {
         (1009.0641165576, 0.0158418320, [0.640012, 0.691919520], Some(0.96927814)),
         (1236.5981820558, 0.010188045685, [0.96455229, 0.96813862], None),
     ] {
-        let keys = "self_excited = true\nsteps = 240\nharmonics = 20\n";
+        let keys = "self_excited = true\nsteps = 480\nharmonics = 20\n";
         let (bench, motions) = motions(&film(speed, 0.0, keys));
         let motion = &motions[0];
         assert!((number(motion, "period_s") / period - 1.0).abs() < 1e-7, "{motion}");
@@ -206,7 +206,7 @@ fn oil_whirl_has_a_period_of_its_own() {
         let ratio: Vec<f64> = x.iter().zip(&y).map(|(x, y)| x.hypot(*y) / 100.0).collect();
         let [least, most] =
             [f64::min, f64::max].map(|own| ratio.iter().copied().fold(ratio[0], own));
-        // Between rows the extremes are (π/240)²/2 of what varies away at most.
+        // Between rows the extremes are (π/480)²/2 of what varies away at most.
         for (found, exact) in [least, most].into_iter().zip(eccentricity) {
             assert!(
                 (found - exact).abs() < 1e-4 * (eccentricity[1] - eccentricity[0]) + 1e-7,
@@ -218,10 +218,10 @@ fn oil_whirl_has_a_period_of_its_own() {
             ["modulus", "modulus_of_half_steps"].map(|own| column(&bench, file, own));
         let of = std::fs::read_to_string(bench.path("out/cycle.multipliers.csv")).expect("a table");
         let phase = of.lines().skip(1).position(|own| own.ends_with("phase")).expect("its phase");
-        assert!((own[phase] - 1.0).abs() < 1e-3, "{own:?}");
+        let extrapolated = |k: usize| (4.0 * finer[k] - own[k]) / 3.0;
+        assert!((extrapolated(phase) - 1.0).abs() < 1e-5, "{own:?} {finer:?}");
         if let Some(exact) = multipliers {
-            let other =
-                (0..own.len()).filter(|k| *k != phase).map(|k| (4.0 * finer[k] - own[k]) / 3.0);
+            let other = (0..own.len()).filter(|k| *k != phase).map(extrapolated);
             let largest = other.fold(0.0, f64::max);
             assert!((largest - exact).abs() < 1e-5, "{largest}");
         }
@@ -256,38 +256,51 @@ fn an_oscillator_of_van_der_pol_has_its_period() {
     let amplitude = 0.5 * (number(range, "max") - number(range, "min")) / 1e3;
     // Between 360 rows the maximum is seen to (π/360)²/2.
     assert!((amplitude / 2.008619860874837 - 1.0).abs() < 1e-4, "{amplitude}");
-    // μ = 8.597e-4 beside the phase and what y does.
-    let own = column(&bench, "cycle.multipliers.csv", "modulus");
-    assert!(own.iter().any(|own| (own - 1.0).abs() < 1e-4), "{own:?}");
+    // Beside the phase and what y does, e^{−cT/2} twice.
+    let [own, finer] = ["modulus", "modulus_of_half_steps"]
+        .map(|own| column(&bench, "cycle.multipliers.csv", own));
+    let exact = |k: usize| (4.0 * finer[k] - own[k]) / 3.0;
+    assert!((exact(0) - 1.0).abs() < 1e-6, "{own:?} {finer:?}");
+    assert!((exact(3) / 8.59695064e-4 - 1.0).abs() < 1e-4, "{own:?} {finer:?}");
+    let across = (-0.5 * 3.0 * number(&motion, "period_s")).exp();
+    assert!((exact(1) / across - 1.0).abs() < 1e-4, "{own:?} {across}");
     // Without a rotation the frequency must be told.
     let bench = Workbench::new().file("own.toml", law).file("case.toml", &case(""));
     let outcome = bench.whirl(&["analyse", "case.toml", "--out", "out"]);
     assert_eq!(outcome.status, 2, "{}", outcome.stderr);
-    assert!(outcome.stderr.contains("`near`"), "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("`near = "), "{}", outcome.stderr);
 }
 
 #[test]
 fn what_drives_a_machine_or_lets_it_die_has_no_motion_of_its_own() {
     let keys = "self_excited = true\nsteps = 120\n";
-    for (speed, unbalance, keys, words) in [
+    for (speed, unbalance, keys, status, words) in [
         (
             1009.0,
             0.1,
             keys,
+            2,
             ["the unbalance of rotor drives the machine", "leave out `self_excited`"],
         ),
-        (900.0, 0.0, keys, ["the motion dies out", ""]),
-        (900.0, 0.0, "near = \"80 Hz\"\n", ["of a motion that is `self_excited`", "leave it out"]),
+        (900.0, 0.0, keys, 1, ["the motion dies out", "beyond the threshold"]),
+        (
+            900.0,
+            0.0,
+            "near = \"80 Hz\"\n",
+            2,
+            ["of a motion that is `self_excited`", "leave it out"],
+        ),
         (
             900.0,
             0.0,
             "self_excited = true\nmethod = \"shooting\"\n",
+            2,
             ["found by their harmonics", "leave out `method`"],
         ),
     ] {
         let bench = Workbench::new().file("case.toml", &film(speed, unbalance, keys));
         let outcome = bench.whirl(&["analyse", "case.toml", "--out", "out"]);
-        assert_eq!(outcome.status, 2, "{}", outcome.stderr);
+        assert_eq!(outcome.status, status, "{}", outcome.stderr);
         assert!(
             words.iter().all(|own| outcome.stderr.contains(own)),
             "{words:?}: {}",

@@ -74,7 +74,7 @@ pub(super) fn found(
     }
     if motions.all.is_empty() {
         return Err(match motions.lost.pop() {
-            Some((_, reason)) => place::unfound(reason),
+            Some((_, reason)) => place::unfound(reason, analysis.periodic.self_excited),
             None => nothing(),
         });
     }

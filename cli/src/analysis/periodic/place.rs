@@ -116,9 +116,12 @@ pub(super) fn not_there(error: &Error) -> bool {
 }
 
 /// That there is no motion, and where else to look for it.
-pub(super) fn unfound(reason: String) -> Failure {
+pub(super) fn unfound(reason: String, self_excited: bool) -> Failure {
+    let own = "look for it beyond the threshold at which the machine begins to move by itself (`whirl stability`), in more `cycles`, or from \
+               another `begin`";
     let help = "look for it from another `begin`, after more `marched` cycles, with more `steps` or the other `method`; if the motion \
                 repeats after several periods, say so by `periods = 2`";
+    let help = if self_excited { own } else { help };
     Failure::Unfinished { reason, kept: None, help: Some(help.to_owned()) }
 }
 
@@ -126,7 +129,7 @@ pub(super) fn unfound(reason: String) -> Failure {
 pub(super) fn failed(case: &Case, error: Error) -> Failure {
     match error {
         Error::Periodic(PeriodicError::Interrupted { .. }) => nothing(),
-        error if not_there(&error) => unfound(error.to_string()),
+        error if not_there(&error) => unfound(error.to_string(), false),
         error => of(case, error),
     }
 }

@@ -39,6 +39,8 @@ use crate::machine::Machine;
 /// Harmonics beside those by which bodies turn, and instants for each: forces with corners fall as 1/k².
 const HARMONICS: usize = 20;
 const INSTANTS: usize = 8;
+/// Harmonics that are taken of a march between whose steps motions are read.
+const FEW: usize = 8;
 /// What twice as many harmonics may change of the motion so that they are enough, and how many are tried.
 const CHANGE: f64 = 1e-3;
 const MOST: usize = 200;
@@ -89,11 +91,13 @@ pub fn self_excited(
     let metric = Metric::new(&map, &x)?;
     let grown = own::grown(&mut map, (&metric, &space), options, &x, observe)?;
     let count = options.harmonics.unwrap_or(HARMONICS);
-    let from = grown.motion(count).ok_or(PeriodicError::NotBalanced { harmonics: count })?;
+    let few = count.min(FEW);
+    let from = grown.motion(few).ok_or(PeriodicError::NotBalanced { harmonics: few })?;
     let balance = Balance::new(machine, options.cycle, (map.speeds(), space));
     let reference = Some(grown.reference);
     let cycles = grown.cycles;
     let mut search = Search { balance, metric, map: &mut map, options, cycles, reference };
+    let from = search.with(&from, few, observe)?.motion;
     let (own, change) = search.enough(&from, count, observe)?;
     let cycle = Cycle { period: own.motion.period, ..options.cycle };
     let Search { balance, metric, .. } = search;
