@@ -197,8 +197,11 @@ fn oil_whirl_has_a_period_of_its_own() {
         (1009.0641165576, 0.0158418320, [0.640012, 0.691919520], Some(0.96927814)),
         (1236.5981820558, 0.010188045685, [0.96455229, 0.96813862], None),
     ] {
-        let keys = "self_excited = true\nsteps = 480\nharmonics = 20\n";
-        let (bench, motions) = motions(&film(speed, 0.0, keys));
+        // Near the wall forces have corners; where the film hardly gives way the side of the half film is that of `v_0`.
+        let harmonics = if eccentricity[0] < 0.9 { 20 } else { 80 };
+        let keys = format!("self_excited = true\nsteps = 480\nharmonics = {harmonics}\n");
+        let (bench, motions) =
+            motions(&film(speed, 0.0, &keys).replace("mu = ", "v_0 = \"1e-9 mm/s\", mu = "));
         let motion = &motions[0];
         assert!((number(motion, "period_s") / period - 1.0).abs() < 1e-7, "{motion}");
         assert_eq!(motion["stability"], "stable");
