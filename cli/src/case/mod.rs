@@ -134,7 +134,7 @@ impl Case {
                 "the coefficients of `{}` depend on the frequency, which a motion in time does not have",
                 joint.name.text()
             );
-            let help = "use it in linear analyses; for a run give the coefficients over the speed alone: `whirl coefficients` writes those at the frequency of the rotation";
+            let help = "use it in linear analyses; for a run give the coefficients over the speed alone: `whirl coefficients` writes those at the frequency of the rotation; `whirl.fit_law` in Python makes a law with states of such a table";
             let error = place.error_here(Code::BAD_VALUE, message).help(help);
             return Err(Failure::Input(error.into()));
         }

@@ -134,11 +134,8 @@ impl QualityMeter {
         let false_inertia = self.parts.all.iter().enumerate();
         let false_inertia =
             false_inertia.map(|(place, part)| (sums.in_space.error(place), part.moving()));
-        let (inertia_error, inertia_error_of) =
-            false_inertia.fold((0.0, None), |worst, (value, part)| match value <= worst.0 {
-                true => worst,
-                false => (value, Some(part)),
-            });
+        let (inertia_error, inertia_error_of) = false_inertia
+            .fold((0.0, None), |worst, (value, part)| worse(worst, (value, Some(part))));
         let bodies = parts().filter(|(_, part)| !part.turns());
         let farthest = bodies.max_by(|a, b| a.0.displacement.total_cmp(&b.0.displacement));
         let displacement = farthest.map_or(0.0, |(sums, _)| sums.displacement);
