@@ -36,9 +36,8 @@ use crate::history::History;
 use crate::linalg::Matrix;
 use crate::machine::Machine;
 
-/// Harmonics beside those by which bodies turn, and instants for each: forces with corners fall as 1/k².
+/// Harmonics beside those by which bodies turn.
 const HARMONICS: usize = 20;
-const INSTANTS: usize = 8;
 /// Harmonics that are taken of a march between whose steps motions are read.
 const FEW: usize = 8;
 /// What twice as many harmonics may change of the motion so that they are enough, and how many are tried.

@@ -4,8 +4,7 @@
 //! beside the equilibrium grows into the motion, if it is stable. Its last cycles give the period and the harmonics from which Newton's
 //! method begins.
 
-use super::INSTANTS;
-use super::series::Series;
+use super::series::{INSTANTS, Series};
 use super::solve::Motion;
 use crate::error::{Error, PeriodicError};
 use crate::linalg::Matrix;

@@ -7,6 +7,9 @@ use std::f64::consts::TAU;
 
 use crate::linalg::{Matrix, multiply};
 
+/// Instants for each harmonic: forces with corners fall as 1/k².
+pub(super) const INSTANTS: usize = 8;
+
 /// So many harmonics at so many equal instants of a cycle.
 #[derive(Debug, Clone)]
 pub(super) struct Series {

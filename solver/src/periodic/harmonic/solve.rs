@@ -7,10 +7,9 @@
 
 use std::ops::ControlFlow;
 
-use super::INSTANTS;
 use super::balance::{Balance, Derivative};
 use super::mean::Mean;
-use super::series::Series;
+use super::series::{INSTANTS, Series};
 use crate::error::{Error, PeriodicError};
 use crate::linalg::{Lu, Matrix};
 use crate::periodic::krylov::Krylov;
