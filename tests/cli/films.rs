@@ -147,6 +147,11 @@ fn shaped(table: &str) -> String {
 
 #[test]
 fn bores_with_lobes_carry_what_another_program_finds() {
+    let mut section = Section::new(
+        "Bores with lobes, from case files, on 144 × 13 nodes: where the journal stands under the load that another program gives there",
+        "Finite volumes of our own on 288 × 48 and 576 × 96 cells, extrapolated, pressures above zero, shear of a full film",
+        "cargo test -p whirl-cli --test cli -- bores_with_lobes_carry_what_another_program_finds",
+    );
     for (table, place, force) in LOBES {
         let joint = shaped(&format!("grid = [144, 13]\n{table}"));
         let text = rotor((50.0, &joint), force.map(|own| -own), "");
@@ -157,9 +162,11 @@ fn bores_with_lobes_carry_what_another_program_finds() {
         for (axis, exact) in ["X", "Y"].into_iter().zip(place) {
             let found = history.column(&format!("{axis}_b_um"))[0];
             // A thousandth of the clearance, by nodes 2.5° apart.
-            assert!((found - exact).abs() < 0.05, "{table}: {axis} {found} for {exact}");
+            let what = format!("{}: {axis} (µm)", table.replace('\n', ", ").replace('"', ""));
+            section.compare(&what, exact, found, (0.05 / exact).abs());
         }
     }
+    section.finish();
 }
 
 /// One lobe is a round bore of the clearance c/(1 − m) whose middle is c m/(1 − m) away: the same coefficients, the journal there.
