@@ -67,6 +67,7 @@ def draw(tried, curves, out):
     dots = right.scatter(stiffness, damping, c=np.log10(peaks), s=14)
     right.plot(stiffness, damping, linewidth=0.4)
     right.set(xscale="log", yscale="log", xlabel="stiffness (N/m)", ylabel="damping (N·s/m)")
+    right.xaxis.set_minor_formatter("")
     figure.colorbar(dots, label="log10 of the peak (µm)")
     out.mkdir(parents=True, exist_ok=True)
     figure.savefig(out / "optimisation.png", dpi=120)

@@ -119,8 +119,8 @@ def draw(values, results, found, out):
 
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    arguments.add_argument("--points", type=int, default=200, help="of the Latin hypercube")
-    arguments.add_argument("--power", type=int, default=6, help="2^POWER rows of the sequence")
+    arguments.add_argument("--points", type=int, default=100, help="of the Latin hypercube")
+    arguments.add_argument("--power", type=int, default=5, help="2^POWER rows of the sequence")
     arguments.add_argument("--seed", type=int, default=0)
     arguments.add_argument("--out", type=Path, default=Path("figures"))
     asked = arguments.parse_args()
