@@ -1,5 +1,6 @@
 """Sweeps: the same bits on threads, processes and a cluster."""
 
+import collections
 import concurrent.futures
 import csv
 import multiprocessing
@@ -125,6 +126,50 @@ def test_a_cluster_gives_the_same_bits_and_runs_the_points_of_a_lost_worker_agai
         data.drop_attrs(), there.to_xarray(columns=["x_left_um"]).drop_attrs()
     )
     assert bool(data.done.all())
+
+
+def test_a_study_survives_a_lost_worker_without_losing_or_repeating_a_point(tmp_path):
+    distributed = pytest.importorskip("distributed")
+    case = {"include": "annular-rub.toml", "march": {"duration": "0.2 s"}}
+    gaps = [f"{own:.4f} mm" for own in np.linspace(0.5, 1.0, 60)]
+    vary = {"stop.1.gap": gaps}
+    here = whirl.sweep(case, vary)
+    told = []
+
+    class Finished(distributed.SchedulerPlugin):
+        """Which points ran to their end, each as often as it did."""
+
+        def __init__(self):
+            self.points = []
+
+        def transition(self, key, start, finish, *_, **__):
+            if (start, finish) == ("processing", "memory") and key.startswith("whirl-point "):
+                self.points.append(int(key.split()[1]))
+
+    def lose(done, points, point):
+        told.append((done, point.number))
+        if done == 20:
+            os.kill(pids[0], signal.SIGKILL)
+
+    finished = Finished()
+    with (
+        distributed.LocalCluster(
+            n_workers=2, threads_per_worker=1, dashboard_address=None, local_directory=tmp_path
+        ) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        cluster.scheduler.add_plugin(finished)
+        pids = list(client.run(os.getpid).values())
+        there = whirl.sweep(case, vary, client=client, progress=lose)
+        assert pids[0] not in client.run(os.getpid).values()
+    assert all(own.error is None for own in there)
+    assert histories(there) == histories(here) and len(set(histories(there))) == 60
+    assert [done for done, _ in told] == list(range(1, 61))
+    assert sorted(number for _, number in told) == list(range(60))
+    # What the lost worker had finished is run again, once, and only where its results had not come.
+    ends = collections.Counter(finished.points)
+    assert set(ends) == set(range(60)) and max(ends.values()) <= 2
+    assert all(ends[number] == 1 for _, number in told[:20])
 
 
 def test_a_cluster_gives_the_table_of_the_command(command, tmp_path):

@@ -367,6 +367,8 @@ def _on_dask(points: Sequence[Point], client: Any, bodies: Bodies) -> _Outcomes:
                 outcome = None, str(error)
             except distributed.KilledWorker as error:
                 outcome = None, f"its workers were lost again and again: {error}"
+            # A result that is held here would be made again if its worker were lost.
+            del future
             yield number, outcome
     finally:
         client.cancel([*tasks, *reductions, *known], force=True)
