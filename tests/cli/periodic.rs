@@ -553,7 +553,7 @@ fn the_reference_machine_has_the_harmonics_of_another_program() {
             let name = format!("{column_of}{}_{unit}", place + 1);
             let own = column(&bench, "cycle.csv", &name);
             let most = own.into_iter().fold(0.0, |most: f64, own| most.max(own.abs()));
-            section.compare(&format!("largest |{name}|"), exact, most, tolerance);
+            section.compare(&format!("largest magnitude of {name}"), exact, most, tolerance);
         }
     }
     section.finish();
