@@ -299,7 +299,7 @@ fn states_of_laws_are_in_the_history_by_request() {
                   [parameters.k]\nvalue = 1e4\nunit = \"N/m\"\n[parameters.t]\nvalue = 0.01\nunit = \"s\"\n[rates]\ns = '(h - s)/t'\n\
                   [outputs.Q]\nunit = \"N\"\nvalue = '-k*(h - s/2)'\n";
     let of = "springs = 8\nradial_clearance = \"50 um\"\nstations = [\"0 mm\"]\n";
-    let bench = Workbench::new().file("own.toml", &spring).file("case.toml", &case("own.toml", of));
+    let bench = Workbench::new().file("own.toml", spring).file("case.toml", &case("own.toml", of));
     done(&bench, &["run", "case.toml", "--no-figures"]);
     let found = bench.history("results/case");
     let names: Vec<String> = (1..=8).map(|k| format!("s_own_{k}_um")).collect();

@@ -113,7 +113,9 @@ impl Grid {
     /// half widths (rad, m).
     pub(super) fn within(&self, angle: Range<f64>, z: Range<f64>) -> Vec<usize> {
         let mut found = Vec::new();
-        let [_, dz] = self.spacing();
+        // Nodes on its edges are in it, however these are rounded.
+        let [dx, dz] = self.spacing();
+        let rounding = 1e-9 * dx / self.radius;
         for j in 0..self.along {
             let here = self.z(j);
             if here < z.start - 1e-9 * dz || here > z.end + 1e-9 * dz {
@@ -121,8 +123,8 @@ impl Grid {
             }
             for i in 0..self.around {
                 // Seen from the beginning of the range, once around.
-                let turned = (self.angle(i) - angle.start).rem_euclid(TAU);
-                if turned <= angle.end - angle.start {
+                let turned = (self.angle(i) - angle.start + rounding).rem_euclid(TAU);
+                if turned <= angle.end - angle.start + 2.0 * rounding {
                     found.push(j * self.around + i);
                 }
             }

@@ -4,7 +4,6 @@
 //! What stands in space has a constant z, and joints between a body that turns and one that stands couple equal harmonics of both. With
 //! S³ = −S, e^{αS} = 1 + S sin α + S² (1 − cos α).
 
-use std::f64::consts::TAU;
 use std::ops::Range;
 
 use crate::error::Error;
@@ -52,12 +51,6 @@ impl InSpace {
     #[cfg(test)]
     pub(super) fn none() -> InSpace {
         InSpace { bodies: Vec::new() }
-    }
-
-    /// The most turns of a body in a time (s), to the nearest whole one.
-    pub(super) fn turns(&self, time: f64) -> usize {
-        let turned = self.bodies.iter().map(|own| (own.speed * time / TAU).abs().round() as usize);
-        turned.max().unwrap_or(0)
     }
 
     /// q, q̇ and q̈ of z and its rates, in their places, after a time (s).

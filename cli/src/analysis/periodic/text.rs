@@ -12,6 +12,8 @@ use crate::report::table;
 
 /// Steps that a contact needs so that multipliers are to be believed.
 const CONTACT: usize = 35;
+/// By what a march over a cycle may differ from its harmonics.
+const MARCHED: f64 = 0.02;
 /// What steps half as long may change.
 const CHANGE: f64 = 0.01;
 
@@ -292,6 +294,24 @@ pub(super) fn notes(motions: &Motions) -> Vec<String> {
                 at(*speed),
                 percent(error.force.max(error.displacement))
             ));
+        }
+        if let Some(own) = &periodic.harmonics {
+            let (most, what) = motion.fastest();
+            if own.count < most {
+                notes.push(format!(
+                    "{} harmonics{} leave out {what}, which is the harmonic {most}: take more `harmonics`",
+                    own.count,
+                    at(*speed)
+                ));
+            }
+            let apart = own.steps.force.max(own.steps.displacement);
+            if apart > MARCHED {
+                notes.push(format!(
+                    "a march over the cycle{} differs from its harmonics by {}: take more `steps`, or more `harmonics`",
+                    at(*speed),
+                    percent(apart)
+                ));
+            }
         }
         let change = periodic.harmonics.as_ref().and_then(|own| own.change);
         if let Some(error) = change.filter(|own| own.force.max(own.displacement) > CHANGE) {

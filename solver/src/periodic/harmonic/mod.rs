@@ -18,7 +18,7 @@ mod tests;
 use self::balance::Balance;
 use self::series::{Series, resized};
 use self::solve::{Equilibrating, Motion, Solved};
-use super::common::{driven, speeds};
+use super::common::{driven, repeating, speeds};
 use super::cycle::Cycle;
 use super::doubled::StepError;
 use super::in_space::InSpace;
@@ -36,7 +36,7 @@ use crate::history::History;
 use crate::linalg::Matrix;
 use crate::machine::Machine;
 
-/// Harmonics beside those by which bodies turn.
+/// Harmonics beyond the fastest of what repeats in a cycle.
 const HARMONICS: usize = 20;
 /// Harmonics that are taken of a march between whose steps motions are read.
 const FEW: usize = 8;
@@ -62,12 +62,21 @@ pub(super) fn balanced(
     let beginning = beginning(map, options, x, &space)?;
     let cycles = map.cycles() - before;
     let cycle = map.cycle();
-    let count = options.harmonics.unwrap_or(HARMONICS + space.turns(cycle.period));
+    let count = options.harmonics.unwrap_or(HARMONICS + fastest(map.machine(), cycle.period)?);
     let balance = Balance::new(map.machine(), cycle, (map.speeds(), space));
     let mut search = Search { balance, metric, map, options, cycles, reference: None };
     let from = Motion { coefficients: beginning, period: cycle.period };
     let (own, change) = search.enough(&from, count, observe)?;
     search.periodic(own, change)
+}
+
+/// How often the fastest of all loads and rotations repeats in a time (s).
+///
+/// # Errors
+/// As [`repeating`].
+fn fastest(machine: &Machine, time: f64) -> Result<usize, Error> {
+    let times = repeating(machine)?.into_iter().map(|own| (own.hertz * time).round() as usize);
+    Ok(times.max().unwrap_or(0))
 }
 
 /// Finds the motion that a machine has by itself from a state x. The cycle of the options is about as long as its period, in so many

@@ -50,9 +50,15 @@ pub(super) fn grown(
     let (n, cycle) = (map.unknowns(), map.cycle());
     let mut x = beside(x, n, std::f64::consts::TAU / cycle.period);
     let (mut largest, mut before, mut stood) = (0.0_f64, f64::INFINITY, 0);
+    let mut last: Option<Vec<[f64; 2]>> = None;
     for stretch in 1..=options.most_cycles {
         let samples = seen(map, space, &mut x)?;
-        let size = spread(&samples, |column| metric.weighed_positions(column));
+        // Over two stretches, which are a period or more, ranges do not hang on where in it they begin.
+        let own = ranges(&samples, |column| metric.weighed_positions(column));
+        let both = own.iter().zip(last.as_ref().unwrap_or(&own));
+        let wide = both.map(|(a, b)| (a[1].max(b[1]) - a[0].min(b[0])).powi(2));
+        let size = wide.sum::<f64>().sqrt();
+        last = Some(own);
         largest = largest.max(size);
         stood = if (size - before).abs() <= GROWN * size { stood + 1 } else { 0 };
         before = size;
@@ -98,15 +104,15 @@ fn seen(map: &mut CycleMap, space: &InSpace, x: &mut [f64]) -> Result<Matrix, Er
     Ok(samples)
 }
 
-/// √ of the mean square about the mean.
-fn spread(samples: &Matrix, of: impl Fn(&[f64]) -> Vec<f64>) -> f64 {
-    let columns: Vec<Vec<f64>> = (0..samples.cols).map(|j| of(samples.col(j))).collect();
-    let count = samples.cols as f64;
-    let square = |i: usize| {
-        let mean = columns.iter().map(|own| own[i]).sum::<f64>() / count;
-        columns.iter().map(|own| (own[i] - mean).powi(2)).sum::<f64>() / count
-    };
-    (0..samples.rows).map(square).sum::<f64>().sqrt()
+/// Least and largest value of what is made of each sample.
+fn ranges(samples: &Matrix, of: impl Fn(&[f64]) -> Vec<f64>) -> Vec<[f64; 2]> {
+    let mut all = vec![[f64::INFINITY, f64::NEG_INFINITY]; samples.rows];
+    for j in 0..samples.cols {
+        for ([least, most], own) in all.iter_mut().zip(of(samples.col(j))) {
+            (*least, *most) = (least.min(own), most.max(own));
+        }
+    }
+    all
 }
 
 /// Some stretches more, side by side.
