@@ -148,13 +148,9 @@ impl Case {
     }
 
     /// Name, unit and meaning of every column of the history.
-    fn columns(
-        &self,
-        py: Python<'_>,
-        bodies: &Bodies,
-    ) -> PyResult<Vec<(String, &'static str, String)>> {
+    fn columns(&self, py: Python<'_>, bodies: &Bodies) -> PyResult<Vec<(String, String, String)>> {
         let built = py.detach(|| self.machine(bodies)).map_err(|failure| raised(py, &failure))?.0;
-        let described = |Column { name, unit, meaning }| (name, unit, meaning);
+        let described = |Column { name, unit, meaning }| (name, unit.into_owned(), meaning);
         Ok(built.columns().into_iter().map(described).collect())
     }
 

@@ -16,7 +16,7 @@ use crate::errors::raised;
 pub(crate) struct Run {
     /// Rows × columns.
     values: Py<PyArray2<f64>>,
-    columns: Vec<(String, &'static str, String)>,
+    columns: Vec<(String, String, String)>,
     /// JSON.
     summary: String,
     /// state.bin, of a run that came to its end.
@@ -50,7 +50,8 @@ pub(crate) fn run(
     warnings.extend(found);
     let shape = [history.rows(), history.names().len()];
     let values = PyArray1::from_vec(py, history.into_values()).reshape(shape)?.unbind();
-    let columns = built.columns().into_iter().map(|own| (own.name, own.unit, own.meaning));
+    let columns =
+        built.columns().into_iter().map(|own| (own.name, own.unit.into_owned(), own.meaning));
     let state = state.map(|state| PyBytes::new(py, &state).unbind());
     Ok(Run { values, columns: columns.collect(), summary, state, reason, warnings, notes, error })
 }
