@@ -244,7 +244,7 @@ fn run(
         figures: !arguments.no_figures && output.is_some(),
     };
     let (mut done, mut interrupted) = (Vec::new(), false);
-    let mut unfinished: Option<Failure> = None;
+    let mut unfinished: Vec<Failure> = Vec::new();
     let mut refused = Diagnostics::new();
     for analysis in analyses {
         let name = &analysis.name;
@@ -258,11 +258,11 @@ fn run(
                 break;
             }
             // One that comes to nothing keeps no other from being done.
+            Err(error) if analyses.len() == 1 && analysis.table.is_none() => return Err(error),
             Err(error @ Failure::Unfinished { .. }) if !interruption.asked() => {
-                unfinished.get_or_insert(error);
+                unfinished.push(named(analysis, error));
                 continue;
             }
-            Err(error) if analyses.len() == 1 && analysis.table.is_none() => return Err(error),
             // Nor does one that cannot be done: its table is named.
             Err(error) => {
                 refused.append(located(analysis, error));
@@ -313,8 +313,22 @@ fn run(
             help: None,
         });
     }
+    // The last error is the command's own; those before it are written here.
+    let last = if refused.is_empty() { unfinished.pop() } else { None };
+    unfinished.iter().for_each(|own| streams::print_error(&own.report()));
     refused.into_result(())?;
-    unfinished.map_or(Ok(()), Err)
+    last.map_or(Ok(()), Err)
+}
+
+/// Why an analysis among others comes to nothing, with its name.
+fn named(analysis: &Analysis, error: Failure) -> Failure {
+    match error {
+        Failure::Unfinished { reason, kept, help } => {
+            let reason = format!("the analysis `{}` comes to nothing: {reason}", analysis.name);
+            Failure::Unfinished { reason, kept, help }
+        }
+        other => other,
+    }
 }
 
 /// Why an analysis among others cannot be done, with the place of its table.

@@ -6,7 +6,7 @@ use std::path::Path;
 use whirl_solver::cache::Cache;
 
 use crate::arguments::CheckArguments;
-use crate::case::{Case, Joint, JointKind, LawSource};
+use crate::case::{Case, CaseText, Joint, JointKind, LawSource};
 use crate::errors::Failure;
 use crate::explain;
 use crate::figures;
@@ -69,8 +69,12 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
     let drawn = drawn.transpose()?;
     let show = ProgressMode::on_terminal();
     let wanted = Wanted { contacts: arguments.contacts, laws: arguments.laws };
-    let text =
-        streams::warned(|warnings| of_case(&case, (cache.as_ref(), wanted), show, warnings))?;
+    // Branches read the case again, with other values.
+    let text = CaseText::find(name, None)?;
+    let said = |warnings: &mut Vec<String>| {
+        of_case((&case, Some(&text)), (cache.as_ref(), wanted), show, warnings)
+    };
+    let text = streams::warned(said)?;
     if let Some((figure, file)) = drawn {
         picture_file::write(figures::svg(&figure), file)?;
     }
@@ -82,7 +86,7 @@ pub(crate) fn check(arguments: &CheckArguments) -> Result<String, Failure> {
 /// # Errors
 /// Whatever keeps it from being marched.
 pub(crate) fn of_case(
-    case: &Case,
+    (case, read_from): (&Case, Option<&CaseText>),
     (cache, wanted): (Option<&Cache>, Wanted),
     show: ProgressMode,
     warnings: &mut Vec<String>,
@@ -126,7 +130,7 @@ pub(crate) fn of_case(
             contacts::say(&mut text, case, &plan, cache)?;
         }
     }
-    analyses::warn(case, &built, cache, warnings)?;
+    analyses::warn((case, read_from), &built, cache, warnings)?;
     laws::say(&mut text, &laws_of(case, &plan), wanted.laws);
     Ok(text)
 }

@@ -158,7 +158,7 @@ pub fn check_case(
     warnings: &mut Vec<String>,
 ) -> Result<String, Failure> {
     check::of_case(
-        case,
+        (case, None),
         (cache, check::Wanted::default()),
         progress::ProgressMode::Nothing,
         warnings,

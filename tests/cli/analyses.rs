@@ -264,6 +264,18 @@ fn thresholds_are_those_of_closed_forms() {
     assert!(said.contains("stable at all speeds of the range"), "{said}");
 }
 
+/// A drum that floats in its clearances whirls with the shaft in it, the slower the longer it takes to grow: no speed is told for that.
+#[test]
+fn motions_too_slow_to_be_told_begin_at_no_threshold() {
+    let workbench = Workbench::new();
+    let all = ["stability", "two-spool", "--speeds", "0 rpm .. 12000 rpm, 5", "--out", "out"];
+    let said = ran(&workbench, &all).stdout;
+    let note = "a motion of high that grows is too slow below 1.2";
+    assert!(said.contains(note) && said.contains("not known"), "{said}");
+    let speeds = numbers(&workbench, "out/stability.thresholds.csv", "speed_rpm");
+    assert!(matches!(speeds[..], [own] if (own / 11_296.5455 - 1.0).abs() < 1e-6), "{speeds:?}");
+}
+
 /// Films carry nothing at rest: that speed is left out of a range, and said.
 #[test]
 fn speeds_at_which_the_machine_does_not_stand_are_left_out() {

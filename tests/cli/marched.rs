@@ -4,6 +4,7 @@
 //! (4 x(h/2) − x(h))/3.
 
 mod exponents;
+mod monodromy;
 mod uneven;
 
 use std::f64::consts::TAU;
@@ -105,6 +106,7 @@ fn rings_as_its_modes(march: &March, newtons: f64, speed: &[&str], compared: &Co
         let own = extrapolated(found.each_ref().map(|all| nearest(all, value)));
         let apart = (own - value).norm() / value.norm();
         assert!(apart <= compared.tolerance, "mode {value}: marched {own}, {apart:e} apart");
+        assert_eq!(own.re > 0.0, value.re > 0.0, "mode {value} grows or not: marched {own}");
         count += 1;
     }
     assert_eq!(count, compared.count, "modes that were compared");
@@ -120,7 +122,7 @@ fn round_rotor(name: &str, rpm: f64, unbalances: &[&str], place: &str) -> String
     )
 }
 
-/// On both sides of its threshold, 6183 rpm, it decays or grows as its modes say.
+/// On both sides of its thresholds, 6183 and 10 783 rpm, it decays or grows as its modes say.
 #[test]
 fn a_rotor_in_films_rings_as_its_modes() {
     for rpm in [6000.0, 6121.0, 6245.0] {
@@ -130,6 +132,14 @@ fn a_rotor_in_films_rings_as_its_modes() {
         let march = March { case: &case, step: 5e-5, duration: 0.42, window };
         let compared = Compared { below: 60.0, planar: false, tolerance: 1e-6, count: 1 };
         rings_as_its_modes(&march, 0.2, &["--speed", &format!("{rpm} rpm")], &compared);
+    }
+    for rpm in [10_782.6 * 0.99, 10_782.6 * 1.01] {
+        let case = round_rotor("weight", rpm, &["disc"], "z = \"100 mm\"");
+        let columns = ["X_left_um", "Y_left_um", "X_right_um", "Y_right_um"];
+        let window = Window { columns: &columns, from: 0.01, every: 5e-4, count: 40 };
+        let march = March { case: &case, step: 1e-5, duration: 0.07, window };
+        let compared = Compared { below: 95.0, planar: false, tolerance: 1e-3, count: 2 };
+        rings_as_its_modes(&march, 1e-3, &["--speed", &format!("{rpm} rpm")], &compared);
     }
 }
 
@@ -150,15 +160,20 @@ fn flexible_rotors_ring_as_their_modes() {
     rings_as_its_modes(&march, 0.2, &["--speed", "6000 rpm"], &compared);
 }
 
-/// With floating rings, whose speeds are found; on both sides of both of its thresholds.
-#[test]
-fn a_turbocharger_rings_as_its_modes() {
+/// The built-in one, without what drives it and at a constant speed of 20000 rpm.
+fn quiet_turbocharger() -> String {
     let built_in = include_str!("../../specs/cases/turbocharger.toml");
     let (machine, _) = built_in.split_once("[march]").expect("a march");
     let kept = machine.lines().filter(|line| {
         !["unbalance", "acceleration", "initial_speed"].iter().any(|own| line.starts_with(own))
     });
-    let machine = kept.collect::<Vec<_>>().join("\n");
+    kept.collect::<Vec<_>>().join("\n")
+}
+
+/// With floating rings, whose speeds are found; on both sides of its thresholds.
+#[test]
+fn a_turbocharger_rings_as_its_modes() {
+    let machine = quiet_turbocharger();
     let columns = [
         "X_inner1_um",
         "Y_inner1_um",
@@ -189,6 +204,15 @@ fn a_turbocharger_rings_as_its_modes() {
     }
 }
 
+/// Beyond these another mode begins to grow, far more slowly than others do already.
+#[test]
+fn a_turbocharger_grows_as_its_modes() {
+    for (rpm, grows) in [(68_670.3 * 0.99, false), (68_670.3 * 1.01, true)] {
+        let case = quiet_turbocharger().replace("20000 rpm", &format!("{rpm} rpm"));
+        monodromy::grows_as_its_mode(&case, rpm, 111.2, grows);
+    }
+}
+
 /// Two shafts at two speeds, an intershaft bearing, a damper, a flexible casing.
 #[test]
 fn a_two_spool_rotor_rings_as_its_modes() {
@@ -214,6 +238,16 @@ fn a_two_spool_rotor_rings_as_its_modes() {
     let march = March { case: &case, step: 2e-5, duration: 0.06, window };
     let compared = Compared { below: 310.0, planar: false, tolerance: 1e-3, count: 4 };
     rings_as_its_modes(&march, 1e-3, &["--speed", "18000 rpm"], &compared);
+
+    // On both sides of the threshold of the low-pressure shaft, where the drum whirls faster and grows anyway.
+    for rpm in [11_296.5 * 0.99, 11_296.5 * 1.01] {
+        let case = case.replace("18000 rpm", &format!("{rpm} rpm"));
+        let case = case.replace("12000 rpm", &format!("{} rpm", rpm / 1.5));
+        let window = Window { columns: &columns, from: 0.004, every: 4e-4, count: 48 };
+        let march = March { case: &case, step: 4e-5, duration: 0.1, window };
+        let compared = Compared { below: 50.0, planar: false, tolerance: 1e-4, count: 2 };
+        rings_as_its_modes(&march, 1e-5, &["--speed", &format!("{rpm} rpm")], &compared);
+    }
 }
 
 /// Two shafts on gears between a motor and a fan, all of which turn freely and carry their couples: rotations and bending together.

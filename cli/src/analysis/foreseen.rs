@@ -4,7 +4,7 @@ use whirl_solver::cache::Cache;
 use whirl_solver::linear::LinearMachine;
 
 use super::{forces, lateral, periodic, response, speeds};
-use crate::case::{Analysis, AnalysisKind, Case};
+use crate::case::{Analysis, AnalysisKind, Case, CaseText};
 use crate::errors::Failure;
 
 /// Looks at the machine at the ends of the speeds of an analysis.
@@ -12,14 +12,14 @@ use crate::errors::Failure;
 /// # Errors
 /// Why the analysis cannot be done; that the machine does not stand at the ends.
 pub(crate) fn foreseen(
-    case: &Case,
+    (case, text): (&Case, Option<&CaseText>),
     linear: &LinearMachine,
     analysis: &Analysis,
     cache: Option<&Cache>,
 ) -> Result<(), Failure> {
     match analysis.kind {
         AnalysisKind::Lateral => return lateral::foreseen(case, analysis),
-        AnalysisKind::Periodic => return periodic::foreseen(case, analysis, cache),
+        AnalysisKind::Periodic => return periodic::foreseen((case, text), analysis, cache),
         AnalysisKind::Forces => forces::foreseen(case)?,
         AnalysisKind::Torsion => return speeds::wanted(case, linear, analysis).map(|_| ()),
         _ => {}

@@ -4,7 +4,7 @@ use whirl_solver::cache::Cache;
 use whirl_solver::linear::LinearMachine;
 
 use crate::analysis::foreseen;
-use crate::case::Case;
+use crate::case::{Case, CaseText};
 use crate::errors::Failure;
 use crate::machine::Built;
 
@@ -13,7 +13,7 @@ use crate::machine::Built;
 /// # Errors
 /// A machine that has no small motions at all.
 pub(super) fn warn(
-    case: &Case,
+    (case, text): (&Case, Option<&CaseText>),
     built: &Built,
     cache: Option<&Cache>,
     warnings: &mut Vec<String>,
@@ -23,7 +23,7 @@ pub(super) fn warn(
     }
     let linear = LinearMachine::new(built.machine.clone())?;
     for analysis in &case.analyses {
-        let Err(error) = foreseen(case, &linear, analysis, cache) else { continue };
+        let Err(error) = foreseen((case, text), &linear, analysis, cache) else { continue };
         let remedy = match &error {
             Failure::Argument { help, .. } => format!("; {help}"),
             _ => String::new(),

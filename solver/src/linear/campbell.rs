@@ -19,6 +19,8 @@ const FEW_HALVINGS: u32 = 3;
 
 /// Share by which two critical speeds may differ that are one.
 const SAME: f64 = 1e-6;
+/// Share of |λ| from which Re λ does not go through zero where a motion is first seen to grow.
+const APPEARS: f64 = 1e-3;
 
 /// A mode over the speeds; none where it is not among those that were listed.
 pub type Branch = Vec<Option<Mode>>;
@@ -47,6 +49,13 @@ pub struct Threshold {
     pub branch: Option<usize>,
     /// Whether it grows beyond.
     pub grows: bool,
+}
+
+impl Threshold {
+    /// Whether nothing changes its sign there: what grows is no longer told from a motion that nothing holds, as slow as it is.
+    fn is_of_sight(&self) -> bool {
+        self.mode.as_ref().is_some_and(|own| own.value.re > APPEARS * own.value.norm())
+    }
 }
 
 /// Modes over speeds.
@@ -106,6 +115,8 @@ impl LinearMachine {
         let is_uneven = points.iter().any(|own| own.is_uneven);
         let locks = followed.criticals(&branches, if is_uneven { &[1.0] } else { &[] })?;
         let thresholds = followed.thresholds(&branches, &locks)?;
+        let (of_sight, thresholds): (Vec<_>, Vec<_>) =
+            thresholds.into_iter().partition(|own| !is_uneven && own.is_of_sight());
         let unclear = followed.unclear;
         let listed =
             |own: &Vec<Option<usize>>| own.iter().flatten().any(|place| *place < range.count);
@@ -118,6 +129,7 @@ impl LinearMachine {
         let mut states = StateDoubts::default();
         points.iter().for_each(|own| states.take(self, own.speed, &own.at));
         let mut doubts = states.told(self, points.last().map(|own| (own.speed, &own.at)));
+        doubts.extend(of_sight.iter().filter_map(|own| self.too_slow(own)));
         if let Some(last) = points.last() {
             let count = range.count.min(last.modes.oscillating.len());
             let modes = &last.modes.oscillating[..count];
@@ -169,6 +181,21 @@ fn meeting(a: &Point, b: &Point, to: &[Option<usize>]) -> Option<f64> {
 struct Followed<'a> {
     roots: &'a Roots<'a>,
     unclear: Vec<usize>,
+}
+
+impl LinearMachine {
+    /// What is to be said of a speed at which a motion that grows is lost from sight.
+    fn too_slow(&self, lost: &Threshold) -> Option<Doubt> {
+        let mode = lost.mode.as_ref()?;
+        let bodies = self.machine.bodies.iter().zip(&mode.shares);
+        let (body, _) = bodies.max_by(|a, b| a.1.total_cmp(b.1))?;
+        Some(Doubt::TooSlow {
+            body: body.name().to_owned(),
+            speed: lost.speed,
+            below: lost.grows,
+            hertz: mode.hertz(),
+        })
+    }
 }
 
 impl Followed<'_> {

@@ -108,6 +108,17 @@ pub enum Doubt {
         /// Their names, with how they move.
         bodies: Vec<String>,
     },
+    /// A motion that grows, beyond a speed so slowly that it is not told from one that nothing holds.
+    TooSlow {
+        /// The body that moves most.
+        body: String,
+        /// That speed (rad/s), and whether it is the slower speeds that are beyond it.
+        speed: f64,
+        /// See `speed`.
+        below: bool,
+        /// The frequency there (Hz).
+        hertz: f64,
+    },
     /// Equations that vary with angles though all bodies are round: joints that are not.
     Varies {
         /// The largest share of an entry.
@@ -213,6 +224,13 @@ impl fmt::Display for Doubt {
                 f,
                 "nothing holds {} where the machine stands: such motions have no frequency and are not listed. A journal floats in its clearance without a load, and a film carries only at speed: add a load, such as the weight, or what holds it",
                 bodies.join(", ")
+            ),
+            Doubt::TooSlow { body, speed, below, hertz: own } => write!(
+                f,
+                "a motion of {body} that grows is too slow {} {} rpm ({} Hz there) to be told from one that nothing holds: whether it grows there as well is not known",
+                if *below { "below" } else { "above" },
+                rounded(speed * 60.0 / TAU, 4),
+                hertz(*own)
             ),
             Doubt::Varies { share } => write!(
                 f,

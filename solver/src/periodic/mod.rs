@@ -37,7 +37,7 @@ pub use doubled::StepError;
 pub use events::{BranchEvent, EventKind};
 pub use family::At;
 pub use found::{periodic, periodic_from};
-pub use harmonic::self_excited;
+pub use harmonic::{self_excited, undriven};
 pub use map::CycleMap;
 pub use motion::{Harmonics, Periodic};
 pub use multipliers::{Multiplier, MultiplierKind, Stability};

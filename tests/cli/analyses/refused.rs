@@ -129,6 +129,31 @@ fn what_the_other_analyses_come_to_is_kept() {
     assert!(!bench.path("out/along.csv").exists());
 }
 
+/// What comes to nothing is named as well, each of them, beside those that cannot be done.
+#[test]
+fn every_analysis_that_comes_to_nothing_is_named() {
+    let whirls = |name: &str| {
+        format!(
+            "[analysis.{name}]\nkind = \"periodic\"\nself_excited = true\nnear = \"40 Hz\"\nsteps = 60\n"
+        )
+    };
+    let [first, second] = ["first", "second"].map(whirls);
+    let rotor = ROTOR.replace("TABLE", STIFFNESS);
+    let along = "[analysis.along]\nkind = \"forces\"\nspeeds = \"3000 rpm\"\n";
+    for (case, status) in
+        [(format!("{rotor}{first}{second}"), 1), (format!("{rotor}{first}{along}{second}"), 2)]
+    {
+        let bench = Workbench::new().file("case.toml", &case);
+        let outcome = bench.whirl(&["analyse", "case.toml", "--out", "out"]);
+        assert_eq!(outcome.status, status, "{}", outcome.stderr);
+        for name in ["first", "second"] {
+            let named = format!("the analysis `{name}` comes to nothing");
+            assert!(outcome.stderr.contains(&named), "{}", outcome.stderr);
+        }
+        assert_eq!(outcome.stderr.contains("`along` cannot be done"), status == 2);
+    }
+}
+
 /// An analysis of a table is named where it cannot be done, also where it is the only one; `whirl check` says so before.
 #[test]
 fn an_analysis_that_cannot_be_done_is_named_and_foreseen() {

@@ -246,6 +246,9 @@ fn what_drives_a_machine_or_lets_it_die_has_no_motion_of_its_own() {
             "{words:?}: {}",
             outcome.stderr
         );
+        // What acts on the machine is seen before a search.
+        let said = bench.whirl(&["check", "case.toml"]);
+        assert_eq!(said.stderr.contains(words[0]), status == 2, "{}", said.stderr);
     }
 }
 

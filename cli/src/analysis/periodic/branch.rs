@@ -37,6 +37,36 @@ struct Followed<'a> {
     columns: Vec<String>,
 }
 
+/// The case with a value of the key, and its machine.
+fn read(
+    (text, varying): (&CaseText, &Varying),
+    value: f64,
+    cache: Option<&Cache>,
+) -> Result<(Case, machine::Built), Failure> {
+    let own = text.with_more_values([(varying.key.as_str(), varying.literal(value))].into_iter());
+    let mut own = machine::read_text_to_analyse(&own, &mut Vec::new())?;
+    own.fields = None;
+    let built = machine::build_planned(&own, cache, &mut Vec::new())?;
+    Ok((own, built))
+}
+
+/// What keeps a branch from being followed, as far as its ends show that.
+///
+/// # Errors
+/// The key, or what it leads to, is wrong; what does not repeat there.
+pub(super) fn foreseen(
+    (case, text): (&Case, &CaseText),
+    (analysis, varying): (&Analysis, &Varying),
+    cache: Option<&Cache>,
+) -> Result<(), Failure> {
+    for value in varying.ends {
+        let (own, built) = read((text, varying), value, cache)?;
+        let sought = Sought { case: &own, analysis, built: &built, speed: None };
+        sought.foreseen().map_err(|error| place::of(case, error))?;
+    }
+    Ok(())
+}
+
 /// The branch from the motion at the first value on.
 ///
 /// # Errors
@@ -48,14 +78,7 @@ pub(super) fn found(
     interruption: &Interruption,
     figures: bool,
 ) -> Result<Found, Failure> {
-    let read = |value: f64| -> Result<(Case, machine::Built), Failure> {
-        let own =
-            text.with_more_values([(varying.key.as_str(), varying.literal(value))].into_iter());
-        let mut own = machine::read_text_to_analyse(&own, &mut Vec::new())?;
-        own.fields = None;
-        let built = machine::build_planned(&own, cache, &mut Vec::new())?;
-        Ok((own, built))
-    };
+    let read = |value: f64| read((text, varying), value, cache);
     let [from, to] = varying.ends;
     let (first, built) = read(from)?;
     let of = |case: &Case, error: Error| place::of(case, error);

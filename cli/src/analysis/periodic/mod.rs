@@ -92,23 +92,21 @@ pub(super) fn found(
 /// # Errors
 /// As [`found`] before its search.
 pub(super) fn foreseen(
-    case: &Case,
+    (case, text): (&Case, Option<&CaseText>),
     analysis: &Analysis,
     cache: Option<&Cache>,
 ) -> Result<(), Failure> {
     place::without_jumps(case)?;
-    if analysis.periodic.vary.is_some() {
-        return Ok(());
+    if let Some(varying) = &analysis.periodic.vary {
+        return text
+            .map_or(Ok(()), |text| branch::foreseen((case, text), (analysis, varying), cache));
     }
     let of = turned::of(case, analysis)?;
     let speed = analysis.speeds.first().copied();
     let own = turned::at(case, analysis, of.zip(speed));
     let built = machine::build_planned(&own, cache, &mut Vec::new())?;
     let sought = Sought { case: &own, analysis, built: &built, speed };
-    if analysis.periodic.self_excited {
-        return Ok(());
-    }
-    sought.cycle(None).map(|_| ()).map_err(|error| place::of(case, error))
+    sought.foreseen().map_err(|error| place::of(case, error))
 }
 
 /// What of the march of a case is not that of its periodic motions.

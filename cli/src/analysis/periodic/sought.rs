@@ -7,7 +7,7 @@ use whirl_solver::dynamics::{BodyStart, equilibrium};
 use whirl_solver::error::PeriodicError;
 use whirl_solver::periodic::{
     Cycle, CycleMap, CycleProgress, Periodic, PeriodicOptions, Repeating, common_period,
-    periodic_from, repeating, self_excited, start,
+    periodic_from, repeating, self_excited, start, undriven,
 };
 
 use super::motions::Motion;
@@ -67,12 +67,7 @@ impl Sought<'_> {
             true => ControlFlow::Break(()),
             false => ControlFlow::Continue(()),
         };
-        let keys = &self.analysis.periodic;
-        let fastest = repeating(&self.built.machine)
-            .map_or(0.0, |all| all.iter().map(|own| own.hertz).fold(0.0, f64::max));
-        let near = keys.near.or((fastest > 0.0).then_some(0.5 * fastest));
-        let period = 1.0 / near.ok_or(PeriodicError::NoFrequency)?;
-        let cycle = Cycle { start: 0.0, period, steps: keys.steps.unwrap_or(STEPS) };
+        let cycle = self.own_cycle()?;
         let start = self.beginning(cycle)?;
         let machine = &self.built.machine;
         let periodic = self_excited(machine, &self.options(cycle), &start, &mut observe)?;
@@ -80,6 +75,30 @@ impl Sought<'_> {
         let mut all = vec![Repeating { hertz, what: "the motion itself".to_owned() }];
         all.extend(repeating(machine).unwrap_or_default());
         Ok(self.motion(all, periodic))
+    }
+
+    /// About how long a period of its own is.
+    fn own_cycle(&self) -> Result<Cycle, Error> {
+        let keys = &self.analysis.periodic;
+        let fastest = repeating(&self.built.machine)
+            .map_or(0.0, |all| all.iter().map(|own| own.hertz).fold(0.0, f64::max));
+        let near = keys.near.or((fastest > 0.0).then_some(0.5 * fastest));
+        let period = 1.0 / near.ok_or(PeriodicError::NoFrequency)?;
+        Ok(Cycle { start: 0.0, period, steps: keys.steps.unwrap_or(STEPS) })
+    }
+
+    /// What keeps the search from beginning.
+    ///
+    /// # Errors
+    /// What does not repeat, or drives a machine that is to move by itself; a law that no cycle goes over.
+    pub(super) fn foreseen(&self) -> Result<(), Error> {
+        let machine = &self.built.machine;
+        if self.analysis.periodic.self_excited {
+            let options = self.options(self.own_cycle()?);
+            return undriven(machine, &options).map(|_| ());
+        }
+        let (_, cycle) = self.cycle(None)?;
+        CycleMap::new(machine, cycle, self.options(cycle).newton).map(|_| ())
     }
 
     fn motion(&self, repeating: Vec<Repeating>, periodic: Periodic) -> Motion {

@@ -79,6 +79,20 @@ fn fastest(machine: &Machine, time: f64) -> Result<usize, Error> {
     Ok(times.max().unwrap_or(0))
 }
 
+/// What marches a machine on which nothing acts that changes.
+///
+/// # Errors
+/// Something does; a speed that is not known; a mass matrix that cannot be inverted.
+pub fn undriven<'m>(
+    machine: &'m Machine,
+    options: &PeriodicOptions,
+) -> Result<CycleMap<'m>, Error> {
+    match driven(machine)? {
+        Some(what) => Err(PeriodicError::Driven { what }.into()),
+        None => CycleMap::free(machine, options.cycle, options.newton),
+    }
+}
+
 /// Finds the motion that a machine has by itself from a state x. The cycle of the options is about as long as its period, in so many
 /// steps.
 ///
@@ -90,11 +104,8 @@ pub fn self_excited(
     start: &[BodyStart],
     observe: Observe,
 ) -> Result<Periodic, Error> {
-    if let Some(what) = driven(machine)? {
-        return Err(PeriodicError::Driven { what }.into());
-    }
+    let mut map = undriven(machine, options)?;
     let space = InSpace::new(machine, &speeds(machine)?)?;
-    let mut map = CycleMap::free(machine, options.cycle, options.newton)?;
     let x = map.beginning(start);
     let metric = Metric::new(&map, &x)?;
     let grown = own::grown(&mut map, (&metric, &space), options, &x, observe)?;
