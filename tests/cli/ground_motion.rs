@@ -3,6 +3,7 @@
 use std::fs;
 
 use crate::analyses::{numbers, ran};
+use crate::lost_work;
 use crate::workbench::Workbench;
 
 /// Standard gravity (m/s²).
@@ -223,6 +224,42 @@ fn points_of_a_sweep_have_their_ground() {
         text.contains("ground motion by table `record.csv`: up to 1.961 m/s² along x"),
         "{text}"
     );
+}
+
+/// A run that is killed within a record goes on to the bytes of one that never was.
+#[test]
+fn a_killed_run_on_shaken_ground_is_resumed() {
+    let mut record = "time [s], x [g]\n".to_owned();
+    for row in 0..400 {
+        let time = 3.7e-3 * f64::from(row);
+        record += &format!("{time}, {}\n", 0.3 * (17.0 * time).sin() * (41.0 * time).cos());
+    }
+    let case =
+        lost_work::case(lost_work::MANY, "").replacen("[[stop]]", &format!("{SHAKEN}[[stop]]"), 1);
+    let bench = Workbench::new().file("case.toml", &case).file("record.csv", &record);
+    lost_work::begin_and_kill(&bench);
+    lost_work::resumes(&bench);
+}
+
+/// A record ends: no cycle goes on after it.
+#[test]
+fn a_record_has_no_periodic_motion() {
+    let analyses = "[analysis.cycle]\nkind = \"periodic\"\n\
+                    [analysis.own]\nkind = \"periodic\"\nself_excited = true\nnear = \"20 Hz\"\n";
+    let bench = Workbench::new()
+        .file("case.toml", &format!("{}{analyses}", rotor(SHAKEN)))
+        .file("record.csv", "time [s], x [g]\n0, 0\n0.05, 0.2\n0.1, 0\n");
+    for (command, status) in [("analyse", 2), ("check", 0)] {
+        let outcome = bench.whirl(&[command, "case.toml"]);
+        assert_eq!(outcome.status, status, "{}", outcome.stderr);
+        for words in [
+            "the analysis `cycle` cannot be done: the motion of the ground goes by a table over time",
+            "leave out `[ground_motion]`",
+            "the analysis `own` cannot be done: the motion of the ground drives the machine",
+        ] {
+            assert!(outcome.stderr.contains(words), "{command}: {words}: {}", outcome.stderr);
+        }
+    }
 }
 
 #[test]

@@ -73,6 +73,16 @@ pub enum PeriodicError {
         /// How many.
         harmonics: usize,
     },
+    /// Fewer harmonics than something that repeats in the cycle has.
+    #[error("{harmonics} harmonics leave out {what}, which repeats {times} times in the cycle")]
+    LeftOut {
+        /// How many there are.
+        harmonics: usize,
+        /// What it is, in words.
+        what: String,
+        /// How often it repeats.
+        times: usize,
+    },
     /// A load that is another one after the cycle.
     #[error("{load} does not repeat after the cycle of {period} s")]
     NotRepeated {

@@ -16,6 +16,9 @@ const MISSED: f64 = 1e-9;
 /// Distance of a centre of mass from the axis that is rounding (m).
 const BALANCED: f64 = 1e-12;
 
+/// What the motion of the ground is called.
+pub const GROUND_MOTION: &str = "the motion of the ground";
+
 /// Something that repeats.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Repeating {
@@ -38,7 +41,7 @@ pub fn repeating(machine: &Machine) -> Result<Vec<Repeating>, Error> {
         }
     };
     for load in &machine.loads {
-        let not_repeated = || PeriodicError::OneOff { load: load.name.clone() };
+        let not_repeated = || PeriodicError::OneOff { load: called(load).to_owned() };
         match &load.time_function {
             TimeFunction::Sine { frequency, .. } => add(frequency.abs(), load.name.clone()),
             TimeFunction::OverTime(curve) => {
@@ -60,6 +63,11 @@ pub fn repeating(machine: &Machine) -> Result<Vec<Repeating>, Error> {
     Ok(all)
 }
 
+/// What a load is called. Of those that no table of loads describes only the motion of the ground varies.
+fn called(load: &Load) -> &str {
+    if load.name.is_empty() { GROUND_MOTION } else { &load.name }
+}
+
 /// What of all that a machine is told changes in space though speeds are constant, in words: a load that varies or turns, an unbalance,
 /// a body that is not round.
 ///
@@ -73,12 +81,12 @@ pub(super) fn driven(machine: &Machine) -> Result<Option<String>, Error> {
     let load =
         machine.loads.iter().find(|load| load.action.amplitude() != [0.0; 3] && varies(load));
     if let Some(load) = load {
-        let name = if load.name.is_empty() { "a load" } else { &load.name };
-        return Ok(Some(name.to_owned()));
+        return Ok(Some(called(load).to_owned()));
     }
     let speeds = speeds(machine)?;
-    for (body, speed) in machine.bodies.iter().zip(speeds) {
-        let Some(shaft) = body.shaft().filter(|_| speed != 0.0) else { continue };
+    for (number, (body, speed)) in machine.bodies.iter().zip(speeds).enumerate() {
+        let turns = speed != 0.0 && !machine.spins(number);
+        let Some(shaft) = body.shaft().filter(|_| turns) else { continue };
         let roundness = shaft.roundness()?;
         if !roundness.is_round_at(0.0) {
             return Ok(Some(format!("{}, which is not round,", body.name())));

@@ -34,10 +34,13 @@ impl InSpace {
     /// A mass that is not positive definite.
     pub(super) fn new(machine: &Machine, speeds: &[f64]) -> Result<InSpace, Error> {
         let mut bodies = Vec::new();
-        for ((body, place), &speed) in machine.bodies.iter().zip(machine.places()).zip(speeds) {
-            let Some(shaft) = body.shaft().filter(|own| speed != 0.0 && own.size() > 0) else {
+        for (number, (body, &speed)) in machine.bodies.iter().zip(speeds).enumerate() {
+            // A frame that stands still is that of space.
+            let turns = speed != 0.0 && !machine.spins(number);
+            let Some(shaft) = body.shaft().filter(|own| turns && own.size() > 0) else {
                 continue;
             };
+            let place = &machine.places()[number];
             let once = shaft.roundness()?.generator;
             let twice = multiply(once.view(), once.view());
             let first = machine.first_unknown();

@@ -31,13 +31,13 @@ mod solve;
 mod weighed;
 
 pub use branch::{Branch, BranchEnd, BranchOptions, branch};
-pub use common::{Repeating, common_period, repeating, start};
+pub use common::{GROUND_MOTION, Repeating, common_period, repeating, start};
 pub use cycle::Cycle;
 pub use doubled::StepError;
 pub use events::{BranchEvent, EventKind};
 pub use family::At;
 pub use found::{periodic, periodic_from};
-pub use harmonic::{self_excited, undriven};
+pub use harmonic::{least_harmonics, self_excited, undriven};
 pub use map::CycleMap;
 pub use motion::{Harmonics, Periodic};
 pub use multipliers::{Multiplier, MultiplierKind, Stability};

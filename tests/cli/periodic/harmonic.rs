@@ -65,7 +65,7 @@ fn the_march_of_a_film_approaches_its_harmonics() {
 }
 
 /// A load 45 times a turn on a mass m between springs and dampers: F/|k − mω² + icω| at 45 times the speed. Fewer harmonics leave it
-/// out, which is noted.
+/// out and are refused.
 #[test]
 fn harmonics_reach_up_to_the_loads() {
     let case = |keys: &str| {
@@ -89,9 +89,27 @@ fn harmonics_reach_up_to_the_loads() {
     // 80 rows a period of the load see its peak to (π/80)²/2.
     assert!((amplitude(&bench) / exact - 1.0).abs() < 1e-3, "{} {exact}", amplitude(&bench));
     let bench = Workbench::new().file("case.toml", &case("harmonics = 20\n"));
-    let said = analysed(&bench).stdout;
-    assert!(said.contains("20 harmonics leave out load.ripple"), "{said}");
-    assert!(said.contains("differs from its harmonics by"), "{said}");
+    for command in ["analyse", "check"] {
+        let said = bench.whirl(&[command, "case.toml"]);
+        assert_eq!(said.status, if command == "check" { 0 } else { 2 }, "{}", said.stderr);
+        for words in ["20 harmonics leave out load.ripple", "45 times", "`harmonics = 45`"] {
+            assert!(said.stderr.contains(words), "{command}, {words}: {}", said.stderr);
+        }
+    }
+}
+
+/// One harmonic is all that a mass with an unbalance on linear springs has: e r²/|1 − r² + 2iζr|, r = ω/ω_n.
+#[test]
+fn one_harmonic_is_enough_for_a_linear_mass() {
+    let case = "title = \"linear\"\n[mass]\nmass = \"1 kg\"\nstiffness = \"1e4 N/m\"\ndamping = \"20 N*s/m\"\n\
+                [mass.unbalance]\neccentricity = \"0.1 mm\"\nspeed = \"50 rad/s\"\n\
+                [output.mass]\nquantity = \"displacement\"\nbody = \"mass\"\n\
+                [analysis.cycle]\nkind = \"periodic\"\nmethod = \"harmonic\"\nharmonics = 1\nsteps = 400\n";
+    let (bench, found) = motions(case);
+    assert_eq!(found[0]["harmonics"]["count"], 1);
+    let most = column(&bench, "cycle.csv", "x_mass_um").into_iter().fold(0.0, f64::max);
+    let exact = 100.0 * 0.25 / f64::hypot(1.0 - 0.25, 2.0 * 0.1 * 0.5);
+    assert!((most / exact - 1.0).abs() < 1e-4, "{most} {exact}");
 }
 
 #[test]

@@ -18,16 +18,6 @@ pub(super) struct Motion {
     pub(super) columns: Vec<String>,
 }
 
-impl Motion {
-    /// How often the fastest of what repeats does so in a cycle, and what it is.
-    pub(super) fn fastest(&self) -> (usize, &str) {
-        let times = self.repeating.iter().map(|own| {
-            ((own.hertz * self.periodic.cycle.period).round() as usize, own.what.as_str())
-        });
-        times.max_by_key(|own| own.0).unwrap_or((0, ""))
-    }
-}
-
 /// The motions of a case, and those that were not found.
 pub(super) struct Motions<'a> {
     pub(super) case: &'a Case,

@@ -3,6 +3,7 @@
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::Error;
 use whirl_solver::error::PeriodicError;
+use whirl_solver::periodic::GROUND_MOTION;
 
 use crate::analysis::found::nothing;
 use crate::case::Case;
@@ -33,6 +34,10 @@ pub(super) fn of(case: &Case, error: Error) -> Failure {
                         `periods`";
             at(body_called(case, body), help)
         }
+        PeriodicError::OneOff { load } if load == GROUND_MOTION => {
+            let help = "a record of the ground ends: march it (`whirl run`), or leave out `[ground_motion]`";
+            at(None, help)
+        }
         PeriodicError::OneOff { load } => {
             let help = "give the load a `period`, after which its table begins anew, or take it out of the case";
             at(load_called(case, load), help)
@@ -54,10 +59,16 @@ pub(super) fn of(case: &Case, error: Error) -> Failure {
         PeriodicError::NoFrequency => {
             at(None, "say about which frequency the motion has: `near = \"24 Hz\"`")
         }
+        PeriodicError::LeftOut { times, .. } => {
+            let help = format!(
+                "give at least `harmonics = {times}`, or leave it out: as many as are enough are taken then"
+            );
+            at(None, &help)
+        }
         PeriodicError::NothingRepeats => at(None, "give a body a speed, or a load a frequency"),
         PeriodicError::Driven { .. } => at(
             None,
-            "leave out `self_excited`, or take out of the case what turns or varies: unbalance, run-out, loads",
+            "leave out `self_excited`, or take out of the case what turns or varies: unbalance, run-out, loads, motion of the ground",
         ),
         PeriodicError::DiesOut
         | PeriodicError::NotFound { .. }

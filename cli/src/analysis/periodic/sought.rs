@@ -7,7 +7,7 @@ use whirl_solver::dynamics::{BodyStart, equilibrium};
 use whirl_solver::error::PeriodicError;
 use whirl_solver::periodic::{
     Cycle, CycleMap, CycleProgress, Periodic, PeriodicOptions, Repeating, common_period,
-    periodic_from, repeating, self_excited, start, undriven,
+    least_harmonics, periodic_from, repeating, self_excited, start, undriven,
 };
 
 use super::motions::Motion;
@@ -98,6 +98,7 @@ impl Sought<'_> {
             return undriven(machine, &options).map(|_| ());
         }
         let (_, cycle) = self.cycle(None)?;
+        least_harmonics(machine, cycle.period, self.analysis.periodic.harmonics)?;
         CycleMap::new(machine, cycle, self.options(cycle).newton).map(|_| ())
     }
 

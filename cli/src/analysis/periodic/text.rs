@@ -98,8 +98,13 @@ fn alone(motions: &Motions, motion: &Motion) -> String {
         ),
         Some(own) => writeln!(
             text,
-            "{} harmonics balanced at {} instants, in {} corrections after {} cycles: the last changed it by {:.1e} of itself",
-            own.count, own.instants, own.corrections, periodic.cycles, periodic.miss
+            "{} harmonic{} balanced at {} instants, in {} corrections after {} cycles: the last changed it by {:.1e} of itself",
+            own.count,
+            if own.count == 1 { "" } else { "s" },
+            own.instants,
+            own.corrections,
+            periodic.cycles,
+            periodic.miss
         ),
     };
     let _ = writeln!(text, "\n{}", ranges(motions, motion));
@@ -296,14 +301,6 @@ pub(super) fn notes(motions: &Motions) -> Vec<String> {
             ));
         }
         if let Some(own) = &periodic.harmonics {
-            let (most, what) = motion.fastest();
-            if own.count < most {
-                notes.push(format!(
-                    "{} harmonics{} leave out {what}, which is the harmonic {most}: take more `harmonics`",
-                    own.count,
-                    at(*speed)
-                ));
-            }
             let apart = own.steps.force.max(own.steps.displacement);
             if apart > MARCHED {
                 notes.push(format!(

@@ -18,7 +18,7 @@ mod tests;
 use self::balance::Balance;
 use self::series::{Series, resized};
 use self::solve::{Equilibrating, Motion, Solved};
-use super::common::{driven, repeating, speeds};
+use super::common::{Repeating, driven, repeating, speeds};
 use super::cycle::Cycle;
 use super::doubled::StepError;
 use super::in_space::InSpace;
@@ -57,12 +57,13 @@ pub(super) fn balanced(
     observe: Observe,
 ) -> Result<Periodic, Error> {
     let before = map.cycles();
+    let least = least_harmonics(map.machine(), map.cycle().period, options.harmonics)?;
+    let count = options.harmonics.unwrap_or(HARMONICS + least);
     let metric = Metric::new(map, x)?;
     let space = InSpace::new(map.machine(), &speeds(map.machine())?)?;
     let beginning = beginning(map, options, x, &space)?;
     let cycles = map.cycles() - before;
     let cycle = map.cycle();
-    let count = options.harmonics.unwrap_or(HARMONICS + fastest(map.machine(), cycle.period)?);
     let balance = Balance::new(map.machine(), cycle, (map.speeds(), space));
     let mut search = Search { balance, metric, map, options, cycles, reference: None };
     let from = Motion { coefficients: beginning, period: cycle.period };
@@ -70,13 +71,20 @@ pub(super) fn balanced(
     search.periodic(own, change)
 }
 
-/// How often the fastest of all loads and rotations repeats in a time (s).
+/// How many harmonics a motion over a time (s) has at least: as often as the fastest of all loads and rotations repeats in it, or as
+/// many as are given.
 ///
 /// # Errors
-/// As [`repeating`].
-fn fastest(machine: &Machine, time: f64) -> Result<usize, Error> {
-    let times = repeating(machine)?.into_iter().map(|own| (own.hertz * time).round() as usize);
-    Ok(times.max().unwrap_or(0))
+/// As [`repeating`]; what as many harmonics as are given leave out.
+pub fn least_harmonics(machine: &Machine, time: f64, given: Option<usize>) -> Result<usize, Error> {
+    let times = |own: &Repeating| (own.hertz * time).round() as usize;
+    let fastest = repeating(machine)?.into_iter().max_by_key(times);
+    match (fastest, given) {
+        (Some(own), Some(harmonics)) if times(&own) > harmonics => {
+            Err(PeriodicError::LeftOut { harmonics, times: times(&own), what: own.what }.into())
+        }
+        (fastest, given) => Ok(given.or(fastest.as_ref().map(times)).unwrap_or(0)),
+    }
 }
 
 /// What marches a machine on which nothing acts that changes.

@@ -124,7 +124,14 @@ impl Equilibrating<'_, '_> {
             });
             let step = Step { series: &series, derivative: &derivative, mean: &mean, border };
             let miss = step.border.as_ref().map_or(0.0, |own| motion.coefficients.data[own.1]);
-            let Some(change) = self.correction(&step, (&residual, miss)) else { return Ok(None) };
+            let so_far = CycleProgress { cycles, miss: before };
+            let mut goes_on = || observe(&so_far) == ControlFlow::Continue(());
+            let Some(change) = self.correction(&step, (&residual, miss), &mut goes_on) else {
+                return match goes_on() {
+                    true => Ok(None),
+                    false => Err(PeriodicError::Interrupted { cycles }.into()),
+                };
+            };
             let share = |own: f64, size: f64| if own == 0.0 { 0.0 } else { own / size };
             let moved = share(self.size(&change.coefficients), self.size(&motion.coefficients));
             let whole = moved.max(change.frequency.abs());
@@ -171,15 +178,25 @@ impl Equilibrating<'_, '_> {
         None
     }
 
-    /// δ and σ of −∂r δ − (∂r/∂ ln ω) σ = r.
-    fn correction(&self, step: &Step, (residual, miss): (&Matrix, f64)) -> Option<Change> {
+    /// δ and σ of −∂r δ − (∂r/∂ ln ω) σ = r; none where the equations have no solution, or it is not to go on.
+    fn correction(
+        &self,
+        step: &Step,
+        (residual, miss): (&Matrix, f64),
+        goes_on: &mut dyn FnMut() -> bool,
+    ) -> Option<Change> {
         match residual.data.len() <= WHOLE {
             true => step.exactly(residual, miss),
-            false => self.by_products(step, residual, miss),
+            false => self.by_products(step, (residual, miss), goes_on),
         }
     }
 
-    fn by_products(&self, step: &Step, residual: &Matrix, miss: f64) -> Option<Change> {
+    fn by_products(
+        &self,
+        step: &Step,
+        (residual, miss): (&Matrix, f64),
+        goes_on: &mut dyn FnMut() -> bool,
+    ) -> Option<Change> {
         let (n, columns) = (residual.rows, residual.cols);
         // The mean machine by itself, and what it does as the frequency changes.
         let by = step.border.as_ref().map(|(by, place)| (step.mean.moved_by(by), *place));
@@ -208,6 +225,9 @@ impl Equilibrating<'_, '_> {
         }
         let mut krylov = Krylov::new(&first);
         while let Some(next) = krylov.next() {
+            if !goes_on() {
+                return None;
+            }
             let own = back(next);
             let mut force = step.derivative.apply(step.series, &own.coefficients);
             let mut miss = 0.0;
