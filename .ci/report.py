@@ -107,12 +107,12 @@ def check(browser, folder):
     charts = browser.run('whirl.charts.map((own) => ({ id: own.spec.id, ...own.values() }))')
     for chart in charts:
         for axis in (chart['x'], chart['y']):
-            assert '(' in axis or any(word in axis for word in ('|E| / c', 'revolutions', 'iterations', 'log decrement')), (chart['id'], axis)
+            assert '(' in axis or any(word in axis for word in ('|E| / c', 'revolutions', 'iterations', 'log decrement', 'share of what is allowed')), (chart['id'], axis)
         for ends in chart['view'].values():
             assert all(math.isfinite(own) for own in ends) and ends[1] > ends[0], chart
-    compared = 0
+    compared = in_space(browser, folder) + lateral(browser, folder, charts)
     if os.path.exists(os.path.join(folder, 'history.csv')):
-        compared = histories(browser, folder, charts)
+        compared += histories(browser, folder, charts)
     switches(browser)
     turns(browser)
     return len(charts), compared
@@ -137,6 +137,7 @@ def histories(browser, folder, charts):
                 else:
                     assert near(line['least'][k], min(part), scale) and near(line['most'][k], max(part), scale), (column, k)
             compared += len(parts)
+    compared += over_angle(browser, rows, charts) + envelopes(browser, rows, charts)
     # What stands at the pointer.
     shown = [own for own in charts if own['id'].startswith('history-') and own['title'] in groups]
     if shown:
@@ -155,6 +156,148 @@ def histories(browser, folder, charts):
         values = [float(text.replace('−', '-')) for text in legend[1].split(' … ')]
         for value in values:
             assert min(part) - 1e-4 * abs(value) <= value <= max(part) + 1e-4 * abs(value), (own['id'], legend, part)
+    return compared
+
+
+def over_angle(browser, rows, charts):
+    """Charts over the angle: the last rows, by the angle that is left."""
+    groups, compared = browser.run('whirl.data.about.groups'), 0
+    for turned in browser.run('whirl.data.run.turned.map((own) => ({ group: own.group, revolutions: own.revolutions }))'):
+        group = groups[turned['group']]
+        chart = next(own for own in charts if own['id'].startswith('angle-') and own['title'] == group['title'])
+        theta = rows[group['angle']]
+        for line, (column, _) in zip(chart['series'], group['lines']):
+            known = [own * group['factor'] for own in rows[column]]
+            scale = max(map(abs, known))
+            every = 1 if len(line['x']) == 1 else round((len(known) - first_of(theta, turned['revolutions'])) / len(line['x']))
+            for k in range(1, len(line['x']) + 1):
+                row = len(known) - 1 - (k - 1) * every
+                degrees = 360 * turned['revolutions'] - abs(theta[-1] - theta[row]) * 180 / math.pi
+                assert math.isclose(line['x'][-k], degrees, abs_tol=2e-4 * max(1, turned['revolutions'])), (column, k, line['x'][-k], degrees)
+                assert near(line['y'][-k], known[row], scale), (column, k)
+                compared += 1
+    return compared
+
+
+def first_of(theta, revolutions):
+    return next(k for k in range(len(theta)) if abs(theta[-1] - theta[k]) <= 2 * math.pi * revolutions * (1 + 1e-6))
+
+
+def envelopes(browser, rows, charts):
+    """Extremes of revolutions: all of the history between the first and the last of them."""
+    compared = 0
+    for chart in charts:
+        if not chart['id'].startswith('envelope-'):
+            continue
+        signal = next(own for own in browser.run('whirl.data.about.signals') if f"{own['title']}: {own['quantity']}" == chart['title'])
+        theta = rows[signal['angle']]
+        revolutions = browser.run('whirl.data.run.envelopes.map((own) => own.revolutions)')[0]
+        sense = 1 if theta[-1] > theta[0] else -1
+        extremes = {}
+        for (column, axis) in signal['columns']:
+            found = {}
+            for angle, value in zip(theta, rows[column]):
+                turn = math.floor(sense * (angle - theta[0]) / (2 * math.pi * revolutions) + 1e-9)
+                least, most = found.get(turn, (value, value))
+                found[turn] = (min(least, value), max(most, value))
+            extremes[axis] = list(found.values())[:-1]
+        for line in chart['series']:
+            which, axis = line['name'].split(' ')
+            known = [own[which == 'largest'] for own in extremes[axis]]
+            values = line['y'] if line['x'][0] <= line['x'][-1] and abs(line['y'][0] - known[0]) <= abs(line['y'][-1] - known[0]) else line['y'][::-1]
+            assert len(values) == len(known), (line['name'], len(values), len(known))
+            scale = max(map(abs, known))
+            # Rows at the very end of a turn may be of either by rounding.
+            apart = sum(not near(a, b, scale) for a, b in zip(values, known))
+            assert apart <= 0.02 * len(known), (chart['id'], line['name'], apart)
+            compared += len(known)
+    return compared
+
+
+def rows_of(path):
+    with open(path, newline='') as file:
+        return list(csv.DictReader(file))
+
+
+# Points of tables by what they are: nodes of a body around it at a z (m).
+RINGS = {'output.first': ('rotor', 0.0), 'output.last': ('rotor', 1.0)}
+# Their mean displacement, as the shader has it.
+MEAN = """((scene, name, z) => { const own = scene.bodies.find((one) => one.body.name === name); const sum = [0, 0, 0]; const [c, s] = [Math.cos(scene.angle), Math.sin(scene.angle)];
+let count = 0; for (let k = 0; k < own.nodes; k++) { if (Math.abs(own.points[3 * k + 2] - z) > 1e-6) continue; count++;
+for (let axis = 0; axis < 3; axis++) sum[axis] += c * own.parts[3 * k + axis] + s * own.parts[3 * (own.nodes + k) + axis]; }
+return sum.map((one) => one / count); })"""
+
+
+def in_space(browser, folder):
+    """Modes and orbits: what is played is what the tables of their analyses have."""
+    scenes = browser.run('whirl.scenes.map((own) => own.name || null)')
+    compared = 0
+    for place, name in enumerate(scenes):
+        if not name:
+            continue
+        own = f'whirl.scenes[{place}]'
+        count = browser.run(f'{own}.canvas.parentElement.querySelector("select").options.length')
+        content = json.load(open(os.path.join(folder, f'{name}.motions.json')))
+        assert count == len(content['motions']), (count, name)
+        table = rows_of(os.path.join(folder, f'{name}.csv'))
+        for k, motion in enumerate(content['motions']):
+            browser.run(f"""(() => {{ const box = {own}.canvas.parentElement.querySelector("select"); box.value = "{k}"; box.dispatchEvent(new Event("change")); }})()""")
+            said = browser.run(f'[...{own}.canvas.parentElement.querySelectorAll("p.soft")].map((one) => one.textContent).join(" ")')
+            assert motion['name'] in said and motion['words'] in said, (said, motion['name'])
+            if motion['metres'] is None:
+                # The point that gets furthest is there at first.
+                assert math.isclose(browser.run(f'{own}.reach'), 1, rel_tol=1e-4)
+                compared += 1
+                continue
+            order = float(motion['group'].split('X')[0])
+            for row in table:
+                if row['point'] not in RINGS or float(row['order']) != order:
+                    continue
+                body, z = RINGS[row['point']]
+                if not math.isclose(float(row['speed_rpm']), motion['rpm'], rel_tol=1e-9):
+                    continue
+                for degrees in (0, 50, 200):
+                    browser.run(f'{own}.angle = {math.radians(degrees)}')
+                    found = browser.run(f'{MEAN}({own}, {json.dumps(body)}, {z})')
+                    for axis, letter in enumerate('xy'):
+                        known = 1e-6 * float(row[f'{letter}_um']) * math.cos(math.radians(degrees + float(row[f'{letter}_phase_deg'])))
+                        assert abs(found[axis] - known) <= 2e-5 * motion['largest'], (row['point'], motion['name'], found, known)
+                        compared += 1
+        before = browser.run(PIXELS.replace('whirl.scene', own))
+        browser.run(f'{own}.angle += 1.5')
+        assert browser.run(PIXELS.replace('whirl.scene', own)) != before, f'{name} does not move'
+        pressed = browser.run(f'(() => {{ const button = {own}.canvas.parentElement.querySelector("button"); button.click(); const said = button.textContent; button.click(); return said; }})()')
+        assert pressed == 'Stop', pressed
+    return compared
+
+
+def lateral(browser, folder, charts):
+    """The table of a lateral analysis with what passes, and what probes read."""
+    analyses = browser.run('whirl.data.analyses ? whirl.data.analyses.analyses : []')
+    compared = 0
+    for name in (own['name'] for own in analyses if own['kind'] == 'lateral'):
+        rows = rows_of(os.path.join(folder, f'{name}.csv'))
+        part = f'document.getElementById("analysis-{name}")'
+        for word, label in (('NO', 'fails'), ('yes', 'passes')):
+            shown = browser.run(f'{part}.querySelectorAll("td.{label}").length')
+            assert shown == sum(row['pass'] == word for row in rows), (word, shown)
+        said = browser.run(f'document.getElementById("verdict-{name}").textContent')
+        assert said.startswith('Does not pass' if any(row['pass'] == 'NO' for row in rows) else 'Passes'), said
+        cells = browser.run(f'[...{part}.querySelectorAll("tbody tr")].map((row) => row.textContent)')
+        for row in rows:
+            assert any(row['clause'] in cell and row['quantity'] in cell and row['place'] in cell for cell in cells), row
+        readings = rows_of(os.path.join(folder, f'{name}.response.csv'))
+        titles = {f'Probes, unbalance {row["unbalance"]}, {row["variant"]}': row for row in readings}
+        found = [chart for chart in charts if chart['title'] in titles]
+        assert len(found) == len(titles), [chart['title'] for chart in charts]
+        for chart in found:
+            own = titles[chart['title']]
+            own = [row for row in readings if (row['variant'], row['unbalance']) == (own['variant'], own['unbalance'])]
+            for line in chart['series']:
+                known = [row for row in own if row['place'].replace(' deg', '°') == line['name']]
+                for row, x, y in zip(known, line['x'], line['y']):
+                    assert math.isclose(float(row['speed_rpm']), x) and math.isclose(float(row['unscaled_um_pkpk']), y), (row, x, y)
+                    compared += 1
     return compared
 
 

@@ -6,7 +6,7 @@ use whirl_codegen::diagnostic::{Code, Diagnostics, Located, suggest};
 use whirl_solver::cache::write_whole;
 use whirl_solver::linear::LinearMachine;
 
-use crate::analysis::Subject;
+use crate::analysis::{Space, Subject};
 use crate::arguments::{
     AnalyseArguments, AnalysisOutput, LateralArguments, MapArguments, MatricesArguments,
     ModesArguments,
@@ -235,6 +235,7 @@ fn run(
         true => Some(CaseText::find(file, None)?),
         false => None,
     };
+    let space = (!arguments.no_report && output.is_some()).then(|| Space::of(case, cache.as_ref()));
     let subject = Subject {
         case,
         text: text.as_ref(),
@@ -242,6 +243,7 @@ fn run(
         cache: cache.as_ref(),
         interruption: &interruption,
         figures: !arguments.no_figures && output.is_some(),
+        space: space.as_ref(),
     };
     let (mut done, mut interrupted) = (Vec::new(), false);
     let mut unfinished: Vec<Failure> = Vec::new();

@@ -21,6 +21,7 @@ mod ground_motion;
 mod hostile;
 mod idle;
 mod in_memory;
+mod in_space;
 mod judged;
 mod law_values;
 mod lost_work;

@@ -87,6 +87,7 @@ impl Asked<'_> {
             cache,
             interruption: &interruption,
             figures: false,
+            space: None,
         };
         let found = subject.found(&analysis, warnings)?;
         if found.interrupted {

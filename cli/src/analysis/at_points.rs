@@ -136,6 +136,7 @@ impl AtPoint<'_> {
             cache: Some(self.cache),
             interruption: self.interruption,
             figures: false,
+            space: None,
         };
         let mut all = Facts::default();
         for analysis in analyses {

@@ -6,6 +6,7 @@ use whirl_solver::linear::{Branch, Campbell, Critical, LinearMachine, Mode, Whir
 
 use super::facts::Facts;
 use super::found::{Found, drawn, followed};
+use super::space::{InSpace, Pictures, SPEEDS, Space, Told, evenly};
 use super::speeds::Wanted;
 use super::{roots, words};
 use crate::case::{Analysis, Case};
@@ -20,7 +21,7 @@ pub(super) fn found(
     linear: &LinearMachine,
     (analysis, wanted): (&Analysis, &Wanted),
     interruption: &Interruption,
-    figures: bool,
+    pictures: Pictures,
 ) -> Result<Found, Failure> {
     let of = wanted.of.expect("a body that turns");
     let (all, interrupted) = followed(linear, (analysis, wanted), interruption, &analysis.orders)?;
@@ -29,16 +30,64 @@ pub(super) fn found(
         (format!("{name}.csv"), rows(&all).into_bytes()),
         (format!("{name}.critical.csv"), criticals(&all).into_bytes()),
     ];
-    if figures {
+    if pictures.figures {
         files.extend(drawn(name, &figure(case, linear, of, &all, &analysis.orders)));
         let body = linear.machine().bodies[of].name();
         let stem = format!("{name}.roots");
         files.extend(drawn(&stem, &roots::figure(&case.name, body, &all)));
     }
+    if let Some(mut space) = pictures.space.map(Space::begin).transpose()?.flatten() {
+        in_space(linear, (of, analysis), &all, &mut space);
+        files.extend(space.file(name));
+    }
     let mut text = text(case, linear, of, (&all, interrupted));
     text += &words::doubts(&all.doubts);
     let facts = Facts::of_campbell(&all);
     Ok(Found { text, files, interrupted, facts })
+}
+
+/// Modes at critical speeds and where they begin to grow, and those at some of the speeds.
+fn in_space(
+    linear: &LinearMachine,
+    (of, analysis): (usize, &Analysis),
+    all: &Campbell,
+    space: &mut InSpace,
+) {
+    let mut add = |speed: f64, modes: &[(&Mode, Option<(String, String)>)]| {
+        // Where it does not stand there is nothing to be seen.
+        let Ok(at) = linear.standing(&linear.speeds(of, speed, &analysis.ratios), None) else {
+            return;
+        };
+        for (place, (mode, called)) in modes.iter().enumerate() {
+            let mut told = Told::at_speed(linear, Some((of, speed)), (place, mode));
+            if let Some((group, name)) = called {
+                (told.group, told.name) = (group.clone(), name.clone());
+            }
+            space.mode((linear, &at), mode, Some((of, speed)), told);
+        }
+    };
+    let named = |speed: f64, what: &str, mode: &Mode| {
+        let whirl = words::whirl(mode, speed);
+        let whirl = if whirl == "-" { String::new() } else { format!(", {whirl}") };
+        format!("{} rpm{what}: {} Hz{whirl}", words::speed(speed), words::hertz(mode))
+    };
+    for own in &all.criticals {
+        let name = named(own.speed, &format!(", {}X", own.order), &own.mode);
+        add(own.speed, &[(&own.mode, Some(("critical speeds".to_owned(), name)))]);
+    }
+    for own in &all.thresholds {
+        let Some(mode) = &own.mode else { continue };
+        let group = if own.grows { "unstable above" } else { "stable above" };
+        add(own.speed, &[(mode, Some((group.to_owned(), named(own.speed, "", mode))))]);
+    }
+    let places: Vec<usize> = (0..all.speeds.len()).collect();
+    for &place in evenly(&places, SPEEDS) {
+        let mut modes: Vec<&Mode> =
+            all.branches.iter().filter_map(|branch| branch[place].as_ref()).collect();
+        modes.sort_by(|a, b| a.value.im.total_cmp(&b.value.im));
+        let modes: Vec<(&Mode, Option<_>)> = modes.into_iter().map(|own| (own, None)).collect();
+        add(all.speeds[place], &modes);
+    }
 }
 
 /// Every mode at every speed.

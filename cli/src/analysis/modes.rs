@@ -2,12 +2,12 @@
 
 use std::fmt::Write;
 
-use whirl_solver::cache::Cache;
 use whirl_solver::linear::{LinearMachine, Mode, Standstill};
 
 use super::facts::Facts;
 use super::found::{Found, drawn};
 use super::shapes::Seen;
+use super::space::{Pictures, Told};
 use super::speeds::Wanted;
 use super::states::{Ended, at_each_speed};
 use super::words;
@@ -19,21 +19,23 @@ use crate::signals::Interruption;
 /// Speeds whose shapes are drawn at most.
 const DRAWN: usize = 12;
 
-/// The modes at each speed, as a table and as a file; with a cache of bodies, if any, where figures are wanted.
+/// The modes at each speed, as a table and as a file.
 pub(super) fn found(
     case: &Case,
     linear: &LinearMachine,
     (analysis, wanted): (&Analysis, &Wanted),
     interruption: &Interruption,
-    figures: Option<Option<&Cache>>,
+    pictures: Pictures,
 ) -> Result<Found, Failure> {
     let mut text = String::new();
     let mut file = String::from(
         "speed_rpm,mode,frequency_hz,damping_ratio,log_decrement,whirl,sense,real_1_s,imaginary_1_s,beside_hz\n",
     );
-    let seen = match figures {
-        Some(cache) if wanted.speeds.len() <= DRAWN => Some(Seen::new(case, linear, cache)?),
-        _ => None,
+    let is_drawn = pictures.figures && wanted.speeds.len() <= DRAWN;
+    let seen = is_drawn.then(|| Seen::new(case, linear, pictures.cache)).transpose()?;
+    let mut in_space = match pictures.space {
+        Some(space) => space.begin()?,
+        None => None,
     };
     let mut drawings = Vec::new();
     let mut facts = Facts::default();
@@ -83,12 +85,18 @@ pub(super) fn found(
         }
         let doubts = linear.doubts(at, &equations, &modes.oscillating)?;
         text.push_str(&words::doubts(&doubts));
+        let of = wanted.of.map(|of| (of, speed));
+        let listed = &modes.oscillating[..modes.oscillating.len().min(analysis.count)];
+        if let Some(space) = &mut in_space {
+            for (place, mode) in listed.iter().enumerate() {
+                space.mode((linear, at), mode, of, Told::at_speed(linear, of, (place, mode)));
+            }
+        }
         facts.modes(&modes, analysis.count);
         facts.doubts(&doubts);
         text.push('\n');
         if let Some(seen) = &seen {
-            let listed = &modes.oscillating[..modes.oscillating.len().min(analysis.count)];
-            drawings.push(seen.figure(case, (at, listed), wanted.of.map(|of| (of, speed))));
+            drawings.push(seen.figure(case, (at, listed), of));
         }
         Ok(())
     };
@@ -104,6 +112,7 @@ pub(super) fn found(
         };
         files.extend(drawn(&stem, drawing));
     }
+    files.extend(in_space.and_then(|own| own.file(name)));
     facts.lines(&notes);
     Ok(Found { text, files, interrupted, facts })
 }

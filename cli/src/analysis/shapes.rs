@@ -32,8 +32,7 @@ const STILL: f64 = 2e-3;
 /// mm.
 const MM: f64 = 1e3;
 
-/// A machine seen at stations along its bodies. Its coordinates are the same with and without them, as outputs do not change how
-/// bodies are reduced.
+/// A machine seen at stations along its bodies.
 pub(super) struct Seen<'a> {
     linear: &'a LinearMachine,
     along: Vec<Along>,
@@ -86,8 +85,8 @@ impl Seen<'_> {
             .along
             .iter()
             .map(|own| {
-                let motion = |own: &(f64, _)| self.linear.motion_in(at, &own.1, mode);
-                own.stations.iter().map(motion).collect()
+                let moved = self.linear.moved(at, (own.body, &own.stations), &mode.shape);
+                moved.into_iter().map(|[x, y, _]| Vibration { amplitudes: [x, y] }).collect()
             })
             .collect();
         let sizes = motions.iter().flatten().map(|own| own.orbit().major);
@@ -98,7 +97,9 @@ impl Seen<'_> {
         let is_lateral = most * most * mass > LATERAL;
         let start =
             motions.iter().flatten().find(|own| own.orbit().major == most).map_or(0.0, start);
-        let levels = || self.along.iter().flat_map(|own| own.stations.iter().map(|own| own.0));
+        let of_body =
+            |own: &Along| own.stations.iter().map(|own| own.position[2]).collect::<Vec<f64>>();
+        let levels = || self.along.iter().flat_map(of_body);
         let first = levels().fold(f64::INFINITY, f64::min);
         let last = levels().fold(f64::NEG_INFINITY, f64::max);
         let length = if last - first > 0.0 { last - first } else { POINT };
@@ -118,7 +119,7 @@ impl Seen<'_> {
                 let [x, y] = own.at(start + turn);
                 seen(z, [along.axis[0] + scale * x, along.axis[1] + scale * y])
             };
-            let stations = || along.stations.iter().map(|own| own.0).zip(motions);
+            let stations = || along.stations.iter().map(|own| own.position[2]).zip(motions);
             let axis: Vec<Place> = stations().map(|(z, _)| seen(z, along.axis)).collect();
             panel.lines.push(Line { points: axis, style: Style::Limit, name: "axis".to_owned() });
             let last = motions.len() - 1;
@@ -151,7 +152,7 @@ impl Seen<'_> {
             // One station is no line.
             if let [own] = motions.as_slice() {
                 panel.clouds.push(Cloud {
-                    points: vec![moved(along.stations[0].0, own, 0.0)],
+                    points: vec![moved(along.stations[0].position[2], own, 0.0)],
                     style,
                     radius: 4.0,
                     name: name.to_owned(),

@@ -1,14 +1,13 @@
 //! A machine with stations along its bodies, at which shapes are looked at.
 
+use whirl_solver::body::BodyNode;
 use whirl_solver::cache::Cache;
-use whirl_solver::linear::{LinearMachine, Point};
 use whirl_solver::loads::Frame;
 use whirl_solver::output::{Motion, Wanted};
 
 use crate::case::{Case, Form, NamedBody, Output, OutputPoint};
 use crate::errors::Failure;
-use crate::machine::{self, JoinedPlan, PlannedBody};
-use crate::streams;
+use crate::machine::{self, JoinedPlan, PlannedBody, Watched};
 
 /// Nodes of matrices at most so many planes stand in.
 const PLANES: usize = 200;
@@ -21,11 +20,12 @@ pub(super) struct Along {
     pub(super) body: usize,
     /// x and y of its axis (m).
     pub(super) axis: [f64; 2],
-    /// z (m), rising, and the motion there.
-    pub(super) stations: Vec<(f64, Point)>,
+    /// By rising z.
+    pub(super) stations: Vec<BodyNode>,
 }
 
-/// Stations along all bodies of a case, `count` on one with a mesh.
+/// Stations along all bodies of a case, `count` on one with a mesh. They are of a machine of its own, which has the same coordinates:
+/// points that are watched do not change how bodies are reduced.
 ///
 /// # Errors
 /// As the machine's.
@@ -34,11 +34,9 @@ pub(super) fn stations_along(
     count: usize,
     cache: Option<&Cache>,
 ) -> Result<Vec<Along>, Failure> {
-    let mut own = case.clone();
-    own.outputs.clear();
-    own.fields = None;
-    let plan = streams::warned(|_| machine::plan(&own, &mut Vec::new()))?;
-    let mut along: Vec<(usize, Vec<f64>)> = Vec::new();
+    let own = Case { fields: None, ..case.clone() };
+    let mut plan = machine::plan(&own, &mut Vec::new())?;
+    let mut along: Vec<(usize, Watched)> = Vec::new();
     for (place, body) in own.machine.bodies.iter().enumerate() {
         let mut all = levels(body, &plan.bodies[place], &joints_of(&own, &plan, place), count);
         if let (true, Form::Rigid(rigid)) = (all.is_empty(), &body.form) {
@@ -46,23 +44,15 @@ pub(super) fn stations_along(
         }
         all.sort_by(f64::total_cmp);
         all.dedup_by(|a, b| (*a - *b).abs() < SAME);
-        along.push((place, all));
+        along.push((place, Watched::Levels(all)));
     }
-    let mut number = 0;
-    for (body, levels) in &along {
-        for z in levels {
-            own.outputs.push(station(&own, *body, *z, number));
-            number += 1;
-        }
-    }
-    let build = || streams::warned(|warnings| machine::build_planned(&own, cache, warnings));
-    let linear = LinearMachine::new(build()?.machine)?;
-    let mut points = linear.points();
-    let mut points = points.split_off(points.len() - number).into_iter();
-    let along = along.into_iter().map(|(body, levels)| Along {
-        body,
-        axis: own.machine.bodies[body].axis,
-        stations: levels.into_iter().zip(points.by_ref()).collect(),
+    plan.watch(along.iter().map(|(body, levels)| (*body, levels)));
+    // What is to be said of the case has been said.
+    let built = machine::build(&own, &plan, cache, &mut Vec::new())?;
+    let along = built.machine.fields.into_iter().map(|field| Along {
+        body: field.body,
+        axis: own.machine.bodies[field.body].axis,
+        stations: field.nodes,
     });
     Ok(along.collect())
 }

@@ -4,6 +4,7 @@ use whirl_solver::cache::Cache;
 use whirl_solver::linear::LinearMachine;
 
 use super::found::Found;
+use super::space::{Pictures, Space};
 use super::{
     campbell, coefficients, forces, lateral, map, matrices, modes, periodic, response, speeds,
     stability, torsion,
@@ -23,6 +24,8 @@ pub(crate) struct Subject<'a> {
     pub(crate) interruption: &'a Interruption,
     /// Whether figures are wanted.
     pub(crate) figures: bool,
+    /// The machine in space, if its motions are wanted there.
+    pub(crate) space: Option<&'a Space<'a>>,
 }
 
 impl Subject<'_> {
@@ -61,16 +64,14 @@ impl Subject<'_> {
     }
 
     fn of_machine(&self, linear: &LinearMachine, analysis: &Analysis) -> Result<Found, Failure> {
-        let Subject { case, cache, interruption, figures, .. } = *self;
+        let Subject { case, cache, interruption, figures, space, .. } = *self;
+        let pictures = Pictures { figures, cache, space };
         let wanted = speeds::wanted(case, linear, analysis)?;
         let wanted = (analysis, &wanted);
         match analysis.kind {
-            AnalysisKind::Modes => {
-                let figures = figures.then_some(cache);
-                modes::found(case, linear, wanted, interruption, figures)
-            }
-            AnalysisKind::Campbell => campbell::found(case, linear, wanted, interruption, figures),
-            AnalysisKind::Response => response::found(case, linear, wanted, interruption, figures),
+            AnalysisKind::Modes => modes::found(case, linear, wanted, interruption, pictures),
+            AnalysisKind::Campbell => campbell::found(case, linear, wanted, interruption, pictures),
+            AnalysisKind::Response => response::found(case, linear, wanted, interruption, pictures),
             AnalysisKind::Coefficients => {
                 coefficients::found(case, linear, wanted, interruption, figures)
             }

@@ -7,7 +7,7 @@ use std::io;
 use super::figure::{Dot, Figure, Line, Panel, Style};
 use crate::case::SupportName;
 use crate::history::{Bucket, ReadHistory, Thinned};
-use crate::report::last_cycle;
+use crate::report::{FilmChart, last_cycle};
 
 /// What histories are drawn over.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -254,6 +254,36 @@ fn circle(radius: f64) -> Option<Line> {
         style: Style::Limit,
         name: "radial clearance".to_string(),
     })
+}
+
+/// What is in films, a panel each.
+pub(crate) fn films(
+    history: &dyn ReadHistory,
+    charts: &[FilmChart],
+    span: Span,
+) -> io::Result<Figure> {
+    let rows = span.rows(history)?;
+    let lines = charts.iter().flat_map(|own| own.lines.iter());
+    let names: Vec<&str> = lines.map(|own| own.0.as_str()).collect();
+    let mut curves = rows.curves(&names)?.into_iter();
+    let styles = [Style::First, Style::Second, Style::Third, Style::Fourth];
+    let panel = |own: &FilmChart| {
+        let lines = own.lines.iter().zip(styles.into_iter().cycle());
+        let line = |((_, name), style): (&(String, String), Style)| {
+            let points = curves.next().expect("a curve a column");
+            Line { points, style, name: name.clone() }
+        };
+        Panel {
+            title: own.title.clone(),
+            x: rows.label().to_string(),
+            y: format!("{} ({})", own.quantity, own.unit),
+            x_scale: rows.scale(span),
+            lines: lines.map(line).collect(),
+            ..Panel::default()
+        }
+    };
+    let title = "Oil films".to_string();
+    Ok(Figure { title, panels: charts.iter().map(panel).collect(), columns: 2 })
 }
 
 /// Displacement along x of the first journal against time, in mm.

@@ -14,22 +14,24 @@ use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
 
 use whirl_codegen::kinds::law::LawSpec;
+use whirl_solver::output::Wanted;
 
 use self::histories::Span;
 use crate::case::{Case, NamedBody};
 use crate::history::ReadHistory;
 use crate::machine::Built;
 use crate::output::Output;
-use crate::report::oscillations;
+use crate::report::{films, oscillations};
 
 /// Names of all figures that a run may draw, without their endings.
-pub(crate) const NAMES: [&str; 8] = [
+pub(crate) const NAMES: [&str; 9] = [
     "laws",
     "reactions",
     "eccentricity",
     "eccentricity-stretched",
     "rotation",
     "displacement",
+    "film",
     "spectrum",
     "waterfall",
 ];
@@ -137,6 +139,8 @@ fn wanted(case: &Case) -> Vec<(&'static str, Option<usize>)> {
         let driven = machine.is_named() || machine.drives.iter().any(|own| own.couple.acts);
         wanted.extend((turns && driven).then_some(("rotation", named.rotation)));
     }
+    let has_films = case.outputs.iter().any(|own| matches!(own.what, Wanted::Film { .. }));
+    wanted.extend(has_films.then_some(("film", None)));
     wanted.extend(["spectrum", "waterfall"].map(|stem| (stem, None)));
     wanted
 }
@@ -161,6 +165,15 @@ fn figure(
         true => Span::All,
         false => Span::fitting(history, case.march().cycle)?,
     };
+    if stem == "film" {
+        let mut charts = films(case, &built.machine);
+        charts.retain(|own| own.angle.is_some());
+        return if charts.is_empty() {
+            Ok(None)
+        } else {
+            histories::films(history, &charts, span).map(Some)
+        };
+    }
     let titles = case.supports();
     let laws = drawn_laws(case, built);
     let empty = if stem == "laws" { laws.is_empty() } else { titles.is_empty() };

@@ -19,7 +19,7 @@ use whirl_solver::machine::MachineParts;
 
 pub use built::Built;
 pub(crate) use built::{BodyFacts, Counts};
-pub(crate) use joined::{JoinedPlan, PlannedBody};
+pub(crate) use joined::{JoinedPlan, PlannedBody, Watched};
 pub(crate) use meshes::placed as placed_errors;
 pub(crate) use plan::BodyPlan;
 

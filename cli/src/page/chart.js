@@ -27,11 +27,13 @@ function escaped(text) {
 }
 
 // Round numbers from `from` to `to`, about so many.
-function ticks(from, to, count) {
+function ticks(from, to, count, unit) {
   const rough = (to - from) / Math.max(count, 1);
   if (!(rough > 0) || !Number.isFinite(rough)) return [];
   const power = 10 ** Math.floor(Math.log10(rough));
-  const step = power * [1, 2, 5, 10].find((k) => k * power >= rough * 0.999);
+  // Angles that people know.
+  const known = unit === '°' && rough > 20 && rough <= 360 ? [30, 45, 90, 180, 360].find((k) => k >= rough * 0.999) : 0;
+  const step = known || power * [1, 2, 5, 10].find((k) => k * power >= rough * 0.999);
   const all = [];
   for (let k = Math.ceil(from / step - 1e-9); k * step <= to + 1e-9 * step; k++) all.push(Number((k * step).toPrecision(12)));
   return all;
@@ -153,11 +155,11 @@ class Chart {
     out.push(`<defs><clipPath id="${clip}"><rect x="${inner.left}" y="${inner.top}" width="${inner.width}" height="${inner.height}"/></clipPath></defs>`);
     const right = inner.left + inner.width;
     const bottom = inner.top + inner.height;
-    for (const tick of ticks(v.x0 * ax.factor, v.x1 * ax.factor, inner.width / 80)) {
+    for (const tick of ticks(v.x0 * ax.factor, v.x1 * ax.factor, inner.width / 80, ax.unit)) {
       const x = px(tick / ax.factor).toFixed(1);
       out.push(`<line class="grid-line" x1="${x}" x2="${x}" y1="${inner.top}" y2="${bottom}"/><text x="${x}" y="${bottom + 15}" text-anchor="middle">${shown(tick)}</text>`);
     }
-    for (const tick of ticks(v.y0 * ay.factor, v.y1 * ay.factor, inner.height / 42)) {
+    for (const tick of ticks(v.y0 * ay.factor, v.y1 * ay.factor, inner.height / 42, ay.unit)) {
       const y = py(tick / ay.factor).toFixed(1);
       out.push(`<line class="grid-line" x1="${inner.left}" x2="${right}" y1="${y}" y2="${y}"/><text x="${inner.left - 6}" y="${Number(y) + 4}" text-anchor="end">${shown(tick)}</text>`);
     }

@@ -5,18 +5,22 @@ use std::path::Path;
 use std::{fs, str};
 
 use serde::Serialize;
+use serde_json::Value;
 
+use super::about::LAYOUT;
 use super::encode::base64;
+use super::moving::MOTIONS;
 use crate::history;
 use crate::results::{ABOUT, ANALYSES, REPORT, SHAPES, STATE, SUMMARY, SWEEP};
 
 /// Figures of runs that a page draws itself.
-const DRAWN: [&str; 7] = [
+const DRAWN: [&str; 8] = [
     "reactions",
     "eccentricity",
     "eccentricity-stretched",
     "rotation",
     "displacement",
+    "film",
     "spectrum",
     "waterfall",
 ];
@@ -46,6 +50,46 @@ pub(super) struct TableFacts {
     name: String,
     /// As the file has it.
     csv: String,
+}
+
+/// Motions of an analysis in space.
+#[derive(Debug, Serialize)]
+pub(super) struct MotionFacts {
+    name: String,
+    /// As the file has it.
+    content: Value,
+}
+
+/// Bytes of motions of all analyses, at most.
+const MOTION: u64 = 6 << 20;
+
+/// Motions among some files that are there and have room.
+///
+/// # Errors
+/// A file is none of this version.
+pub(super) fn motions<'a>(
+    folder: &Path,
+    names: impl Iterator<Item = &'a str>,
+) -> Result<Vec<MotionFacts>, String> {
+    let mut whole = 0;
+    let mut all = Vec::new();
+    for name in names.filter(|name| name.ends_with(MOTIONS)) {
+        let path = folder.join(name);
+        let Ok(facts) = fs::metadata(&path) else { continue };
+        whole += facts.len();
+        if whole > MOTION {
+            break;
+        }
+        let cannot =
+            |why: &dyn std::fmt::Display| format!("cannot read `{}`: {why}", path.display());
+        let text = fs::read_to_string(&path).map_err(|why| cannot(&why))?;
+        let content: Value = serde_json::from_str(&text).map_err(|why| cannot(&why))?;
+        if content["layout"] != LAYOUT {
+            return Err(cannot(&"it is of another version of the program: analyse the case again"));
+        }
+        all.push(MotionFacts { name: name.to_owned(), content });
+    }
+    Ok(all)
 }
 
 /// Bytes of a table, and of all, at most.
@@ -117,6 +161,9 @@ fn what(name: &str) -> Option<String> {
         "table.csv" => "the table: a row a point",
         "table.parquet" => "the same, for programs that read many rows",
         "sweep.journal" => "what is done, from which the sweep can be resumed",
+        _ if name.ends_with(MOTIONS) => {
+            "surfaces of the bodies with modes or orbits, for this page"
+        }
         ANALYSES => "what the analyses came to, in words",
         STATE => "the state at the end, from which another run can start",
         _ => match name.rsplit_once('.')?.1 {

@@ -7,7 +7,7 @@ use whirl_solver::history::Column;
 
 use crate::case::{Case, JointKind, SupportName};
 use crate::machine::Built;
-use crate::report::oscillations;
+use crate::report::{angle, films, oscillations};
 
 /// Supports and outputs whose charts are shown unasked.
 const MOST_SHOWN: usize = 6;
@@ -25,6 +25,9 @@ pub(super) struct Group {
     pub(super) lines: Vec<(String, String)>,
     /// Whether it is shown unasked.
     pub(super) shown: bool,
+    /// The column of the angle over which it is shown, too.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) angle: Option<String>,
 }
 
 /// What joints move.
@@ -34,7 +37,7 @@ pub(super) fn moved(case: &Case) -> &'static str {
 
 /// The charts of a run, which have each column but the time once.
 pub(super) fn groups(case: &Case, built: &Built, columns: &[Column]) -> Vec<Group> {
-    let mut all = Charts { columns, taken: BTreeSet::new(), groups: Vec::new() };
+    let mut all = Charts { columns, taken: BTreeSet::new(), angle: None, groups: Vec::new() };
     let moved = moved(case);
     let (mass, supports) = (case.machine.is_mass(), case.supports());
     let named = case.turning();
@@ -71,7 +74,10 @@ pub(super) fn groups(case: &Case, built: &Built, columns: &[Column]) -> Vec<Grou
         let eccentricity = pair("E", "um", axes);
         all.add((&called, "eccentricity", "µm", 1.0), eccentricity, shown && has_clearance);
         let forces = pair("R", "N", axes).into_iter().chain([along(own)]).collect();
+        let journal = case.machine.joints[place].sides[0].body.unwrap_or(0);
+        all.angle = angle(case, &built.machine, journal).filter(|_| plane && !mass);
         all.add((&title(&format!("force on the {moved}")), "force", "N", 1.0), forces, shown);
+        all.angle = None;
         let moves = pair("", "um", axes);
         // Masses fly far.
         let (unit, factor) = if mass { ("mm", 1e-3) } else { ("µm", 1.0) };
@@ -89,6 +95,12 @@ pub(super) fn groups(case: &Case, built: &Built, columns: &[Column]) -> Vec<Grou
         let title = format!("{}: {}", own.title, own.quantity);
         all.add((&title, own.quantity, own.unit, 1.0), lines.collect(), place < 2 * MOST_SHOWN);
     }
+    for own in films(case, &built.machine) {
+        let shown = own.angle.is_some();
+        all.angle = own.angle;
+        all.add((&own.title, own.quantity, own.unit, 1.0), own.lines, shown);
+    }
+    all.angle = None;
     all.add(("Couples of prescribed rotations", "couple", "N·m", 1.0), of("_Nm", "M_"), false);
     for own in columns.iter().filter(|own| own.unit == "J" || own.unit == "W") {
         let quantity = if own.unit == "J" { "energy" } else { "power" };
@@ -127,6 +139,8 @@ fn capital(words: &str) -> String {
 struct Charts<'a> {
     columns: &'a [Column],
     taken: BTreeSet<String>,
+    /// Of the charts that are added.
+    angle: Option<String>,
     groups: Vec<Group>,
 }
 
@@ -148,6 +162,14 @@ impl Charts<'_> {
         }
         self.taken.extend(lines.iter().map(|own| own.0.clone()));
         let (title, quantity) = (title.to_owned(), quantity.to_owned());
-        self.groups.push(Group { title, quantity, unit: unit.to_owned(), factor, lines, shown });
+        self.groups.push(Group {
+            title,
+            quantity,
+            unit: unit.to_owned(),
+            factor,
+            lines,
+            shown,
+            angle: self.angle.clone(),
+        });
     }
 }

@@ -7,16 +7,20 @@
 
 mod about;
 mod analyses;
+mod bodies;
 mod encode;
+mod envelope;
 mod files;
 mod groups;
 mod kept;
+mod moving;
 mod orbits;
 mod run;
 mod shapes;
 mod spectra;
 mod sweeps;
 mod tracked;
+mod turned;
 
 use std::path::Path;
 use std::{fs, io};
@@ -26,9 +30,10 @@ use serde_json::Value;
 
 pub(crate) use self::about::{About, Section};
 pub(crate) use self::analyses::{Analyses, AnalysisFacts};
-use self::files::{FigureFacts, FileFacts, TableFacts};
+use self::files::{FigureFacts, FileFacts, MotionFacts, TableFacts};
+pub(crate) use self::moving::{MOTIONS, Moving};
 use self::run::RunData;
-pub(crate) use self::shapes::{Meshed, Shapes, Solid};
+pub(crate) use self::shapes::Shapes;
 pub(crate) use self::sweeps::SweepFacts;
 use crate::history::{self, HistoryFile};
 use crate::results::{ABOUT, ANALYSES, SHAPES, SUMMARY, SWEEP};
@@ -37,6 +42,8 @@ const PAGE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
 const CHARTS: &str = include_str!("chart.js");
 const SCENE: &str = include_str!("scene.js");
+const STAGE: &str = include_str!("stage.js");
+const LATERAL: &str = include_str!("lateral.js");
 const PARTS: &str = include_str!("page.js");
 
 /// What is embedded.
@@ -52,6 +59,7 @@ struct Data {
     analyses: Option<Analyses>,
     sweep: Option<SweepFacts>,
     tables: Vec<TableFacts>,
+    motions: Vec<MotionFacts>,
     figures: Vec<FigureFacts>,
     files: Vec<FileFacts>,
 }
@@ -98,7 +106,10 @@ pub(crate) fn made(folder: &Path) -> Result<String, String> {
     let (files, figures) = files::all(folder).map_err(|why| cannot("", &why))?;
     let of_analyses = analyses.iter().flat_map(Analyses::files);
     let tables = files::tables(folder, of_analyses.chain(sweep.as_ref().map(|_| "table.csv")));
-    let data = Data { about, summary, run, shapes, analyses, sweep, tables, figures, files };
+    let of_analyses = analyses.iter().flat_map(Analyses::files);
+    let motions = files::motions(folder, of_analyses)?;
+    let data =
+        Data { about, summary, run, shapes, analyses, sweep, tables, motions, figures, files };
     let data = serde_json::to_string(&data).expect("the keys are strings");
     // No text of a case ends the element, or is markup.
     Ok(filled(&title, &data.replace('<', "\\u003c")))
@@ -106,7 +117,7 @@ pub(crate) fn made(folder: &Path) -> Result<String, String> {
 
 fn filled(title: &str, data: &str) -> String {
     let title = title.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
-    let script = format!("(() => {{\n'use strict';\n{CHARTS}{SCENE}{PARTS}}})();");
+    let script = format!("(() => {{\n'use strict';\n{CHARTS}{SCENE}{STAGE}{LATERAL}{PARTS}}})();");
     let parts = [("style", STYLE), ("title", &title), ("data", data), ("script", &script)];
     let mut page = String::with_capacity(PAGE.len() + data.len() + STYLE.len() + script.len());
     for piece in PAGE.split("{{") {

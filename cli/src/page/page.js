@@ -33,8 +33,8 @@ function part(id, title) {
   return own;
 }
 
-// A table with units that follow the switch: cells are texts, or [value, unit].
-function table(parent, heads, rows, words = []) {
+// A table with units that follow the switch: cells are texts, [value, unit], or functions that give texts; `mark` is given each.
+function table(parent, heads, rows, words = [], mark = () => {}) {
   const own = add(add(parent, 'div', undefined, { class: 'scroll' }), 'table');
   const fill = () => {
     own.replaceChildren();
@@ -43,7 +43,7 @@ function table(parent, heads, rows, words = []) {
     const body = add(own, 'tbody');
     for (const row of rows) {
       const line = add(body, 'tr');
-      row.forEach((cell, k) => add(line, 'td', Array.isArray(cell) ? shown(cell[0] * Units.of(cell[1])[1], 4) : cell, words.includes(k) ? { class: 'words' } : {}));
+      row.forEach((cell, k) => mark(add(line, 'td', Array.isArray(cell) ? shown(cell[0] * Units.of(cell[1])[1], 4) : typeof cell === 'function' ? cell() : cell, words.includes(k) ? { class: 'words' } : {})));
     }
   };
   fill();
@@ -128,12 +128,27 @@ function facts() {
   }
   const top = strongest();
   if (top) fact('strongest motion', top.words, () => `${top.title}: ${shown(top.amplitude * Units.of(top.unit)[1] * Amplitudes.factor, 3)} ${Units.of(top.unit)[0]} ${Amplitudes.words} at ${shown(top.hertz, 4)} Hz`);
+  const passed = largestOrder();
   const orders = (summary.orders?.signals || []).filter((own) => own.signal.endsWith('_um'));
-  if (orders.length) {
+  if (passed) fact('largest 1X, 0-pk', [passed.amplitude, 'µm'], `${passed.title}, at ${shown(passed.rpm, 4)} rpm`);
+  else if (orders.length) {
     const top = orders.reduce((best, own) => (own['1X'].amplitude > best['1X'].amplitude ? own : best));
     const title = about.signals.find((own) => own.columns.some(([name]) => name === top.signal));
     fact('largest 1X, 0-pk', [top['1X'].amplitude, 'µm'], `${title ? title.title : top.signal}, last ${top.revolutions === 1 ? 'revolution' : `${top.revolutions} revolutions`}`);
   }
+}
+
+// Where 1X of displacements is largest over a run-up.
+function largestOrder() {
+  let top = null;
+  for (const all of run.tracked) {
+    const rpm = numbers(all.rpm);
+    for (const signal of all.signals.filter((own) => own.column.endsWith('_um'))) {
+      const title = about.signals.find((own) => own.columns.some(([name]) => name === signal.column))?.title || signal.column;
+      numbers(signal.first).forEach((amplitude, k) => { if (!top || amplitude > top.amplitude) top = { amplitude, rpm: rpm[k], title }; });
+    }
+  }
+  return top;
 }
 
 // The largest line of the spectra of displacements, as a multiple of the speed.
@@ -165,66 +180,6 @@ function theCase() {
     if (rows) table(own, rows[0], rows.slice(1));
     if (lines) { const list = add(own, 'ul', undefined, { class: 'plain' }); for (const line of lines) add(list, 'li', line); }
   }
-}
-
-let scene = null;
-function machine() {
-  const { shapes } = data;
-  if (!shapes) return;
-  const own = part('machine', 'The machine');
-  const moves = shapes.bodies.some((body) => body.motion);
-  const rest = shapes.left_out.length ? ` Too large to be shown here: ${shapes.left_out.join(', ')}.` : '';
-  add(own, 'p', `Bodies, x up: by their meshes${shapes.bodies.some((body) => body.sketched) ? '; what has none as cylinders of the same mass and inertias' : ''}.${moves ? '' : ' With [fields] in the case, the motion of those with meshes over the last cycle is shown, too.'}${rest}`, { class: 'soft' });
-  const choose = add(own, 'div', undefined, { class: 'choose screen' });
-  const canvas = add(own, 'canvas', undefined, { class: 'scene', tabindex: 0, role: 'img', 'aria-label': 'The bodies of the machine in space' });
-  try { scene = new Scene(canvas, shapes); } catch (error) {
-    canvas.remove();
-    choose.remove();
-    add(own, 'p', `This browser cannot draw it (${error.message}).`);
-    return;
-  }
-  add(own, 'p', 'Drag turns, Shift and drag moves, Ctrl and the wheel zoom. By keys: arrows turn, + and − zoom, 0 shows all, Space plays.', { class: 'soft screen' });
-  const check = (words, on, change) => { const box = add(add(choose, 'label'), 'input', undefined, { type: 'checkbox' }); box.after(` ${words}`); box.checked = on; box.addEventListener('change', () => { change(box.checked); scene.draw(); }); };
-  const select = (words, options, value, change) => { const box = add(add(choose, 'label', `${words} `), 'select'); for (const [name, text] of options) add(box, 'option', text, { value: name }); box.value = value; box.addEventListener('change', () => { change(box.value); scene.draw(); }); };
-  if (shapes.bodies.length > 1) for (const { name } of shapes.bodies) check(name, true, (on) => { if (on) scene.off.delete(name); else scene.off.add(name); });
-  if (moves) {
-    const said = add(own, 'p', '', { class: 'soft' });
-    const button = add(choose, 'button', 'Play', { type: 'button' });
-    let playing = false;
-    const say = () => {
-      const largest = scene.bodies.filter((one) => one.body.motion).map((one) => `${one.body.name} ${shown(1e6 * one.body.motion.largest * Units.of('µm')[1], 4)} ${Units.of('µm')[0]}${one.body.motion.stress ? `, ${shown(one.body.motion.largest_mpa * Units.of('MPa')[1], 4)} ${Units.of('MPa')[0]} by von Mises` : ''}`).join('; ');
-      said.textContent = `t = ${scene.seconds().toFixed(5)} s, displacements ${scene.scale === 1 ? 'as they are' : `${shown(scene.scale)} times as large`}. Largest on the surface in these frames: ${largest}.`;
-    };
-    const step = () => {
-      if (!playing) return;
-      scene.time = (scene.time + 0.15) % Math.max(scene.frames - 1, 1);
-      scene.draw();
-      say();
-      requestAnimationFrame(step);
-    };
-    scene.play = () => { playing = !playing; button.textContent = playing ? 'Stop' : 'Play'; step(); };
-    button.addEventListener('click', scene.play);
-    const scales = [...new Set([1, 10, 100, 1e3, 1e4, 1e5, scene.scale])].sort((a, b) => a - b).filter((one) => one <= 10 * Math.max(scene.scale, 1));
-    select('displacements', scales.map((one) => [String(one), `\u00d7 ${one}`]), String(scene.scale), (value) => { scene.scale = Number(value); say(); });
-    const stresses = shapes.bodies.some((body) => body.motion?.stress);
-    select('colour', [['body', 'bodies'], ['displacement', 'displacement'], ...(stresses ? [['stress', 'stress (von Mises)']] : [])], stresses ? 'stress' : 'displacement', (value) => { scene.colour = value; });
-    scene.colour = stresses ? 'stress' : 'displacement';
-    check('turn with the bodies', true, (on) => { scene.turning = on; });
-    const bar = add(own, 'p', undefined, { class: 'soft' });
-    const scaleOf = () => {
-      const [end, unit] = scene.colour === 'stress' ? [Math.max(...scene.bodies.map((one) => one.body.motion?.largest_mpa || 0)), 'MPa'] : [1e6 * scene.largest, 'µm'];
-      bar.replaceChildren();
-      if (scene.colour === 'body') return;
-      bar.append('0 ');
-      add(bar, 'span', undefined, { class: 'ramp' });
-      bar.append(` ${shown(end * Units.of(unit)[1], 4)} ${Units.of(unit)[0]}`);
-    };
-    choose.addEventListener('change', scaleOf);
-    scaleOf();
-    say();
-    redraw.push(say, scaleOf);
-  }
-  scene.draw();
 }
 
 function results() {
@@ -357,6 +312,23 @@ function orbits() {
   fit.addEventListener('change', () => { framed = !fit.checked; update(); });
 }
 
+// Charts over the angle of the last revolutions, in which forces and films repeat themselves.
+function overAngle() {
+  if (!run || !run.turned.length) return;
+  const own = part('angle', 'Over the angle');
+  const most = Math.max(...run.turned.map((one) => one.revolutions));
+  add(own, 'p', `Every row of the last ${most > 1.05 ? `${shown(most, 3)} revolutions` : 'revolution'}, the angle counted from where they begin.`, { class: 'soft' });
+  const grid = add(own, 'div', undefined, { class: 'grid' });
+  for (const { group, revolutions, before, columns: packed } of run.turned) {
+    const { title, quantity, unit, factor, lines } = about.groups[group];
+    const x = numbers(before).map((degrees) => 360 * revolutions - degrees);
+    new Chart(grid, {
+      id: `angle-${slug(title)}`, title, sync: `angle ${revolutions.toFixed(3)}`, x: { label: 'angle', unit: '°' }, y: { label: quantity, unit }, range: [0, 360 * revolutions],
+      series: lines.map(([, label], k) => ({ name: label, x, y: factor === 1 ? numbers(packed[k]) : numbers(packed[k]).map((value) => value * factor), style: k % 7 })),
+    });
+  }
+}
+
 function spectra() {
   if (!run || !run.spectra.length) return;
   const own = part('spectra', 'Spectra');
@@ -376,17 +348,22 @@ function spectra() {
   });
 }
 
+// The abscissa of what is found over a run: speed if it rises or falls all along, time if not; and values in its order.
+function overSpeed(all) {
+  const [rpm, time] = [numbers(all.rpm), numbers(all.time)];
+  const rises = rpm.every((value, k) => k === 0 || value > rpm[k - 1]);
+  const falls = rpm.every((value, k) => k === 0 || value < rpm[k - 1]);
+  const turn = (values) => (falls ? Float32Array.from(values).reverse() : values);
+  return { turn, x: rises || falls ? { label: 'speed', unit: 'rpm', values: turn(rpm) } : { label: 'time', unit: 's', values: time } };
+}
+
 function tracked() {
   if (!run || !run.tracked.length) return;
   const own = part('orders', 'Orders over speed');
   for (const all of run.tracked) {
     const n = all.revolutions;
     add(own, 'p', `Amplitudes and phases of x = A cos(nθ + φ), tracked by the angle: each point is a fit over ${shown(n)} revolutions with the weights of a Hann window. It tells an order from what differs from it by ${shown(2 / n, 3)} orders or more; nearer than that, both are in one. Overall is half of largest less least value in the same revolutions, of the direction in which it is larger: where it is far above 1X, something else moves.`, { class: 'soft' });
-    const [rpm, time] = [numbers(all.rpm), numbers(all.time)];
-    const rises = rpm.every((value, k) => k === 0 || value > rpm[k - 1]);
-    const falls = rpm.every((value, k) => k === 0 || value < rpm[k - 1]);
-    const turn = (values) => (falls ? Float32Array.from(values).reverse() : values);
-    const x = rises || falls ? { label: 'speed', unit: 'rpm', values: turn(rpm) } : { label: 'time', unit: 's', values: time };
+    const { turn, x } = overSpeed(all);
     const grid = add(own, 'div', undefined, { class: 'grid' });
     for (const whole of about.signals) {
       const own = whole.columns.map(([name, axis]) => [axis, all.signals.find((signal) => signal.column === name)]).filter(([, signal]) => signal);
@@ -403,6 +380,25 @@ function tracked() {
       new Chart(grid, {
         id: `phase-${id}`, title: `${title}, phase of 1X`, sync: 'orders', x: axis, y: { label: 'phase', unit: '°' },
         series: own.map(([axis, signal], k) => draw(unwrapped(turn(numbers(signal.first_phase_deg))), `1X ${axis}`, k)),
+      });
+    }
+  }
+}
+
+// Least and largest values of every revolution of a run-up or a run-down.
+function envelopes() {
+  if (!run || !run.envelopes.length) return;
+  const own = part('envelope', 'Envelope over speed');
+  for (const all of run.envelopes) {
+    add(own, 'p', all.revolutions > 1 ? `The least and the largest value of every ${shown(all.revolutions)} revolutions.` : 'The least and the largest value of every revolution.', { class: 'soft' });
+    const { turn, x } = overSpeed(all);
+    const grid = add(own, 'div', undefined, { class: 'grid' });
+    for (const whole of about.signals) {
+      const columns_ = whole.columns.map(([name, axis]) => [axis, all.signals.find((signal) => signal.column === name)]).filter(([, signal]) => signal);
+      if (!columns_.length) continue;
+      new Chart(grid, {
+        id: `envelope-${slug(columns_[0][1].column)}`, title: `${whole.title}: ${whole.quantity}`, sync: 'orders', x: { label: x.label, unit: x.unit }, y: { label: short(whole.quantity), unit: whole.unit },
+        series: columns_.flatMap(([axis, signal], k) => [{ name: `largest ${axis}`, x: x.values, y: turn(numbers(signal.most)), style: k, dash: '' }, { name: `least ${axis}`, x: x.values, y: turn(numbers(signal.least)), style: k, dash: '5 3' }]),
       });
     }
   }
@@ -605,12 +601,15 @@ function analysed() {
     if (usual || interrupted) add(own, 'p', `${usual}${interrupted ? 'Interrupted: what was found up to then.' : ''}`, { class: 'soft' });
     const lines = text.trimEnd().split('\n').filter((line, k) => k > 0 || !line.startsWith(`${about.name}: `));
     while (lines.length && !lines[0].trim()) lines.shift();
-    if (lines.length <= 24) add(own, 'pre', lines.join('\n'));
+    const chaptered = kind === 'lateral' && lateral(own, name, tables, lines);
+    for (const figure of data.figures) if (chaptered && figure.name === `${name}.svg`) figure.shown = true;
+    if (lines.length <= 24 && !chaptered) add(own, 'pre', lines.join('\n'));
     const grid = add(own, 'div', undefined, { class: 'grid' });
     const replaced = CHARTED[kind]?.(grid, name, tables) || [];
     for (const figure of data.figures) if (replaced.includes(figure.name)) figure.shown = true;
     drawn(own, data.figures.filter((figure) => files.includes(figure.name) && !figure.shown));
-    if (lines.length > 24) { const more = add(own, 'details'); add(more, 'summary', `All that was found, in words (${lines.length} lines)`); add(more, 'pre', lines.join('\n')); }
+    inSpace(own, name);
+    if (lines.length > 24 || chaptered) { const more = add(own, 'details'); add(more, 'summary', `All that was found, in words (${lines.length} lines)`); add(more, 'pre', lines.join('\n')); }
     for (const file of files) {
       const table_ = tables.get(file);
       if (!table_ || !table_.rows.length) continue;
@@ -640,18 +639,23 @@ function files() {
 }
 
 page.replaceChildren();
-for (const make of [head, theCase, machine, results, histories, orbits, spectra, tracked, waterfalls, swept, analysed, energy, drawings, files]) make();
+// Of a run-up what goes over the speed comes first: no cycle of it is like another one.
+const speeds = [tracked, envelopes, waterfalls];
+const cycles = [results, histories, orbits, overAngle, spectra];
+const ofRun = run?.tracked.length ? [...speeds, ...cycles] : [...cycles, ...speeds];
+for (const make of [head, theCase, machine, ...ofRun, swept, analysed, energy, drawings, files]) make();
 add(page, 'footer', `whirl ${about.version}`);
 
-function again() { for (const fill of [...redraw]) fill(); Chart.renderAll(); scene?.draw(); }
+const redrawScenes = () => scenes.forEach((own) => own.draw());
+function again() { for (const fill of [...redraw]) fill(); Chart.renderAll(); redrawScenes(); }
 document.getElementById('units').addEventListener('change', (event) => { Units.system = event.target.value; again(); });
 document.getElementById('amplitudes').addEventListener('change', (event) => { Amplitudes.factor = Number(event.target.value); again(); });
-document.getElementById('theme').addEventListener('change', (event) => { document.documentElement.dataset.theme = event.target.value; scene?.draw(); });
+document.getElementById('theme').addEventListener('change', (event) => { document.documentElement.dataset.theme = event.target.value; redrawScenes(); });
 document.getElementById('print').addEventListener('click', () => window.print());
 let width = window.innerWidth;
-window.addEventListener('resize', () => { if (window.innerWidth !== width) { width = window.innerWidth; Chart.renderAll(); scene?.draw(); } });
+window.addEventListener('resize', () => { if (window.innerWidth !== width) { width = window.innerWidth; Chart.renderAll(); redrawScenes(); } });
 const printing = (on) => { Chart.printing = on; for (const details of document.querySelectorAll('details')) if (on) details.dataset.was = details.open; Chart.renderAll(); };
 window.addEventListener('beforeprint', () => printing(true));
 window.addEventListener('afterprint', () => printing(false));
 // For tests: what is shown, read back.
-window.whirl = { data, charts: Chart.all, scene, Scene, numbers, Units, Amplitudes };
+window.whirl = { data, charts: Chart.all, scene, scenes, Scene, numbers, Units, Amplitudes };

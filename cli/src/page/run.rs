@@ -6,10 +6,13 @@ use std::io;
 use serde::Serialize;
 
 use super::about::{About, Journal, Signal};
+use super::envelope::{Envelope, Enveloper};
+use super::groups::Group;
 use super::kept::{Histories, Kept};
 use super::orbits::Orbit;
 use super::spectra::{self, Slices, Spectrum, Waterfall};
 use super::tracked::{Tracked, Tracker};
+use super::turned::Turned;
 use crate::history::ReadHistory;
 use crate::report::begun;
 
@@ -18,6 +21,8 @@ const MOST_TAIL: usize = 1 << 17;
 /// Signals of which spectra, and maps of them, are made.
 const MOST_SPECTRA: usize = 24;
 const MOST_MAPS: usize = 6;
+/// Charts over the angle, at most.
+const MOST_TURNED: usize = 16;
 /// Speed changes by this part at least where orders are tracked, and places at which it is looked for.
 const VARIES: f64 = 0.2;
 const LOOKED_AT: u32 = 16;
@@ -37,12 +42,14 @@ pub(super) struct RunData {
     begins: f64,
     ends: f64,
     orbits: Vec<Orbit>,
+    turned: Vec<Turned>,
     /// Over how long (s), and one a signal.
     spectrum_s: f64,
     spectra: Vec<Spectrum>,
     waterfalls: Vec<Waterfall>,
-    /// One an angle.
+    /// One an angle, of those whose speed varies.
     tracked: Vec<Tracked>,
+    envelopes: Vec<Envelope>,
 }
 
 impl RunData {
@@ -92,6 +99,11 @@ impl RunData {
                 Tracker::new((angle, columns), span)
             })
             .collect();
+        let of_envelope = |&(angle, span): &(usize, [f64; 2])| {
+            let own = signals.iter().take(MOST_SPECTRA).filter(|own| own.1 == Some(angle));
+            Enveloper::new((angle, own.flat_map(|own| own.0.iter().copied()).collect()), span)
+        };
+        let mut envelopes: Vec<Enveloper> = varying.iter().map(of_envelope).collect();
         let turns = |angle: usize| varying.iter().any(|own| own.0 == angle);
         let mapped: Vec<usize> = (0..signals.len())
             .filter(|k| signals[*k].1.is_some_and(turns))
@@ -102,10 +114,18 @@ impl RunData {
             Some((signals[*k].0[..both].to_vec(), signals[*k].1?))
         });
         let mut slices = Slices::new(of_maps.collect(), rows, dt);
+        let of_group = |own: &Group| {
+            placed(&mut own.lines.iter().map(|own| own.0.as_str()), own.angle.as_deref())
+        };
+        let of_angle = about.groups.iter().enumerate().filter(|own| own.1.angle.is_some());
+        let of_angle = of_angle.take(MOST_TURNED);
+        let of_angle = of_angle
+            .map(|(k, own)| Ok((k, of_group(own)?)))
+            .collect::<io::Result<Vec<(usize, Placed)>>>()?;
         let tail_rows = tail(about, (&signals, &journals), history, rows)?;
         let from = ends - (tail_rows as f64 - 0.5) * dt;
         let mut end: Vec<Vec<f64>> = vec![Vec::new(); names.len()];
-        let wanted = wanted(&signals, &journals);
+        let wanted = wanted(&signals, &journals, &of_angle);
         history.scan(history.start(), &names, &mut |row| {
             let time = row[0];
             let ratio = |&(k, clearance): &(usize, f64)| {
@@ -113,6 +133,7 @@ impl RunData {
             };
             kept.add(time, row[1..].iter().copied().chain(ratios.iter().map(ratio)));
             trackers.iter_mut().for_each(|own| own.add(time, row));
+            envelopes.iter_mut().for_each(|own| own.add(time, row));
             slices.iter_mut().for_each(|own| own.add(time, row));
             if time >= from {
                 wanted.iter().for_each(|&own| end[own].push(row[own]));
@@ -126,6 +147,10 @@ impl RunData {
                 Orbit::of(own, [x, y, fx, fy], angle.map(|own| end[own].as_slice()), cycle)
             })
         });
+        let turned = of_angle.iter().filter_map(|(group, (columns, angle))| {
+            let columns: Vec<&[f64]> = columns.iter().map(|own| end[*own].as_slice()).collect();
+            Turned::of(*group, &columns, &end[(*angle)?])
+        });
         let owned = history.names();
         let title = |(k, _): &(usize, f64)| about.journals[*k].title.clone();
         Ok(Some(RunData {
@@ -135,20 +160,25 @@ impl RunData {
             begins,
             ends,
             orbits: orbits.collect(),
+            turned: turned.collect(),
             spectrum_s: span,
             spectra,
             waterfalls: slices.map_or_else(Vec::new, |own| own.finish(&mapped)),
             tracked: trackers.into_iter().filter_map(|own| own.finish(owned)).collect(),
+            envelopes: envelopes.into_iter().filter_map(|own| own.finish(owned)).collect(),
         }))
     }
 }
 
 /// Columns of which the end is kept.
-fn wanted(signals: &[Placed], journals: &[Placed]) -> Vec<usize> {
+fn wanted(signals: &[Placed], journals: &[Placed], of_angle: &[(usize, Placed)]) -> Vec<usize> {
     let columns =
         |(columns, angle): &Placed| columns.iter().copied().chain(*angle).collect::<Vec<usize>>();
     let signals = signals.iter().take(MOST_SPECTRA).flat_map(columns);
-    let mut all: Vec<usize> = signals.chain(journals.iter().flat_map(columns)).collect();
+    let mut all: Vec<usize> = {
+        let of_angle = of_angle.iter().flat_map(|own| columns(&own.1));
+        signals.chain(journals.iter().flat_map(columns)).chain(of_angle).collect()
+    };
     all.sort_unstable();
     all.dedup();
     all

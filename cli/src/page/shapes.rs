@@ -1,10 +1,12 @@
-//! The machine in space: surfaces of its bodies, and how they move where the case wants `[fields]`: shapes.json.
+//! The machine in space: surfaces of its bodies, and how they move where the case wants `[fields]`: shapes.json. Analyses show the
+//! same surfaces in their motions.
 
 use serde::Serialize;
 use whirl_solver::mesh::Mesh;
 
 use super::encode::Packed;
 use crate::fields::Motions;
+use crate::machine::Watched;
 use crate::outside::outer_corners;
 
 /// Nodes of all surfaces, and numbers of all frames, at most: a page is to open.
@@ -28,7 +30,7 @@ struct Shape {
     /// Whether its frame turns; x and y of the axis from which its points count (m).
     turns: bool,
     axis: [f64; 2],
-    /// Three a node (m), and three places of nodes a triangle.
+    /// Three a node (m), and three places of nodes a triangle, as short as they can be.
     points: Packed,
     triangles: Packed,
     /// Whether it is a cylinder in the place of what has no mesh.
@@ -36,6 +38,9 @@ struct Shape {
     sketched: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     motion: Option<Moved>,
+    /// The body that its points are of, by its place, and what they are there.
+    #[serde(skip)]
+    on: (usize, Watched),
 }
 
 /// How it moves.
@@ -58,15 +63,18 @@ fn is_false(own: &bool) -> bool {
 }
 
 /// A body or a disc without a mesh.
-pub(crate) struct Solid<'a> {
-    pub(crate) name: &'a str,
-    pub(crate) turns: bool,
-    pub(crate) axis: [f64; 2],
+pub(super) struct Solid<'a> {
+    pub(super) name: &'a str,
+    /// The body, by its place, and which of what it carries it is.
+    pub(super) body: usize,
+    pub(super) carried: Option<usize>,
+    pub(super) turns: bool,
+    pub(super) axis: [f64; 2],
     /// z of its centre (m), kg, and kg m² about z and across it, if that is known.
-    pub(crate) z: f64,
-    pub(crate) mass: f64,
-    pub(crate) polar: f64,
-    pub(crate) across: Option<f64>,
+    pub(super) z: f64,
+    pub(super) mass: f64,
+    pub(super) polar: f64,
+    pub(super) across: Option<f64>,
 }
 
 /// Corners of a cylinder, and its length over its radius where it has no inertia across.
@@ -74,21 +82,25 @@ const CORNERS: u32 = 48;
 const LENGTH: f64 = 0.5;
 
 /// A body that has a mesh.
-pub(crate) struct Meshed<'a> {
-    pub(crate) name: &'a str,
-    pub(crate) turns: bool,
-    pub(crate) axis: [f64; 2],
-    pub(crate) mesh: &'a Mesh,
+pub(super) struct Meshed<'a> {
+    pub(super) name: &'a str,
+    /// By its place.
+    pub(super) body: usize,
+    pub(super) turns: bool,
+    pub(super) axis: [f64; 2],
+    pub(super) mesh: &'a Mesh,
 }
 
 impl Shapes {
     /// Of bodies that have meshes; none where none has. Those with their motions are not given here.
-    pub(crate) fn of<'a>(bodies: impl Iterator<Item = Meshed<'a>>) -> Option<Self> {
+    pub(super) fn of<'a>(bodies: impl Iterator<Item = Meshed<'a>>) -> Option<Self> {
         let mut all = Shapes { bodies: Vec::new(), left_out: Vec::new() };
         let mut room = MOST_NODES;
         for own in bodies {
             let surface = (own.mesh.cell_count() <= MOST_CELLS).then(|| Surface::of(own.mesh));
             match surface.filter(|own| own.nodes.len() <= room) {
+                // A body of matrices has no cells.
+                Some(surface) if surface.nodes.is_empty() => {}
                 Some(surface) => {
                     room -= surface.nodes.len();
                     all.bodies.push(Shape {
@@ -96,9 +108,10 @@ impl Shapes {
                         turns: own.turns,
                         axis: own.axis,
                         points: surface.points(own.mesh),
-                        triangles: Packed::whole(surface.triangles),
+                        triangles: triangles(surface.triangles, surface.nodes.len()),
                         sketched: false,
                         motion: None,
+                        on: (own.body, Watched::Nodes(surface.nodes)),
                     });
                 }
                 None => all.left_out.push(own.name.to_owned()),
@@ -108,7 +121,7 @@ impl Shapes {
     }
 
     /// With cylinders of the same mass and inertias for bodies and discs that have no mesh.
-    pub(crate) fn sketched<'a>(
+    pub(super) fn sketched<'a>(
         own: Option<Self>,
         solids: impl Iterator<Item = Solid<'a>>,
     ) -> Option<Self> {
@@ -122,19 +135,24 @@ impl Shapes {
             if !(radius > 0.0 && length.is_finite()) {
                 continue;
             }
-            let (points, triangles) =
-                cylinder(radius, [own.z - 0.5 * length, own.z + 0.5 * length]);
+            let (points, corners) = cylinder(radius, [own.z - 0.5 * length, own.z + 0.5 * length]);
             all.bodies.push(Shape {
                 name: own.name.to_owned(),
                 turns: own.turns,
                 axis: own.axis,
-                points: Packed::single(points.into_iter().flatten()),
-                triangles: Packed::whole(triangles),
+                points: Packed::single(points.iter().copied().flatten()),
+                triangles: triangles(corners, points.len()),
                 sketched: true,
                 motion: None,
+                on: (own.body, Watched::Fixed(own.carried, points)),
             });
         }
         (!all.bodies.is_empty()).then_some(all)
+    }
+
+    /// The points of each shape, with the body that they are of.
+    pub(crate) fn points(&self) -> impl Iterator<Item = (usize, &Watched)> {
+        self.bodies.iter().map(|own| (own.on.0, &own.on.1))
     }
 
     /// With the motions of a run.
@@ -181,6 +199,14 @@ impl Shapes {
     /// The text of the file.
     pub(crate) fn json(&self) -> String {
         serde_json::to_string(self).expect("the keys are strings") + "\n"
+    }
+}
+
+/// Places of so many nodes.
+fn triangles(places: Vec<u32>, nodes: usize) -> Packed {
+    match u16::try_from(nodes) {
+        Ok(_) => Packed::short(places.into_iter().map(|own| own as u16)),
+        Err(_) => Packed::whole(places),
     }
 }
 
@@ -252,8 +278,17 @@ mod tests {
         assert!((volume / (0.5 * polygon) - 1.0).abs() < 1e-12, "{volume}");
         // m = 2 kg, r = 0.1 m, l = 0.6 m.
         let (mass, polar, across) = (2.0, 0.01, 2.0 * (0.03 + 0.36) / 12.0);
-        let solid =
-            |across| Solid { name: "a", turns: true, axis: [0.0; 2], z: 0.3, mass, polar, across };
+        let solid = |across| Solid {
+            name: "a",
+            body: 0,
+            carried: None,
+            turns: true,
+            axis: [0.0; 2],
+            z: 0.3,
+            mass,
+            polar,
+            across,
+        };
         let made = Shapes::sketched(None, [solid(Some(across))].into_iter()).expect("one");
         let (points, _) = cylinder(0.1, [0.0, 0.6]);
         assert_eq!(

@@ -1,5 +1,6 @@
 //! Results of a run: summary and tables.
 
+mod films;
 mod orders;
 mod oscillations;
 mod summary;
@@ -8,8 +9,9 @@ mod verdict;
 
 use std::io;
 
+pub(crate) use films::{FilmChart, films};
 pub(crate) use orders::{OrderFacts, orders};
-pub(crate) use oscillations::{Oscillation, oscillations};
+pub(crate) use oscillations::{Oscillation, angle, oscillations};
 pub(crate) use summary::{Summary, Times};
 pub(crate) use table::{of_orders, stops, supports, table};
 pub(crate) use verdict::VerdictFacts;

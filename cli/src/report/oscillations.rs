@@ -95,7 +95,7 @@ fn spin(case: &Case) -> Option<bool> {
 }
 
 /// The column of the angle of a body, or of the first one that turns.
-fn angle(case: &Case, machine: &Machine, body: usize) -> Option<String> {
+pub(crate) fn angle(case: &Case, machine: &Machine, body: usize) -> Option<String> {
     if spin(case) == Some(false) {
         return None;
     }

@@ -61,8 +61,9 @@ impl Excited {
         Some((order.abs(), Seen { sign: order.signum(), turn: Complex64::from_polar(1.0, phase) }))
     }
 
-    /// The coordinates by orders of the body, in rising order, those of the order 0 real: where they are in the mean.
-    pub(super) fn by_orders(&self) -> Vec<(f64, Vec<Complex64>)> {
+    /// The coordinates of [`Linearised`] by orders of the body, in rising order, those of the order 0 real: where they are in the
+    /// mean.
+    pub fn by_orders(&self) -> Vec<(f64, Vec<Complex64>)> {
         let mut moved: BTreeMap<i32, Vec<Complex64>> = BTreeMap::new();
         for part in &self.parts {
             let Some((order, seen)) = self.seen_at(part.order, part.beside) else { continue };

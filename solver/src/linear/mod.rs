@@ -21,6 +21,7 @@ mod excited;
 mod first_order;
 mod frame;
 mod hill;
+mod in_space;
 mod limits;
 mod linearised;
 mod map;

@@ -102,7 +102,7 @@ pub(super) fn found(
                 let boundary = standard::region_boundary(density);
                 let is_safe = csr <= boundary || ratio >= standard::RATIOS[1];
                 let pass = if is_safe { Pass::Yes } else { Pass::LevelTwo };
-                let quantity = "level I critical speed ratio, region A up to";
+                let quantity = "level I critical speed ratio (region A up to)";
                 add(quantity, "", Some(words::rpm(first.speed)), csr, Some(boundary), "1", pass);
             }
         } else {

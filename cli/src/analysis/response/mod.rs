@@ -4,6 +4,7 @@ mod figures;
 mod large;
 mod numbers;
 mod peaks;
+mod played;
 mod probes;
 mod source;
 
@@ -19,6 +20,7 @@ use self::probes::Reading;
 use self::source::Source;
 use super::found::{Found, drawn};
 use super::peaked::{left_out, sides};
+use super::space::{Pictures, Space};
 use super::speeds::Wanted;
 use super::states::{Ended, at_each_speed};
 use super::words;
@@ -35,8 +37,9 @@ pub(super) fn found(
     linear: &LinearMachine,
     (analysis, wanted): (&Analysis, &Wanted),
     interruption: &Interruption,
-    figures: bool,
+    pictures: Pictures,
 ) -> Result<Found, Failure> {
+    let figures = pictures.figures;
     let of = wanted.of.expect("a body that turns");
     let points = linear.points();
     if points.is_empty() {
@@ -152,6 +155,10 @@ pub(super) fn found(
         for (stem, figure) in drawing.figures(name) {
             files.extend(drawn(&stem, &figure));
         }
+    }
+    if let Some(mut space) = pictures.space.map(Space::begin).transpose()?.flatten() {
+        played::add((linear, &at), (&speeds, &main(&sources)), interruption, &mut space)?;
+        files.extend(space.file(name));
     }
     let notes = notes + &words::doubts(&large.told());
     let text = text(case, linear, &points, (&speeds, &sources)) + &notes;

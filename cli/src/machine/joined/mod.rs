@@ -14,6 +14,7 @@ mod planned_joint;
 mod pushing;
 mod section;
 mod surfaces;
+mod watched;
 
 use whirl_codegen::diagnostic::{Code, Diagnostics};
 use whirl_solver::bearing::{Bearing, OtherMotion, Sides};
@@ -24,6 +25,7 @@ use whirl_solver::output::{self, Wanted};
 pub(crate) use self::idle::of_loads as idle_loads;
 pub(crate) use self::planned_body::PlannedBody;
 use self::planned_joint::PlannedJoint;
+pub(crate) use self::watched::Watched;
 use super::forces;
 use super::laws::laws_of;
 use super::plan::{BodyPlan, geometry};

@@ -1,0 +1,58 @@
+//! The shapes of a case by its plan.
+
+use whirl_solver::model::AttachmentKind;
+use whirl_solver::rigid::RigidBody;
+
+use super::shapes::{Meshed, Shapes, Solid};
+use crate::case::Case;
+use crate::machine::{JoinedPlan, PlannedBody};
+
+impl Shapes {
+    /// Surfaces of bodies, and cylinders for what has no mesh, discs on others among them if they are wanted.
+    pub(crate) fn of_case(case: &Case, plan: &JoinedPlan, discs: bool) -> Option<Shapes> {
+        let bodies = || case.machine.bodies.iter().zip(&plan.bodies).enumerate();
+        let meshed = Shapes::of(bodies().filter_map(|(body, (own, plan))| {
+            let turns = own.turns();
+            let axis = if turns { own.axis } else { [0.0; 2] };
+            Some(Meshed { name: own.name.text(), body, turns, axis, mesh: &plan.meshed()?.mesh })
+        }));
+        if case.machine.is_mass() {
+            return meshed;
+        }
+        let rigid = bodies().filter_map(|(body, (own, plan))| {
+            let PlannedBody::Rigid(rigid) = plan else { return None };
+            let RigidBody { mass, polar_inertia, transverse_inertia, centre, .. } = rigid.body;
+            Some(Solid {
+                name: own.name.text(),
+                body,
+                carried: None,
+                turns: own.turns(),
+                axis: own.axis,
+                z: centre[2],
+                mass,
+                polar: polar_inertia,
+                across: transverse_inertia,
+            })
+        });
+        let discs = bodies().filter(|_| discs).flat_map(|(place, (body, _))| {
+            body.attached.iter().enumerate().filter_map(move |(carried, own)| {
+                let AttachmentKind::Disc { mass, polar_inertia, diametral_inertia } = own.what
+                else {
+                    return None;
+                };
+                Some(Solid {
+                    name: own.name.text(),
+                    body: place,
+                    carried: Some(carried),
+                    turns: true,
+                    axis: body.axis,
+                    z: own.z,
+                    mass,
+                    polar: polar_inertia,
+                    across: Some(diametral_inertia),
+                })
+            })
+        });
+        Shapes::sketched(meshed, rigid.chain(discs))
+    }
+}

@@ -1,0 +1,152 @@
+//! Least and largest value of every revolution of a run, by the speed there.
+
+use std::f64::consts::TAU;
+
+use serde::Serialize;
+
+use super::encode::Packed;
+
+/// Points at most; where there are more revolutions a point stands for several.
+const POINTS: f64 = 400.0;
+
+/// Those of the columns of one angle while the rows pass.
+pub(super) struct Enveloper {
+    /// Places of the angle and of the columns in a row.
+    angle: usize,
+    columns: Vec<usize>,
+    /// Revolutions of a point, and the sense of the rotation.
+    revolutions: f64,
+    sense: f64,
+    /// The angle at which the first one begins (rad), how many are done, and the one at work.
+    begins: f64,
+    own: Option<Turn>,
+    found: Vec<Turn>,
+}
+
+/// One or a few revolutions.
+struct Turn {
+    number: f64,
+    /// Time and angle (rad) of the first and the last row.
+    ends: [[f64; 2]; 2],
+    /// A column each: least and largest.
+    columns: Vec<[f64; 2]>,
+}
+
+/// As a page has it.
+#[derive(Debug, Serialize)]
+pub(super) struct Envelope {
+    /// Of a point.
+    revolutions: f64,
+    /// s, in the middle.
+    time: Packed,
+    rpm: Packed,
+    /// A column each.
+    signals: Vec<Extremes>,
+}
+
+#[derive(Debug, Serialize)]
+struct Extremes {
+    column: String,
+    least: Packed,
+    most: Packed,
+}
+
+impl Enveloper {
+    /// Of columns over an angle that turns from `begins` to `ends` (rad), whose places in a row are given.
+    pub(super) fn new((angle, columns): (usize, Vec<usize>), [begins, ends]: [f64; 2]) -> Self {
+        let revolutions = ((ends - begins).abs() / TAU / POINTS).ceil().max(1.0);
+        let sense = (ends - begins).signum();
+        let begins = sense * begins;
+        Enveloper { angle, columns, revolutions, sense, begins, own: None, found: Vec::new() }
+    }
+
+    /// Takes a row.
+    pub(super) fn add(&mut self, time: f64, row: &[f64]) {
+        let angle = self.sense * row[self.angle];
+        let number = ((angle - self.begins) / (self.revolutions * TAU)).floor();
+        // What comes back stays in the turn in which it was.
+        if self.own.as_ref().is_none_or(|own| number > own.number) {
+            let columns = vec![[f64::INFINITY, f64::NEG_INFINITY]; self.columns.len()];
+            let next = Turn { number, ends: [[time, angle]; 2], columns };
+            self.found.extend(self.own.replace(next));
+        }
+        let Some(own) = &mut self.own else { return };
+        own.ends[1] = [time, angle];
+        for ([least, most], place) in own.columns.iter_mut().zip(&self.columns) {
+            (*least, *most) = (least.min(row[*place]), most.max(row[*place]));
+        }
+    }
+
+    /// What was found in whole revolutions, with names of columns; none without any.
+    pub(super) fn finish(self, names: &[String]) -> Option<Envelope> {
+        // Turns that began but did not end, or in which a standstill is, tell of no speed.
+        let all: Vec<&Turn> =
+            self.found.iter().filter(|own| own.ends[1][0] > own.ends[0][0]).collect();
+        if all.is_empty() {
+            return None;
+        }
+        let packed = |of: &dyn Fn(&Turn) -> f64| Packed::single(all.iter().map(|own| of(own)));
+        let rpm = |own: &Turn| {
+            let [[from, first], [to, last]] = own.ends;
+            (last - first) / (to - from) * 60.0 / TAU
+        };
+        let signal = |(k, place): (usize, &usize)| Extremes {
+            column: names[*place].clone(),
+            least: packed(&|own| own.columns[k][0]),
+            most: packed(&|own| own.columns[k][1]),
+        };
+        Some(Envelope {
+            revolutions: self.revolutions,
+            time: packed(&|own| 0.5 * (own.ends[0][0] + own.ends[1][0])),
+            rpm: packed(&rpm),
+            signals: self.columns.iter().enumerate().map(signal).collect(),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A run-up in which the amplitude grows with the angle, in both senses, with a spike in one revolution.
+    #[test]
+    fn every_revolution_has_its_extremes() {
+        for sense in [1.0, -1.0] {
+            let angle = |t: f64| sense * (20.0 * t + 40.0 * t * t);
+            let x = |t: f64| (1.0 + angle(t).abs()) * angle(t).sin();
+            let mut own = Enveloper::new((0, vec![1]), [0.0, angle(4.0)]);
+            assert_eq!(own.revolutions, 1.0);
+            for step in 0..=4000 {
+                let t = 1e-3 * f64::from(step);
+                own.add(t, &[angle(t), if step == 1234 { 1e4 } else { x(t) }]);
+            }
+            let spiked = (angle(1.234).abs() / TAU).floor() as usize;
+            assert_eq!(own.found.len(), (angle(4.0).abs() / TAU).floor() as usize);
+            for (k, turn) in own.found.iter().enumerate() {
+                let [least, most] = turn.columns[0];
+                let size = 1.0 + TAU * (k as f64 + 0.75);
+                // Peaks are a quarter before and behind, and rows miss them by 0.17 rad at most.
+                assert!(least < -0.9 * (size - TAU) && least > -size - 1.0, "{k} {least} {size}");
+                assert_eq!(most > 9e3, k == spiked, "{k} {most}");
+                let rate = (20.0 + 80.0 * 0.5 * (turn.ends[0][0] + turn.ends[1][0])) * 60.0 / TAU;
+                let [[from, first], [to, last]] = turn.ends;
+                assert!(((last - first) / (to - from) * 60.0 / TAU / rate - 1.0).abs() < 1e-9);
+            }
+            let whole = own.finish(&["theta".into(), "x".into()]).expect("turns");
+            assert_eq!((whole.signals.len(), whole.signals[0].column.as_str()), (1, "x"));
+        }
+    }
+
+    #[test]
+    fn many_revolutions_share_points() {
+        let mut own = Enveloper::new((0, vec![0]), [0.0, 1000.0 * TAU]);
+        assert_eq!(own.revolutions, 3.0);
+        for step in 0..=10_000 {
+            own.add(f64::from(step), &[0.1 * TAU * f64::from(step)]);
+        }
+        assert_eq!(own.found.len(), 333);
+        assert!(own.finish(&["theta".into()]).is_some());
+        let still = Enveloper::new((0, vec![0]), [0.0, 0.0]);
+        assert!(still.finish(&["theta".into()]).is_none());
+    }
+}

@@ -1,0 +1,105 @@
+// The lateral analysis of API 617 by its clauses: verdict, unbalance, critical speeds with their margins, vibration, stability.
+
+const CLAUSES = [
+  { title: 'Critical speeds: amplification factors and separation margins', of: ['amplification factor', 'separation margin'] },
+  { title: 'Vibration at the probes and at close clearances', of: ['probe vibration A_max', 'scale factor S_cc', 'scaled response at clearance'] },
+  { title: 'Stability, level I', clause: '6.8.5' },
+  { title: 'Stability, level II', clause: '6.8.6' },
+];
+
+function lateral(own, name, tables, lines) {
+  const rows = (file) => tables.get(`${name}${file}`)?.rows || [];
+  const [all, readings, decrements, unbalance] = ['.csv', '.response.csv', '.stability.csv', '.unbalance.csv'].map(rows);
+  if (!all.length) return false;
+  const range = lines.find((line) => line.startsWith('API 617')) || '';
+  const speeds = Object.fromEntries([...range.matchAll(/(N_ma|N_mc|trip) (\S+) rpm/g)].map((found) => [found[1], Number(found[2])]));
+  const verdict = lines.find((line) => /^(PASSES|DOES NOT PASS)/.test(line)) || '';
+  const box = add(own, 'div', undefined, { class: verdict.startsWith('PASSES') ? 'verdict' : 'verdict bad', id: `verdict-${slug(name)}` });
+  const [said, ...rest] = verdict.split(':');
+  add(box, 'strong', said === 'PASSES' ? 'Passes' : 'Does not pass');
+  add(box, 'p', `${rest.join(':').trim()}. ${range}.`);
+  const variants = [...new Set(all.map((row) => row.variant))];
+  const several = variants.length > 1;
+  const lead = (row) => (several ? [row.variant] : []);
+  const heads = [...(several ? ['variant'] : []), 'unbalance', 'clause', 'quantity', 'at', ['speed', 'rpm'], 'value', 'limit', '', 'passes'];
+  const words = heads.map((_, k) => k).filter((k) => k < heads.length - 5 || k >= heads.length - 2);
+  const judged = (host, some) => {
+    const made = (row) => {
+      const [unit, more] = row.unit === 'um pk-pk' ? ['µm', ' pk-pk'] : [row.unit === 1 ? '1' : String(row.unit), ''];
+      const cell = (value) => (typeof value !== 'number' ? '' : more ? [value, unit] : shown(value, 5));
+      const named = unit === '1' ? '' : () => `${Units.of(unit)[0]}${more}`;
+      return [...lead(row), row.unbalance, row.clause, row.quantity, row.place, typeof row.speed_rpm === 'number' ? shown(row.speed_rpm, 6) : '', cell(row.value), cell(row.limit), named, row.pass];
+    };
+    table(host, heads, some.map(made), words, (cell) => { if (cell.textContent === 'NO') cell.className = 'words fails'; if (cell.textContent === 'yes') cell.className = 'words passes'; });
+  };
+  add(own, 'h3', `Unbalance (${all[0].clause.replace(/\.\d+$/, '.7')})`);
+  const loads = lines.filter((line) => line.includes('static loads: '));
+  const list = add(own, 'ul', undefined, { class: 'plain' });
+  for (const line of loads) add(list, 'li', `${line[0].toUpperCase()}${line.slice(1)}`);
+  table(own, [...(several ? ['variant'] : []), 'unbalance', 'z (mm)', 'W (kg)', 'U_a (g·mm)', 'phase (°)'], unbalance.map((row) => [...lead(row), row.unbalance, ...['z_mm', 'load_kg', 'unbalance_g_mm', 'phase_deg'].map((key) => shown(row[key], 5))]), several ? [0, 1] : [0]);
+  CLAUSES.forEach(({ title, of, clause }, place) => {
+    const some = all.filter((row) => (of ? of.some((quantity) => row.quantity.startsWith(quantity)) : row.clause.endsWith(clause.slice(1))));
+    if (!some.length) return;
+    add(own, 'h3', `${title} (${[...new Set(some.map((row) => row.clause))].join(', ')})`);
+    judged(own, some);
+    const grid = add(own, 'div', undefined, { class: 'grid' });
+    if (place === 0) bodes(grid, name, { all, readings, speeds, several });
+    if (place === 1) clearances(grid, name, { some, readings, speeds, several });
+    if (place === 2 && decrements.length) decrement(grid, name, { some, decrements });
+  });
+  const notes = [...new Set(lines.filter((line) => /^(note: |left out: )/.test(line)))];
+  if (notes.length) {
+    add(own, 'h3', 'What limits these numbers');
+    const list_ = add(own, 'ul', undefined, { class: 'plain' });
+    for (const line of notes) add(list_, 'li', line.replace(/^note: /, ''));
+  }
+  return true;
+}
+
+const titled = (several, row, what) => `${what}, unbalance ${row.unbalance}${several ? `, ${row.variant}` : ''}`;
+const bounds = (speeds) => Object.entries(speeds).sort((a, b) => a[1] - b[1]).map(([called, x]) => ({ x, name: called }));
+
+// What probes read over speed, with peaks, and from each critical speed as far as its margin has to reach.
+function bodes(grid, name, { all, readings, speeds, several }) {
+  for (const [key, own] of grouped(readings.filter((row) => row.place.endsWith(' deg')), 'variant', 'unbalance')) {
+    const of = (quantity) => all.filter((row) => row.variant === own[0].variant && row.unbalance === own[0].unbalance && row.quantity === quantity);
+    const probes = [...grouped(own, 'place')];
+    const height = (place, speed) => { const rows = probes.find(([probe]) => probe === place)?.[1] || own; return rows.reduce((best, row) => (Math.abs(row.speed_rpm - speed) < Math.abs(best.speed_rpm - speed) ? row : best)).unscaled_um_pkpk; };
+    const margins = of('separation margin').map((row, k) => {
+      const below = row.speed_rpm < speeds.N_ma;
+      const end = row.speed_rpm / (below ? 1 - 0.01 * row.limit : 1 + 0.01 * row.limit);
+      const y = height(row.place, row.speed_rpm);
+      return { name: 'required separation margin', x: [row.speed_rpm, end].sort((a, b) => a - b), y: [y, y], style: 1, dash: '4 2', silent: k > 0 };
+    });
+    new Chart(grid, {
+      id: `probes-${slug(`${name} ${key}`)}`, title: titled(several, own[0], 'Probes'), zero: true, sync: `speed ${name}`, x: { label: 'speed', unit: 'rpm' }, y: { label: 'probe, pk-pk', unit: 'µm' }, marks: bounds(speeds),
+      series: [...probes.map(([probe, rows], k) => line(rows, 'speed_rpm', 'unscaled_um_pkpk', probe.replace(' deg', '°'), { style: [0, 2, 3, 4, 5, 6][k % 6] })), ...margins],
+      dots: of('amplification factor').map((row) => ({ x: row.speed_rpm, y: height(row.place, row.speed_rpm), style: 1, name: 'peaks' })),
+    });
+  }
+}
+
+// The scaled response over speed as a part of what is allowed at each clearance.
+function clearances(grid, name, { some, readings, speeds, several }) {
+  for (const [key, own] of grouped(readings.filter((row) => !row.place.endsWith(' deg')), 'variant', 'unbalance')) {
+    const limit = (place) => some.find((row) => row.quantity.startsWith('scaled response') && row.variant === own[0].variant && row.unbalance === own[0].unbalance && row.place === place)?.limit;
+    const places = [...grouped(own, 'place')].filter(([place]) => limit(place) > 0);
+    if (!places.length) continue;
+    new Chart(grid, {
+      id: `clearances-${slug(`${name} ${key}`)}`, title: titled(several, own[0], 'Scaled response at clearances'), zero: true, sync: `speed ${name}`, x: { label: 'speed', unit: 'rpm' }, y: { label: 'share of what is allowed', unit: '1' }, marks: bounds(speeds), levels: [{ y: 1, name: '75 % of the clearance' }],
+      series: places.map(([place, rows], k) => ({ name: place, x: rows.map((row) => row.speed_rpm), y: rows.map((row) => row.scaled_um_pkpk / limit(place)), style: k % 7 })),
+    });
+  }
+}
+
+// The logarithmic decrement of the first forward mode over stiffness across.
+function decrement(grid, name, { some, decrements }) {
+  const expected = some.find((row) => row.quantity.endsWith('Q_A') && row.unit === 'N/m');
+  const [most] = [Math.max(...decrements.map((row) => row.cross_coupling_N_m))];
+  const kilo = most >= 1e6 ? ['MN/m', 1e-6] : ['kN/m', 1e-3];
+  new Chart(grid, {
+    id: `decrement-${slug(name)}`, title: 'First forward mode at N_mc', x: { label: 'stiffness across Q', unit: kilo[0] }, y: { label: 'log decrement', unit: '1' }, levels: [{ y: 0.1, name: 'least: 0.1', framed: true }],
+    marks: expected ? [{ x: expected.value * kilo[1], name: 'Q_A' }] : [],
+    series: [...grouped(decrements, 'variant')].map(([variant, rows], k) => ({ name: variant, x: rows.map((row) => row.cross_coupling_N_m * kilo[1]), y: rows.map((row) => row.log_decrement), style: k % 7 })),
+  });
+}
