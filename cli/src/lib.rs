@@ -244,6 +244,27 @@ pub fn body_keys(case: &Case) -> Result<Vec<Key>, Failure> {
     machine::keys(case)
 }
 
+/// What the page of a run tells beside its numbers: the texts of about.json and, of a machine with bodies, of shapes.json.
+/// `steady`: [`simulate::InMemory::steady`].
+///
+/// # Errors
+/// Meshes that cannot be read any more.
+pub fn page_facts(
+    case: &Case,
+    built: &Built,
+    steady: String,
+) -> Result<(String, Option<String>), Failure> {
+    told::of_run((case, built), steady)
+}
+
+/// The text of report.html of a folder of results.
+///
+/// # Errors
+/// It is no folder of results.
+pub fn page_of(folder: &Path) -> Result<String, Failure> {
+    report_file::page_of(folder)
+}
+
 /// Checks for whatever can be found wrong with a case before its bodies are reduced: as `whirl check` does
 /// first; gives the warnings. `case`: a path or the name of a built-in case.
 ///

@@ -3,8 +3,8 @@
 use crate::case::Case;
 use crate::check;
 use crate::errors::Failure;
-use crate::machine::JoinedPlan;
-use crate::page::{Section, Shapes};
+use crate::machine::{self, Built, JoinedPlan};
+use crate::page::{About, Section, Shapes};
 
 /// Both of them.
 pub(crate) struct Told {
@@ -22,4 +22,18 @@ impl Told {
         let shapes = Shapes::of_case(case, plan, case.fields.is_none());
         Ok(Told { words: check::words(case, plan)?, shapes })
     }
+}
+
+/// about.json and, of a machine with bodies, shapes.json of a run in memory. `steady`: whether it came to a steady state, in words.
+///
+/// # Errors
+/// As [`Told::of`]; meshes that cannot be read any more.
+pub(crate) fn of_run(
+    (case, built): (&Case, &Built),
+    steady: String,
+) -> Result<(String, Option<String>), Failure> {
+    let plan = machine::plan(case, &mut Vec::new())?;
+    let Told { words, shapes } = Told::of(case, &plan)?;
+    let about = About::of_run((case, built), words, steady);
+    Ok((about.json(), shapes.map(|own| own.json())))
 }

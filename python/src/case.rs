@@ -8,7 +8,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use pyo3::prelude::*;
 use whirl_cli::errors::Failure;
 use whirl_cli::{
-    Asked, Built, CaseText, build, check_case, read, read_text, read_text_to_analyse,
+    Asked, Built, CaseText, build, check_case, page_facts, read, read_text, read_text_to_analyse,
     read_to_analyse,
 };
 use whirl_solver::history::Column;
@@ -200,6 +200,20 @@ impl Case {
         let found: Result<_, Failure> = heard(py, work)?;
         let (found, warnings) = found.map_err(|failure| raised(py, &failure))?;
         Ok(Analysed::new(py, found, warnings))
+    }
+
+    /// about.json and shapes.json of a run of it that came to a steady state or not, in words.
+    fn page_facts(
+        &self,
+        py: Python<'_>,
+        bodies: &Bodies,
+        steady: String,
+    ) -> PyResult<(String, Option<String>)> {
+        let made = py.detach(|| {
+            let (built, _) = self.machine(bodies)?;
+            page_facts(&self.case, &built, steady)
+        });
+        made.map_err(|failure| raised(py, &failure))
     }
 
     /// Runs it. `progress(step, steps, time)` is called a few times a second.

@@ -52,6 +52,12 @@ mod _whirl {
         Ok(HistoryTable::from_values(names, values.as_slice()?.to_vec()).csv())
     }
 
+    /// The text of report.html of a folder of results.
+    #[pyfunction]
+    fn page_of(py: Python<'_>, folder: PathBuf) -> PyResult<String> {
+        py.detach(|| whirl_cli::page_of(&folder)).map_err(|failure| raised(py, &failure))
+    }
+
     /// The text of a case called `name` from a rotor that ROSS saved, the files beside it, and what differs.
     #[pyfunction]
     fn case_of_rotor(

@@ -19,6 +19,8 @@ pub(crate) struct Run {
     columns: Vec<(String, String, String)>,
     /// JSON.
     summary: String,
+    /// Whether it came to a steady state, in words.
+    steady: String,
     /// state.bin, of a run that came to its end.
     state: Option<Py<PyBytes>>,
     /// Why it has ended early, if it has.
@@ -45,7 +47,7 @@ pub(crate) fn run(
         Some(error) if ended.is_err() => return Err(error),
         error => error.map(|error| error.into_value(py).into_any()),
     };
-    let InMemory { history, summary, state, reason, warnings: found, notes, .. } =
+    let InMemory { history, summary, steady, state, reason, warnings: found, notes, .. } =
         ended.map_err(|failure| raised(py, &failure))?;
     warnings.extend(found);
     let shape = [history.rows(), history.names().len()];
@@ -53,7 +55,17 @@ pub(crate) fn run(
     let columns =
         built.columns().into_iter().map(|own| (own.name, own.unit.into_owned(), own.meaning));
     let state = state.map(|state| PyBytes::new(py, &state).unbind());
-    Ok(Run { values, columns: columns.collect(), summary, state, reason, warnings, notes, error })
+    Ok(Run {
+        values,
+        columns: columns.collect(),
+        summary,
+        steady,
+        state,
+        reason,
+        warnings,
+        notes,
+        error,
+    })
 }
 
 /// Between calls of Python: a step may take less time than one.

@@ -21,6 +21,12 @@ def read_csv(path):
     return names, np.loadtxt(path, delimiter=",", skiprows=1, ndmin=2)
 
 
+def data_of(page):
+    text = page.read_text(encoding="utf-8")
+    head = '<script id="data" type="application/json">'
+    return json.loads(text[text.index(head) + len(head) :].split("</script>", 1)[0])
+
+
 @pytest.mark.parametrize("case", ["mass", "rotor"])
 def test_arrays_are_those_of_history_csv(case, tmp_path, command):
     from whirl._toml import dumps
@@ -42,6 +48,16 @@ def test_arrays_are_those_of_history_csv(case, tmp_path, command):
     for summary in (own, other):
         del summary["time"], summary["case"]["files"], summary["commit"]
     assert own == other
+    page, mine = (tmp_path / "out/report.html", results.report(tmp_path / "own.html"))
+    assert mine == tmp_path / "own.html"
+    told, known = (data_of(path) for path in (page, mine))
+    assert known["about"] == told["about"] and known["run"] == told["run"]
+    assert known["shapes"] == told["shapes"]
+    assert known["summary"]["verdict"] == told["summary"]["verdict"]
+    with pytest.raises(whirl.WhirlError, match="another process"):
+        pickle.loads(pickle.dumps(results)).report(mine)
+    with pytest.raises(whirl.WhirlError, match="cannot write the report"):
+        results.report(tmp_path / "no" / "own.html")
 
 
 def test_arrays_are_views_that_cannot_be_written(mass):

@@ -174,7 +174,10 @@ class Case(Analyses):
             raise TypeError(f"`progress` is called, but {type(progress).__name__} cannot be")
         run = self._inner.run(_bodies(bodies), progress)
         _warn(run.warnings)
-        results = Results._of(self.name, self.title, run)
+        inner, own = self._inner, _bodies(bodies)
+        results = Results._of(
+            self.name, self.title, run, lambda: inner.page_facts(own, run.steady)
+        )
         if run.error is not None:
             run.error.results = results  # type: ignore[attr-defined]
             raise run.error

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Iterator, Mapping
+import tempfile
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -154,6 +155,7 @@ class Results(Plots):
         reason: str | None = None,
         notes: Iterable[str] = (),
         state: bytes | None = None,
+        facts: Callable[[], tuple[str, str | None]] | None = None,
     ):
         self.name = name
         self.title = title
@@ -163,12 +165,14 @@ class Results(Plots):
         self.reason = reason
         self.notes = tuple(notes)
         self._state = state
+        # What a page tells beside the numbers, made where it is asked for.
+        self._facts = facts
 
     @classmethod
-    def _of(cls, name: str, title: str, run) -> Results:
+    def _of(cls, name: str, title: str, run, facts=None) -> Results:
         columns = [Column(*own) for own in run.columns]
         history = History(run.values, columns)
-        return cls(name, title, history, run.summary, run.reason, run.notes, run.state)
+        return cls(name, title, history, run.summary, run.reason, run.notes, run.state, facts)
 
     def __reduce__(self):
         own = (self.name, self.title, self.history, self._summary)
@@ -238,6 +242,46 @@ class Results(Plots):
         except OSError as error:
             raise WhirlError(f"cannot write the results to `{folder}`: {error}") from error
         return folder
+
+    def report(self, path: str | os.PathLike[str] = "report.html") -> Path:
+        """Writes the page that ``whirl run`` leaves: one file, which any browser opens without a network.
+
+        Parameters
+        ----------
+        path : path, default "report.html"
+            A file there is replaced.
+
+        Returns
+        -------
+        pathlib.Path
+            The page.
+
+        Raises
+        ------
+        WhirlError
+            The results come from another process, which alone knows the case; the page cannot be written.
+        """
+        if self._facts is None:
+            raise WhirlError(
+                "these results come from another process, which alone knows their case: "
+                "call `report` where the case is run"
+            )
+        from ._whirl import page_of
+
+        about, shapes = self._facts()
+        path = Path(path)
+        try:
+            with tempfile.TemporaryDirectory() as name:
+                folder = self.save(name)
+                (folder / "about.json").write_text(about, encoding="utf-8")
+                if shapes is not None:
+                    (folder / "shapes.json").write_text(shapes, encoding="utf-8")
+                page = page_of(folder)
+            with open(path, "w", encoding="utf-8", newline="\n") as file:
+                file.write(page)
+        except OSError as error:
+            raise WhirlError(f"cannot write the report to `{path}`: {error}") from error
+        return path
 
     def _about(self) -> dict[str, Any]:
         return {

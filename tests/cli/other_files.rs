@@ -314,7 +314,7 @@ fn tables_of_analyses_are_written_for_other_programs() {
     let known = ["campbell.critical", "campbell"]
         .map(|name| ["csv", "mat", "parquet"].map(|kind| format!("{name}.{kind}")));
     let mut known: Vec<String> = known.into_iter().flatten().collect();
-    known.extend(["analyses.json", "report.html"].map(str::to_owned));
+    known.extend(["analyses.json", "campbell.motions.json", "report.html"].map(str::to_owned));
     known.sort();
     assert_eq!(bench.listing_of("out"), known);
     let text = read(bench.path("out/campbell.csv"));

@@ -30,6 +30,8 @@ pub struct InMemory {
     pub reason: Option<String>,
     /// Whether it was interrupted.
     pub interrupted: bool,
+    /// Whether it came to a steady state, in words.
+    pub steady: String,
     /// What may be wrong with it, beside the verdict.
     pub warnings: Vec<String>,
     /// What is to be known of its start.
@@ -76,6 +78,7 @@ pub(crate) fn summed_up(
         history: store.table,
         state: store.last,
         summary: summary.json(),
+        steady: summary.steadiness(case.march()),
         reason,
         interrupted: matches!(marched.end, End::Interrupted),
         warnings,
