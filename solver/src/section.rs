@@ -130,6 +130,12 @@ fn cuts(mesh: &Mesh, wanted: &[f64]) -> Vec<Cut> {
             continue;
         }
         let z = levels().sum::<f64>() / number as f64;
+        let near = FLAT * (ends[1] - ends[0]);
+        if levels().all(|own| (own - z).abs() <= near) {
+            // What acts in a flat section on nodes of the cells beyond alone acts before it, too: as of a bearing at a step.
+            let is_in = |node: &usize| beyond[*node] && (mesh.nodes()[*node][2] - z).abs() <= near;
+            (0..count).filter(is_in).for_each(|node| shared[node] = true);
+        }
         if found.iter().all(|own| (own.z - z).abs() > FLAT * (ends[1] - ends[0])) {
             found.push(Cut { shared, asked, z });
         }

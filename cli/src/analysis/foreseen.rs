@@ -18,7 +18,7 @@ pub(crate) fn foreseen(
     cache: Option<&Cache>,
 ) -> Result<(), Failure> {
     match analysis.kind {
-        AnalysisKind::Lateral => return lateral::foreseen(case, analysis),
+        AnalysisKind::Lateral => return lateral::foreseen(case, analysis, cache),
         AnalysisKind::Periodic => return periodic::foreseen((case, text), analysis, cache),
         AnalysisKind::Forces => forces::foreseen(case)?,
         AnalysisKind::Torsion => return speeds::wanted(case, linear, analysis).map(|_| ()),

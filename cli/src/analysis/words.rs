@@ -95,7 +95,16 @@ pub(super) fn thresholds(all: &Campbell, interrupted: bool) -> String {
             let whirl = whirl(mode, own.speed);
             format!("{} Hz, {share} of the rotation, {whirl}", hertz(mode))
         });
-        let what = if own.grows { "UNSTABLE" } else { "stable" };
+        // Others may grow on both sides.
+        let next = all.speeds.iter().position(|speed| *speed >= own.speed);
+        let after = next.is_none_or(|place| all.stable[place]);
+        let before = next.is_none_or(|place| place == 0 || all.stable[place - 1]);
+        let what = match own.grows {
+            true if before => "UNSTABLE",
+            true => "another motion grows",
+            false if after => "stable",
+            false => "a motion stops to grow, others do not,",
+        };
         let _ = writeln!(text, "{what} above {} rpm: {how}", speed(own.speed));
     }
     match all.stable.iter().filter(|stable| !**stable).count() {
@@ -105,7 +114,7 @@ pub(super) fn thresholds(all: &Campbell, interrupted: bool) -> String {
             let [from, to] = ends.map(|own| own.map_or(String::new(), |own| speed(*own)));
             let _ = writeln!(text, "stable from {from} to {to} rpm, where it was interrupted");
         }
-        0 if all.lost.is_empty() => text.push_str("stable at all speeds of the range\n"),
+        0 if all.lost.is_empty() => text.push_str("stable at all these speeds\n"),
         0 => text.push_str("stable at the speeds of the range at which it stands\n"),
         some if some == all.speeds.len() => text.push_str("UNSTABLE at all these speeds\n"),
         _ => {}

@@ -295,6 +295,11 @@ fn read_one(name: &Located, table: &Table, joined: Option<&JoinedMachine>) -> Op
         for (name, value) in &ratios {
             let (place, ratio) = (body(name), value.text().parse::<f64>());
             match (place, ratio) {
+                (Some(place), Ok(_)) if analysis.of == Some(place) => {
+                    let message = format!("the speeds are those of `{}` itself", name.text());
+                    let help = "give ratios of other bodies alone";
+                    table.push(value.error_here(Code::BAD_VALUE, message).help(help));
+                }
                 (Some(place), Ok(ratio)) => analysis.ratios[place] = Some(ratio),
                 (_, Err(_)) => {
                     let message = format!("the ratio of `{}` is no number", name.text());

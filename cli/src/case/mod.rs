@@ -127,6 +127,19 @@ impl Case {
     /// # Errors
     /// It is only analysed, or a joint has coefficients that no march knows.
     pub(crate) fn marched(&self) -> Result<&MarchSettings, Failure> {
+        self.without_frequencies()?;
+        self.march.as_ref().ok_or_else(|| Failure::Argument {
+            message: format!("`{}` has no `[march]`: it can be analysed, not run", self.name),
+            help: "add `[march]` with `time_step` and `duration`, or try `whirl analyse`"
+                .to_owned(),
+        })
+    }
+
+    /// That a motion in time knows the coefficients of all joints.
+    ///
+    /// # Errors
+    /// Some depend on the frequency.
+    pub(crate) fn without_frequencies(&self) -> Result<(), Failure> {
         let over_frequency = |own: &&Joint| own.bearing.law.source.over_frequency().is_some();
         if let Some(joint) = self.machine.joints.iter().find(over_frequency) {
             let place = joint.table.as_ref().unwrap_or(&joint.name);
@@ -138,11 +151,7 @@ impl Case {
             let error = place.error_here(Code::BAD_VALUE, message).help(help);
             return Err(Failure::Input(error.into()));
         }
-        self.march.as_ref().ok_or_else(|| Failure::Argument {
-            message: format!("`{}` has no `[march]`: it can be analysed, not run", self.name),
-            help: "add `[march]` with `time_step` and `duration`, or try `whirl analyse`"
-                .to_owned(),
-        })
+        Ok(())
     }
 
     /// How it is marched, once that is known to be.

@@ -201,6 +201,28 @@ fn forces_of_a_response_are_those_of_unbalance_and_masses() {
     }
 }
 
+/// A bearing on a step from a hollow part to a thinner one that is solid: what passes just beyond is the load at the end and the weight
+/// of the thin part, however the nodes of the step share what the bearing carries.
+#[test]
+fn a_bearing_on_a_step_acts_before_it() {
+    let case = "title = \"a step\"\ngravity = [\"-9.81 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]\n\
+        [material.s]\nyoungs_modulus = \"200 GPa\"\npoissons_ratio = 0.3\ndensity = \"7800 kg/m^3\"\n\
+        [body.r]\nturns = \"prescribed\"\nspeed = \"1000 rpm\"\nmaterial = \"s\"\nmodes = 12\n\
+        sections = [{ length = \"400 mm\", outer = \"80 mm\", inner = \"20 mm\" }, { length = \"200 mm\", outer = \"40 mm\" }]\n\
+        [joint.a]\nkind = \"bushing\"\nfirst = { body = \"r\", z = \"0 mm\" }\nstiffness = { xx = \"1e8 N/m\", yy = \"1e8 N/m\" }\n\
+        [joint.b]\nkind = \"bushing\"\nfirst = { body = \"r\", z = \"400 mm\" }\nstiffness = { xx = \"1e8 N/m\", yy = \"1e8 N/m\" }\n\
+        [loads.f]\nbody = \"r\"\nz = \"600 mm\"\nforce = [\"0 N\", \"1000 N\", \"0 N\"]\n\
+        [analysis.f]\nkind = \"forces\"\nstations = 7\n";
+    let bench = Workbench::new().file("case.toml", case);
+    ran(&bench, &["analyse", "case.toml", "--out", "out", "--no-figures"]);
+    let of = |name: &str| numbers(&bench, "out/f.csv", name);
+    let place = of("z_mm").iter().position(|z| (z - 400.0).abs() < 1e-6).expect("the step");
+    let weight = 9.81 * 7800.0 * 0.2 * std::f64::consts::PI * 0.02 * 0.02;
+    assert!((of("shear_y_N")[place] / 1000.0 - 1.0).abs() < 1e-4, "{:?}", of("shear_y_N"));
+    // The circle is one of cells.
+    assert!((of("shear_x_N")[place] / -weight - 1.0).abs() < 1e-2, "{:?}", of("shear_x_N"));
+}
+
 #[test]
 fn what_cannot_be_cut_is_told() {
     let workbench = Workbench::new();

@@ -27,6 +27,10 @@ const STIFFNESS: &str = "stiffness = { xx = \"1e6 N/m\", yy = \"1e6 N/m\" }";
 const HEADS: &str = "speed [rpm], k_xx [N], k_xy [N/m], k_yx [N/m], k_yy [N/m], c_xx [N*s/m], c_xy [N*s/m], \
                      c_yx [N*s/m], c_yy [N/m]\n0, 1, 0, 0, 1, 0, 0, 0, 0\n9000, 1, 0, 0, 1, 0, 0, 0, 0\n";
 
+/// The same as they should be.
+const COEFFICIENTS: &str = "k_xx [N/m], k_xy [N/m], k_yx [N/m], k_yy [N/m], \
+                            c_xx [N*s/m], c_xy [N*s/m], c_yx [N*s/m], c_yy [N*s/m]";
+
 const PUSH: &str = "time [s], force [N]\n0, 0\n0.01, 5\n0.02, 0\n";
 
 fn refused(case: &str, arguments: &[&str], words: &[&str]) {
@@ -227,4 +231,69 @@ fn a_machine_without_torsion_says_what_twists() {
     for word in ["no mode of torsion", "turn as one", "couplings or gears"] {
         assert!(outcome.stdout.contains(word), "{word}: {}", outcome.stdout);
     }
+}
+
+/// Coefficients over the frequency are none of a motion in time, points of a lateral analysis that are not there, and the ratio of a
+/// body to itself: each is seen before anything is done.
+#[test]
+fn what_an_analysis_cannot_have_is_foreseen() {
+    let rows = "0, 0, 1e6, 0, 0, 1e6, 9, 0, 0, 9\n0, 1, 3e6, 0, 0, 3e6, 9, 0, 0, 9\n";
+    let table = format!("speed [rpm], frequency_ratio [1], {COEFFICIENTS}\n{rows}");
+    let whirls = "unbalance.u = { mass = \"1 g\", radius = \"50 mm\" }\nspeed = \"3000 rpm\"";
+    let rotor = ROTOR.replace("speed = \"3000 rpm\"", whirls);
+    let periodic = "[analysis.own]\nkind = \"periodic\"\n";
+    let lateral = "[analysis.own]\nkind = \"lateral\"\nminimum_speed = \"5000 rpm\"\nmaximum_speed = \"6000 rpm\"\n\
+                   probes = [\"joint.none\"]\n";
+    let over = rotor.replace("TABLE", "table = \"seal.csv\"");
+    for (case, words) in [
+        (format!("{over}{periodic}"), ["depend on the frequency", "`whirl.fit_law` in Python"]),
+        (
+            format!("{}{lateral}", rotor.replace("TABLE", STIFFNESS)),
+            ["`own` cannot be done", "joint.none"],
+        ),
+    ] {
+        let bench = Workbench::new().file("case.toml", &case).file("seal.csv", &table);
+        for (command, status) in [("check", 0), ("analyse", 2)] {
+            let outcome = bench.whirl(&[command, "case.toml"]);
+            assert_eq!(outcome.status, status, "{}", outcome.stderr);
+            for words in words {
+                let said = outcome.stderr.contains(words)
+                    || command == "check" && words.starts_with("`whirl.fit");
+                assert!(said, "{command}: {words}: {}", outcome.stderr);
+            }
+        }
+    }
+    let itself = "[analysis.own]\nkind = \"modes\"\nof = \"rotor\"\nratios = { rotor = 2.0 }\n";
+    let bench = Workbench::new()
+        .file("case.toml", &format!("{}{itself}", rotor.replace("TABLE", STIFFNESS)));
+    let outcome = bench.whirl(&["check", "case.toml"]);
+    assert_eq!(outcome.status, 2, "{}", outcome.stderr);
+    assert!(
+        outcome.stderr.contains("the speeds are those of `rotor` itself"),
+        "{}",
+        outcome.stderr
+    );
+}
+
+/// Of two rotors one always grows: that the other stops to is no stability of the machine.
+#[test]
+fn a_motion_that_stops_to_grow_beside_another_makes_nothing_stable() {
+    let body = |name: &str, mass: &str| {
+        format!(
+            "[body.{name}]\nturns = \"prescribed\"\nspeed = \"3000 rpm\"\nmass = \"{mass}\"\npolar_inertia = \"0.05 kg*m^2\"\n"
+        )
+    };
+    let case = format!(
+        "title = \"two\"\n{}{}[joint.a]\nkind = \"bushing\"\nfirst = {{ body = \"a\" }}\n\
+         stiffness = {{ xx = \"1e6 N/m\", xy = \"1e5 N/m\", yx = \"-1e5 N/m\", yy = \"1e6 N/m\" }}\n\
+         [joint.b]\nkind = \"bushing\"\nfirst = {{ body = \"b\" }}\ntable = \"fall.csv\"\n",
+        body("a", "10 kg"),
+        body("b", "4 kg")
+    );
+    let rows = "0, 1e6, 1e5, -1e5, 1e6, 100, 0, 0, 100\n9000, 1e6, 0, 0, 1e6, 100, 0, 0, 100\n";
+    let table = format!("speed [rpm], {COEFFICIENTS}\n{rows}");
+    let bench = Workbench::new().file("case.toml", &case).file("fall.csv", &table);
+    let said = bench.whirl(&["stability", "case.toml", "--speeds", "0 rpm .. 9000 rpm, 4"]).stdout;
+    assert!(said.contains("a motion stops to grow, others do not, above 4500 rpm"), "{said}");
+    assert!(said.contains("UNSTABLE at all these speeds"), "{said}");
 }

@@ -115,8 +115,16 @@ pub(super) fn found(
 ///
 /// # Errors
 /// Nothing turns, or no joint carries the body.
-pub(super) fn foreseen(case: &Case, analysis: &Analysis) -> Result<(), Failure> {
-    model::foreseen(case, analysis)
+pub(super) fn foreseen(
+    case: &Case,
+    analysis: &Analysis,
+    cache: Option<&Cache>,
+) -> Result<(), Failure> {
+    model::foreseen(case, analysis)?;
+    let Some(lateral) = analysis.lateral.as_deref() else { return Ok(()) };
+    let model = Model::new(case, (analysis, lateral), false, (cache, &mut Vec::new()))?;
+    probes(&model, lateral)?;
+    closes(&model, lateral).map(|_| ())
 }
 
 /// The case with other values of some keys.

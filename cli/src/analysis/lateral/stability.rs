@@ -1,4 +1,4 @@
-//! Stability of level I, the logarithmic decrement of the first forward mode over stiffness across, and of level II.
+//! Stability of level I, the least logarithmic decrement of forward modes over stiffness across, and of level II.
 
 use whirl_solver::linear::{Mode, Point, Whirl};
 
@@ -11,7 +11,7 @@ use crate::errors::Failure;
 
 /// Values of Q from 0 to 10 Q_A.
 const STEPS: usize = 41;
-/// Modes that are looked at for the first forward one.
+/// Modes that are looked at for forward ones.
 const MODES: usize = 24;
 /// Halvings of an interval of Q.
 const HALVINGS: usize = 60;
@@ -170,7 +170,8 @@ fn shares(model: &Model, lateral: &Lateral) -> Across {
     all
 }
 
-/// δ of the first forward mode at N_mc with Q; none where there is no such mode.
+/// The least δ at N_mc with Q of the forward modes that are slower than the rotation, of the first one where none are; none without
+/// any. A slower one that films damp well would hide the one that begins to grow.
 fn decrement(
     model: &Model,
     analysis: &Analysis,
@@ -181,8 +182,10 @@ fn decrement(
     let equations = model.linear.with_stiffness_across(at, model.of, &across);
     let modes = model.linear.modes(&equations, analysis.count.max(MODES))?;
     let speed = model.at.speeds[model.of];
-    let first = modes.oscillating.iter().find(|own| own.whirl(speed) == Whirl::Forward);
-    Ok(first.map(Mode::log_decrement))
+    let forward = || modes.oscillating.iter().filter(|own| own.whirl(speed) == Whirl::Forward);
+    let slower = forward().filter(|own| own.value.im < speed.abs());
+    let least = slower.map(Mode::log_decrement).min_by(f64::total_cmp);
+    Ok(least.or_else(|| forward().next().map(Mode::log_decrement)))
 }
 
 /// Q at which δ is zero, within the curve.

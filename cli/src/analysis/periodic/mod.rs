@@ -17,7 +17,7 @@ use whirl_solver::cache::Cache;
 use whirl_solver::error::PeriodicError;
 
 use self::motions::{Motion, Motions};
-use self::sought::{STEPS, Sought};
+use self::sought::Sought;
 use super::facts::{Facts, truth};
 use super::found::{Found, nothing};
 use crate::case::{Analysis, Case, CaseText};
@@ -36,6 +36,7 @@ pub(super) fn found(
     interruption: &Interruption,
     figures: bool,
 ) -> Result<Found, Failure> {
+    case.without_frequencies()?;
     place::without_jumps(case)?;
     if let (Some(varying), Some(text)) = (&analysis.periodic.vary, text) {
         let both = (cache, warnings);
@@ -96,6 +97,7 @@ pub(super) fn foreseen(
     analysis: &Analysis,
     cache: Option<&Cache>,
 ) -> Result<(), Failure> {
+    case.without_frequencies()?;
     place::without_jumps(case)?;
     if let Some(varying) = &analysis.periodic.vary {
         return text
@@ -120,9 +122,7 @@ fn notes(case: &Case, analysis: &Analysis) -> Vec<String> {
         );
     }
     if march.automatic.is_some() && analysis.periodic.steps.is_none() {
-        notes.push(format!(
-            "a cycle is taken in {STEPS} equal steps, as `[march]` gives no time step"
-        ));
+        notes.push("a cycle is taken in equal steps, as `[march]` gives no time step".to_owned());
     }
     notes
 }

@@ -18,7 +18,9 @@ use crate::report::VerdictFacts;
 use crate::signals::Interruption;
 
 /// Steps of a cycle where neither the analysis nor the march says them.
-pub(super) const STEPS: usize = 360;
+const STEPS: usize = 360;
+/// At least as many for each time that the fastest load repeats.
+const EACH: usize = 72;
 /// Steps at least, whatever the time step of the march.
 const LEAST: f64 = 8.0;
 
@@ -119,7 +121,7 @@ impl Sought<'_> {
         let machine = &self.built.machine;
         let repeating = repeating(machine)?;
         let period = self.analysis.periodic.periods as f64 * common_period(&repeating)?;
-        let steps = steps.unwrap_or_else(|| self.steps(period));
+        let steps = steps.unwrap_or_else(|| self.steps(period, &repeating));
         Ok((repeating, Cycle { start: start(machine, period), period, steps }))
     }
 
@@ -139,10 +141,12 @@ impl Sought<'_> {
     }
 
     /// Steps of a cycle: as they are told, or as near to the time step of the march as they can be.
-    fn steps(&self, period: f64) -> usize {
+    fn steps(&self, period: f64, repeating: &[Repeating]) -> usize {
         let march = self.case.march.as_ref().filter(|own| own.automatic.is_none());
         let of_march = march.map(|own| (period / own.time_step).round().max(LEAST) as usize);
-        self.analysis.periodic.steps.or(of_march).unwrap_or(STEPS)
+        let fastest = repeating.iter().map(|own| (own.hertz * period).round() as usize).max();
+        let enough = STEPS.max(EACH * fastest.unwrap_or(0));
+        self.analysis.periodic.steps.or(of_march).unwrap_or(enough)
     }
 
     /// Where the search begins.
