@@ -371,3 +371,37 @@ fn bodies_with_meshes_are_shown_and_played() {
     // The largest of all nodes is on the surface of a shaft that is bent.
     assert!((shown / known - 1.0).abs() < 1e-5, "{shown} {known}");
 }
+
+/// What is in films over the angle of the last revolutions, as a figure and on the page.
+#[test]
+fn films_are_shown_over_the_angle() {
+    let case = include_str!("../../.ci/cases/films.toml");
+    let bench = Workbench::new().file("case.toml", case);
+    ran(&bench, &["run", "case.toml", "--out", "out"]);
+    let svg = fs::read_to_string(bench.path("out/film.svg")).expect("a figure");
+    for own in ["largest pressure", "gap (µm)", "flow (mL/s)", "power (W)", "in the last cycle (°)"]
+    {
+        assert!(svg.contains(own), "{own}");
+    }
+    let (_, data) = page(&bench, "out");
+    let groups = data["about"]["groups"].as_array().expect("groups");
+    let turned = data["run"]["turned"].as_array().expect("charts over the angle");
+    let titles: Vec<&str> = turned
+        .iter()
+        .map(|own| groups[own["group"].as_u64().expect("a place") as usize]["title"].as_str())
+        .map(|own| own.expect("a title"))
+        .collect();
+    for what in ["largest pressure", "smallest gap", "what enters at its openings"] {
+        assert!(titles.contains(&format!("left, film: {what}").as_str()), "{titles:?}");
+    }
+    // 3000 rpm in rows of 0.1 ms: 200 a revolution, and the last one is where they end.
+    for own in turned {
+        let before = numbers(&own["before"]);
+        assert!((own["revolutions"].as_f64().expect("a number") - 2.0).abs() < 1e-6);
+        assert_eq!((before.len(), before[400]), (401, 0.0));
+        assert!((before[0] - 720.0).abs() < 1e-3, "{}", before[0]);
+    }
+    // No figure of the file is shown beside the charts that the page draws.
+    let figures = data["figures"].as_array().expect("figures");
+    assert!(!figures.iter().any(|own| own["name"] == "film.svg"));
+}

@@ -107,7 +107,8 @@ impl Rows<'_> {
         let mut steps = [90.0, 180.0, 360.0].into_iter().chain(decades);
         let turned = self.turned.to_degrees();
         let step = steps.find(|step| turned <= MOST * step)?;
-        let end = (turned / step).ceil() * step;
+        // Not a step more for the rounding of an angle.
+        let end = (turned / step - 1e-6).ceil() * step;
         (span != Span::All && end > 0.0).then_some((end, step))
     }
 }
@@ -271,7 +272,9 @@ pub(crate) fn films(
         let lines = own.lines.iter().zip(styles.into_iter().cycle());
         let line = |((_, name), style): (&(String, String), Style)| {
             let points = curves.next().expect("a curve a column");
-            Line { points, style, name: name.clone() }
+            // Of one alone the title says what it is.
+            let name = if own.lines.len() == 1 { "in the film" } else { name };
+            Line { points, style, name: name.to_owned() }
         };
         Panel {
             title: own.title.clone(),

@@ -174,11 +174,9 @@ impl RunData {
 fn wanted(signals: &[Placed], journals: &[Placed], of_angle: &[(usize, Placed)]) -> Vec<usize> {
     let columns =
         |(columns, angle): &Placed| columns.iter().copied().chain(*angle).collect::<Vec<usize>>();
-    let signals = signals.iter().take(MOST_SPECTRA).flat_map(columns);
-    let mut all: Vec<usize> = {
-        let of_angle = of_angle.iter().flat_map(|own| columns(&own.1));
-        signals.chain(journals.iter().flat_map(columns)).chain(of_angle).collect()
-    };
+    let of_angle = of_angle.iter().map(|own| &own.1);
+    let others = signals.iter().take(MOST_SPECTRA).chain(journals);
+    let mut all: Vec<usize> = others.chain(of_angle).flat_map(columns).collect();
     all.sort_unstable();
     all.dedup();
     all
