@@ -92,13 +92,13 @@ function clearances(grid, name, { some, readings, speeds, several }) {
   }
 }
 
-// The logarithmic decrement of the first forward mode over stiffness across.
+// The least logarithmic decrement of forward modes over stiffness across.
 function decrement(grid, name, { some, decrements }) {
   const expected = some.find((row) => row.quantity.endsWith('Q_A') && row.unit === 'N/m');
   const [most] = [Math.max(...decrements.map((row) => row.cross_coupling_N_m))];
   const kilo = most >= 1e6 ? ['MN/m', 1e-6] : ['kN/m', 1e-3];
   new Chart(grid, {
-    id: `decrement-${slug(name)}`, title: 'First forward mode at N_mc', x: { label: 'stiffness across Q', unit: kilo[0] }, y: { label: 'log decrement', unit: '1' }, levels: [{ y: 0.1, name: 'least: 0.1', framed: true }],
+    id: `decrement-${slug(name)}`, title: 'Least damped forward mode at N_mc', x: { label: 'stiffness across Q', unit: kilo[0] }, y: { label: 'log decrement', unit: '1' }, levels: [{ y: 0.1, name: 'least: 0.1', framed: true }],
     marks: expected ? [{ x: expected.value * kilo[1], name: 'Q_A' }] : [],
     series: [...grouped(decrements, 'variant')].map(([variant, rows], k) => ({ name: variant, x: rows.map((row) => row.cross_coupling_N_m * kilo[1]), y: rows.map((row) => row.log_decrement), style: k % 7 })),
   });

@@ -108,7 +108,7 @@ fn decrement(all: &[Done]) -> Option<Panel> {
     });
     let expected = all.first()?.stability.as_ref()?.expected;
     Some(Panel {
-        title: "first forward mode at N_mc".to_owned(),
+        title: "least damped forward mode at N_mc".to_owned(),
         x: "stiffness across Q (N/m)".to_owned(),
         y: "logarithmic decrement (1)".to_owned(),
         lines,
