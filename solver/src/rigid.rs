@@ -1,5 +1,5 @@
 //! Rigid bodies, given by numbers or taken from a mesh: displacements of the centre along x and y, two tilts where it may
-//! tilt, and the displacement along z where it may move so.
+//! tilt, the displacement along z where it may move so, and a small turn about z of a body that does not turn but rocks.
 //!
 //! A body that turns has its coordinates in the frame that turns with it. A point at (ξ, η, ζ) from the centre moves by
 //! (u + βζ, v − αζ, αη − βξ) with tilts α about x and β about y, and by (αβη − β²ξ, αβξ − α²η)/2 of second order towards
@@ -21,12 +21,14 @@ use crate::support::Support;
 pub struct RigidBody {
     /// m (kg), > 0.
     pub mass: f64,
-    /// I_p (kg·m²) about the axis; of no effect on a body that does not turn.
+    /// I_p (kg·m²) about the axis; of no effect on a body that neither turns nor rocks.
     pub polar_inertia: f64,
     /// I_d (kg·m²) about x and y through the centre; a body without does not tilt.
     pub transverse_inertia: Option<f64>,
     /// Whether it may move along z.
     pub along: bool,
+    /// Whether it may turn a little about z, as pads do; of no effect on a body that turns.
+    pub rocks: bool,
     /// Its centre (m), among the nodes of the body.
     pub centre: [f64; 3],
     /// To the ground along x and y (N/m); of a body that turns, along those of its frame.
@@ -64,6 +66,7 @@ impl RigidBody {
             second: [[half, 0.0, 0.0], [0.0, half, 0.0], [0.0, 0.0, along]],
             tilts: self.transverse_inertia.is_some(),
             along: self.along,
+            rocks: self.rocks,
         }
     }
 }
@@ -81,10 +84,13 @@ pub struct RigidInertia {
     pub tilts: bool,
     /// Whether it may move along z.
     pub along: bool,
+    /// Whether it may turn a little about z, if it does not turn.
+    pub rocks: bool,
 }
 
-/// Motions of the centre along x and y, tilts about x and y, motion along z: those that a body has are its coordinates.
-const MOTIONS: usize = 5;
+/// Motions of the centre along x and y, tilts about x and y, motion along z, turn about z: those that a body has are its
+/// coordinates.
+const MOTIONS: usize = 6;
 
 /// A number for each of the motions by each.
 type Entries = [[f64; MOTIONS]; MOTIONS];
@@ -99,11 +105,15 @@ impl RigidInertia {
         let second = [0, 1, 2].map(|i| {
             [0, 1, 2].map(|j| own.second_moment[i][j] - own.mass * own.centre[i] * own.centre[j])
         });
-        Ok(RigidInertia { mass: own.mass, centre: own.centre, second, tilts: true, along })
+        let (mass, centre) = (own.mass, own.centre);
+        Ok(RigidInertia { mass, centre, second, tilts: true, along, rocks: false })
     }
 
     /// As a body that turns, with nodes at `positions` (m, from its axis).
     pub fn turning(&self, positions: &[[f64; 3]]) -> Shaft {
+        if self.rocks {
+            return RigidInertia { rocks: false, ..*self }.turning(positions);
+        }
         let &RigidInertia { mass, centre: [a, b, _], second, .. } = self;
         let [[xx, xy, xz], [_, yy, yz], [.., zz]] = second;
         let first = |values: [f64; MOTIONS]| self.own(&values);
@@ -111,28 +121,30 @@ impl RigidInertia {
         let pairs = |[lateral, axial]: [f64; 2], tilts: [[f64; 2]; 2]| {
             let [[p, q], [r, s]] = tilts;
             matrix([
-                [lateral, 0.0, 0.0, 0.0, 0.0],
-                [0.0, lateral, 0.0, 0.0, 0.0],
-                [0.0, 0.0, p, q, 0.0],
-                [0.0, 0.0, r, s, 0.0],
-                [0.0, 0.0, 0.0, 0.0, axial],
+                [lateral, 0.0, 0.0, 0.0, 0.0, 0.0],
+                [0.0, lateral, 0.0, 0.0, 0.0, 0.0],
+                [0.0, 0.0, p, q, 0.0, 0.0],
+                [0.0, 0.0, r, s, 0.0, 0.0],
+                [0.0, 0.0, 0.0, 0.0, axial, 0.0],
+                [0.0; MOTIONS],
             ])
         };
         let n = self.size();
         Shaft {
             j0: xx + yy + mass * (a * a + b * b),
-            y0: first([mass * a, mass * b, -yz, xz, 0.0]),
-            g0: first([-mass * b, mass * a, -xz, -yz, 0.0]),
+            y0: first([mass * a, mass * b, -yz, xz, 0.0, 0.0]),
+            g0: first([-mass * b, mass * a, -xz, -yz, 0.0, 0.0]),
             mass: pairs([mass; 2], [[zz + yy, -xy], [-xy, zz + xx]]),
             stiffness: Matrix::zeros(n, n),
             damping: Matrix::zeros(n, n),
             spin_inertia: pairs([mass, 0.0], [[zz, 0.0], [0.0, zz]]),
             spin_net: pairs([mass, 0.0], [[zz - yy, xy], [xy, zz - xx]]),
             spin_coupling: matrix([
-                [0.0, mass, 0.0, 0.0, 0.0],
-                [-mass, 0.0, 0.0, 0.0, 0.0],
-                [0.0, 0.0, 0.0, zz, 0.0],
-                [0.0, 0.0, -zz, 0.0, 0.0],
+                [0.0, mass, 0.0, 0.0, 0.0, 0.0],
+                [-mass, 0.0, 0.0, 0.0, 0.0, 0.0],
+                [0.0, 0.0, 0.0, zz, 0.0, 0.0],
+                [0.0, 0.0, -zz, 0.0, 0.0, 0.0],
+                [0.0; MOTIONS],
                 [0.0; MOTIONS],
             ]),
             hertz: Vec::new(),
@@ -154,7 +166,7 @@ impl RigidInertia {
     ) -> Support {
         let scales = self.to_unit_mass();
         let by_mass = |values: [f64; 2]| {
-            self.own(&[values[0] / self.mass, values[1] / self.mass, 0.0, 0.0, 0.0])
+            self.own(&[values[0] / self.mass, values[1] / self.mass, 0.0, 0.0, 0.0, 0.0])
         };
         Support {
             stiffness: by_mass(stiffness),
@@ -172,8 +184,10 @@ impl RigidInertia {
     pub fn measures(&self, centres: &[[f64; 3]], turns: bool) -> Vec<MeanMotion> {
         let by = if turns { UNIT } else { self.to_unit_mass() };
         let motions = self.motions();
-        let rotation = Matrix::from_fn(3, motions.len(), |i, j| {
-            if self.tilts && i < 2 { by[2 + i][motions[j]] } else { 0.0 }
+        let rotation = Matrix::from_fn(3, motions.len(), |i, j| match i {
+            0 | 1 if self.tilts => by[2 + i][motions[j]],
+            2 if motions.contains(&ROCKS) => by[ROCKS][motions[j]],
+            _ => 0.0,
         });
         let measure = |&centre: &[f64; 3]| MeanMotion {
             centre,
@@ -189,7 +203,7 @@ impl RigidInertia {
 
     /// The motions that it has.
     fn motions(&self) -> Vec<usize> {
-        let has = [true, true, self.tilts, self.tilts, self.along];
+        let has = [true, true, self.tilts, self.tilts, self.along, self.rocks];
         (0..MOTIONS).filter(|&motion| has[motion]).collect()
     }
 
@@ -210,33 +224,49 @@ impl RigidInertia {
 
     fn names(&self) -> Vec<String> {
         self.own(
-            &["centre x", "centre y", "tilt about x", "tilt about y", "centre z"]
+            &["centre x", "centre y", "tilt about x", "tilt about y", "centre z", "turn about z"]
                 .map(str::to_owned),
         )
     }
 
-    /// Displacements of the centre and tilts by a unit of each of the coordinates in which M is the identity: row by row.
+    /// Displacements of the centre and turns by a unit of each of the coordinates in which M is the identity: row by row.
     fn to_unit_mass(self) -> Entries {
-        let [[xx, xy, _], [_, yy, _], [.., zz]] = self.second;
+        let [[xx, xy, xz], [_, yy, yz], [.., zz]] = self.second;
         let lateral = 1.0 / self.mass.sqrt();
-        // The inverse of Lᵀ, with L Lᵀ the block of the tilts.
+        // The inverse of Lᵀ, with L Lᵀ the block of the turns that it has.
         let first = (zz + yy).sqrt();
         let below = -xy / first;
-        let last = (zz + xx - below * below).sqrt();
+        let second = (zz + xx - below * below).sqrt();
+        let [left, right] = match self.tilts {
+            true => [-xz / first, (-yz + below * xz / first) / second],
+            false => [0.0; 2],
+        };
+        let last = (xx + yy - left * left - right * right).sqrt();
+        let [by_last, across] = match self.rocks {
+            true => [1.0 / last, (below * right - left * second) / (first * second * last)],
+            false => [0.0; 2],
+        };
         [
-            [lateral, 0.0, 0.0, 0.0, 0.0],
-            [0.0, lateral, 0.0, 0.0, 0.0],
-            [0.0, 0.0, 1.0 / first, -below / (first * last), 0.0],
-            [0.0, 0.0, 0.0, 1.0 / last, 0.0],
-            [0.0, 0.0, 0.0, 0.0, lateral],
+            [lateral, 0.0, 0.0, 0.0, 0.0, 0.0],
+            [0.0, lateral, 0.0, 0.0, 0.0, 0.0],
+            [0.0, 0.0, 1.0 / first, -below / (first * second), 0.0, across],
+            [0.0, 0.0, 0.0, 1.0 / second, 0.0, -right / second * by_last],
+            [0.0, 0.0, 0.0, 0.0, lateral, 0.0],
+            [0.0, 0.0, 0.0, 0.0, 0.0, by_last],
         ]
     }
 
     /// A node that moves with the body; `by`: displacements of the centre and tilts by a unit of each coordinate.
     fn node(&self, position: [f64; 3], by: &Entries) -> BodyNode {
         let [x, y, z] = [0, 1, 2].map(|axis| position[axis] - self.centre[axis]);
-        let columns =
-            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -z, y], [z, 0.0, -x], [0.0, 0.0, 1.0]];
+        let columns = [
+            [1.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [0.0, -z, y],
+            [z, 0.0, -x],
+            [0.0, 0.0, 1.0],
+            [-y, x, 0.0],
+        ];
         let motions = self.motions();
         let shapes = Matrix::from_fn(3, motions.len(), |i, j| {
             motions.iter().map(|&k| columns[k][i] * by[k][motions[j]]).sum()
@@ -245,13 +275,17 @@ impl RigidInertia {
     }
 }
 
+/// Place of the turn about z among the motions.
+const ROCKS: usize = 5;
+
 /// The motions as coordinates themselves.
 const UNIT: Entries = [
-    [1.0, 0.0, 0.0, 0.0, 0.0],
-    [0.0, 1.0, 0.0, 0.0, 0.0],
-    [0.0, 0.0, 1.0, 0.0, 0.0],
-    [0.0, 0.0, 0.0, 1.0, 0.0],
-    [0.0, 0.0, 0.0, 0.0, 1.0],
+    [1.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0, 0.0, 0.0, 0.0],
+    [0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
+    [0.0, 0.0, 0.0, 1.0, 0.0, 0.0],
+    [0.0, 0.0, 0.0, 0.0, 1.0, 0.0],
+    [0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
 ];
 
 #[cfg(test)]
@@ -264,6 +298,7 @@ mod tests {
             polar_inertia: 0.5,
             transverse_inertia: Some(0.25),
             along: false,
+            rocks: false,
             centre: [0.1, 0.0, 0.2],
             stiffness: [1e4, 2e4],
             damping: [8.0, 0.0],
@@ -305,6 +340,42 @@ mod tests {
         let diagonals =
             [&shaft.stiffness, &shaft.damping].map(|own| [0, 1, 2].map(|i| own[(i, i)]));
         assert_eq!(diagonals, [[1e4, 2e4, 0.0], [8.0, 0.0, 0.0]]);
+    }
+
+    /// The mass of points anywhere, by the shapes of nodes there, is the identity.
+    #[test]
+    fn a_body_that_rocks_has_its_inertia_about_z() {
+        let points: [([f64; 3], f64); 4] = [
+            ([0.3, -0.1, 0.4], 1.5),
+            ([-0.2, 0.25, -0.1], 2.0),
+            ([0.1, 0.4, 0.7], 0.7),
+            ([-0.3, -0.2, 0.2], 1.1),
+        ];
+        let mass: f64 = points.iter().map(|(_, m)| m).sum();
+        let centre = [0, 1, 2].map(|i| points.iter().map(|(x, m)| m * x[i]).sum::<f64>() / mass);
+        let arm = |x: &[f64; 3], i: usize| x[i] - centre[i];
+        let second = [0, 1, 2].map(|i| {
+            [0, 1, 2].map(|j| points.iter().map(|(x, m)| m * arm(x, i) * arm(x, j)).sum())
+        });
+        let inertia = RigidInertia { mass, centre, second, tilts: true, along: true, rocks: true };
+        let standing = inertia.standing(&points.map(|(x, _)| x), [0.0; 2], [0.0; 2]);
+        assert_eq!(standing.coordinates.last().map(String::as_str), Some("turn about z"));
+        for (i, j) in (0..6).flat_map(|i| (0..6).map(move |j| (i, j))) {
+            let product = |(node, (_, m)): (&BodyNode, &([f64; 3], f64))| -> f64 {
+                (0..3).map(|axis| m * node.shapes[(axis, i)] * node.shapes[(axis, j)]).sum()
+            };
+            let found: f64 = standing.nodes.iter().zip(&points).map(product).sum();
+            assert!((found - f64::from(u8::from(i == j))).abs() < 1e-13, "{i} {j}: {found}");
+        }
+        // A pad that does not tilt: its arm about its centre over the root of its inertia.
+        let pad = RigidBody { transverse_inertia: None, rocks: true, ..body() };
+        let node = &pad.standing(&[[0.4, -0.2, 0.0]]).nodes[0];
+        let by = 1.0 / 0.5_f64.sqrt();
+        assert!((node.shapes[(0, 2)] - 0.2 * by).abs() < 1e-15);
+        assert!((node.shapes[(1, 2)] - 0.3 * by).abs() < 1e-15);
+        let turn = &pad.standing(&[]).measures[0].rotation;
+        assert_eq!([turn[(2, 0)], turn[(2, 1)], turn[(2, 2)]], [0.0, 0.0, by]);
+        assert_eq!(pad.turning(&[]), RigidBody { rocks: false, ..pad }.turning(&[]));
     }
 
     #[test]
@@ -357,7 +428,8 @@ mod tests {
         let second = [0, 1, 2].map(|i| {
             [0, 1, 2].map(|j| points.iter().map(|(x, m)| m * arm(x, i) * arm(x, j)).sum())
         });
-        let shaft = RigidInertia { mass, centre, second, tilts: true, along: false }.turning(&[]);
+        let shaft = RigidInertia { mass, centre, second, tilts: true, along: false, rocks: false }
+            .turning(&[]);
         let energy = |eta: [f64; 4], rate: [f64; 4], speed: f64| -> f64 {
             let product =
                 |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
@@ -422,7 +494,14 @@ mod tests {
     #[test]
     fn tilts_of_a_standing_body_have_mass_one() {
         let second = [[0.5, 0.2, 0.1], [0.2, 0.7, -0.3], [0.1, -0.3, 0.9]];
-        let own = RigidInertia { mass: 3.0, centre: [0.0; 3], second, tilts: true, along: false };
+        let own = RigidInertia {
+            mass: 3.0,
+            centre: [0.0; 3],
+            second,
+            tilts: true,
+            along: false,
+            rocks: false,
+        };
         let by = own.to_unit_mass();
         let mass = own.turning(&[]).mass;
         for (i, j) in (0..4).flat_map(|i| (0..4).map(move |j| (i, j))) {
@@ -449,7 +528,7 @@ mod tests {
             [0, 1, 2].map(|j| points.iter().map(|(x, m)| m * arm(x, i) * arm(x, j)).sum())
         });
         let positions = points.map(|(x, _)| x);
-        let body = RigidInertia { mass, centre, second, tilts: true, along: true };
+        let body = RigidInertia { mass, centre, second, tilts: true, along: true, rocks: false };
         let standing = body.standing(&positions, [0.0; 2], [0.0; 2]);
         for (i, j) in (0..5).flat_map(|i| (0..5).map(move |j| (i, j))) {
             let product = |(node, (_, m)): (&BodyNode, &([f64; 3], f64))| -> f64 {

@@ -33,6 +33,7 @@ embedded![
     "overhung-disc.toml",
     "sdnd101.toml",
     "sdnd108.toml",
+    "tilting-pad.toml",
     "turbocharger.toml",
     "two-spool.toml",
     "unbalance.toml",

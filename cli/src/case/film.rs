@@ -4,52 +4,19 @@ use std::f64::consts::PI;
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_codegen::document::Table;
-use whirl_codegen::document::schema::Shape::{Either, List, Named, Number, Words};
-use whirl_codegen::document::schema::{Key, Shape, key, merged};
 use whirl_codegen::kinds::law::{BearingValue, Given, Parameter};
 use whirl_codegen::rational::{Rational, nearest};
 use whirl_codegen::units::{Quantity, Unit};
 use whirl_solver::bearing::FilmLaw;
 use whirl_solver::cache;
-use whirl_solver::film::{Journal, OilFilm, WrongFilm};
+use whirl_solver::film::{Journal, OilFilm, Reach, WrongFilm};
 use whirl_solver::output::Integral;
 use whirl_specs::{CLEARANCES, FILMS, Film};
 
-use super::film_bore::{Around, BoreShape, POCKET};
+use super::film_table::{FilmTable, Opening, Side};
 use super::library::FileStore;
-use super::names;
-use super::shapes::{ANGLE, ARC, LENGTH, POSITION, SUPPLY};
 use super::values::listed;
 
-/// The table `film` of a joint.
-pub(super) const FILM: &[Key] = &[
-    key("grid", List(&Number), "nodes around and along; 72 and 7 if left out").like("[72, 7]"),
-    key("left", Either(&[SUPPLY, Words(&ENDS)]), LEFT).like("\"open\""),
-    key("right", Either(&[SUPPLY, Words(&ENDS)]), "the same of the end at greater z")
-        .like("\"2 bar\""),
-    key("opening", Named(&Shape::Table(&[OPENING])), "holes and grooves in the bore, by name"),
-    key("pocket", Named(&Shape::Table(&[POCKET])), "places of the bore that are deeper, by name"),
-];
-
-const LEFT: &str = "the end at smaller z: open to air at the pressure of the cavity, closed, or flooded with this pressure; open if left out";
-
-const OPENING: &[Key] = &[
-    merged("angle", ANGLE, "of its middle, from x of the bore towards y"),
-    key("arc", ARC, "around the bore"),
-    key("width", LENGTH, "around the bore, in place of `arc`"),
-    key("z", POSITION, "of its middle, from the middle of the film; 0 if left out"),
-    merged("length", LENGTH, "along z"),
-    merged("pressure", SUPPLY, "of the oil in it, above that of the cavity"),
-];
-
-/// Nodes around and along where a case says none.
-const GRID: [usize; 2] = [72, 7];
-/// Most of them.
-const MOST: [f64; 2] = [2000.0, 101.0];
-/// Keys of both ends, and what results call these.
-const ENDS_CALLED: [&str; 2] = ["left", "right"];
-/// Words for ends without a pressure.
-const ENDS: [&str; 2] = ["open", "closed"];
 /// Values that a film takes from its joint.
 const OF_JOINT: [(&str, &str, BearingValue, &str); 3] = [
     ("R", "mm", BearingValue::JournalRadius, "radius of the journal"),
@@ -65,52 +32,6 @@ pub(crate) struct FilmSource {
     told: FilmTable,
     /// Values of its parameters, and of the joint.
     given: Vec<Given>,
-}
-
-/// The table `film` of a joint.
-#[derive(Debug, Clone)]
-struct FilmTable {
-    grid: [usize; 2],
-    grid_place: Located,
-    ends: [(End, Located); 2],
-    openings: Vec<Opening>,
-    bore: BoreShape,
-    /// Where the joint names the film.
-    place: Located,
-}
-
-/// An end of a film.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum End {
-    Open,
-    Closed,
-    /// With this pressure above that of the cavity (Pa).
-    Flooded(f64),
-}
-
-/// A hole or a groove in the bore.
-#[derive(Debug, Clone)]
-struct Opening {
-    name: Located,
-    /// Its middle, from x (rad), and from the middle of the film (m).
-    angle: f64,
-    z: f64,
-    size: Around,
-    /// Along z (m).
-    length: f64,
-    /// Above that of the cavity (Pa).
-    pressure: f64,
-}
-
-impl Opening {
-    fn read(table: &Table, name: Located) -> Option<Self> {
-        let size = Around::read(table);
-        let z = table.quantity("z").unwrap_or(0.0);
-        let [angle, length, pressure] =
-            ["angle", "length", "pressure"].map(|key| table.quantity(key));
-        let (angle, size, length, pressure) = (angle?, size?, length?, pressure?);
-        Some(Opening { name, angle, z, size, length, pressure })
-    }
 }
 
 /// The shipped film of this name.
@@ -146,14 +67,7 @@ impl FilmSource {
         let own = joint.optional_table("film");
         let told = match own {
             Some(own) => own.read(|own| FilmTable::read(store, own, name)),
-            None => FilmTable {
-                grid: GRID,
-                grid_place: name.clone(),
-                ends: [(); 2].map(|()| (End::Open, name.clone())),
-                openings: Vec::new(),
-                bore: BoreShape::default(),
-                place: name.clone(),
-            },
+            None => FilmTable::of_name(name),
         };
         FilmSource { kernel, told, given: Vec::new() }
     }
@@ -169,13 +83,12 @@ impl FilmSource {
 
     /// What its history calls its openings, both ends first, and its integrals: name, unit and what it is.
     pub(super) fn columns(&self) -> (Vec<String>, Vec<Integral>) {
-        let openings = self.told.openings.iter().map(|own| own.name.text());
         let integrals = self.kernel.outputs.iter().map(|own| Integral {
             name: own.name.to_owned(),
             unit: own.unit,
             meaning: own.title.to_owned(),
         });
-        (ENDS_CALLED.into_iter().chain(openings).map(str::to_owned).collect(), integrals.collect())
+        (self.told.called(), integrals.collect())
     }
 
     /// How results call it.
@@ -192,8 +105,13 @@ impl FilmSource {
         let Ok(FilmLaw { journal, .. }) = self.built() else { return Vec::new() };
         let film = &journal.film;
         let [dx, dz] = film.grid.spacing().map(|own| whirl_text::rounded(1e3 * own, 4));
-        let FilmTable { grid: [around, along], openings, bore, .. } = &self.told;
+        let FilmTable { grid: [around, along], arc, openings, bore, .. } = &self.told;
         let mut lines = vec![format!("film of {around} × {along} nodes, {dx} × {dz} mm apart")];
+        if let Some(arc) = arc {
+            let degrees = |angle: f64| whirl_text::rounded(angle.to_degrees(), 4);
+            let [start, end] = [arc.start, arc.start + arc.size].map(degrees);
+            lines.push(format!("arc from {start}° to {end}°"));
+        }
         if !bore.is_round() {
             lines.extend(bore.described());
             let gaps = journal.gaps().map(|own| whirl_text::rounded(1e6 * own, 4));
@@ -202,7 +120,7 @@ impl FilmSource {
                 .push(format!("gaps from {least} to {most} µm where the journal is in the middle"));
         }
         for (place, own) in openings.iter().enumerate() {
-            let ([i, j], size) = film.covered(ENDS_CALLED.len() + place);
+            let ([i, j], size) = film.covered(film.sides() + place);
             let [width, length] = size.map(|own| whirl_text::rounded(1e3 * own, 4));
             lines.push(format!(
                 "opening {}: {i} × {j} nodes, {width} × {length} mm by them",
@@ -242,7 +160,7 @@ impl FilmSource {
     /// # Errors
     /// As [`FilmSource::with`].
     pub(crate) fn built(&self) -> Result<FilmLaw, Diagnostics> {
-        let FilmTable { grid, grid_place, ends, openings, bore, place } = &self.told;
+        let FilmTable { grid, grid_place, arc, sides, openings, bore, place } = &self.told;
         let mut errors = Diagnostics::new();
         let mut note = |at: &Located, wrong: WrongFilm| {
             errors.push(at.error_here(Code::BAD_VALUE, wrong.what).help(wrong.help));
@@ -253,7 +171,8 @@ impl FilmSource {
         };
         let [radius, length, clearance] =
             OF_JOINT.map(|(name, ..)| value(name).unwrap_or_default());
-        let mut film = match OilFilm::new(self.kernel, *grid, [radius, length], 0.0) {
+        let reach = Reach { first: arc.map_or(0.0, |own| own.start), arc: arc.map(|own| own.size) };
+        let mut film = match OilFilm::reaching(self.kernel, *grid, [radius, length], reach) {
             Ok(film) => film,
             Err(wrong) => {
                 note(grid_place, wrong);
@@ -265,15 +184,17 @@ impl FilmSource {
                 note(place, wrong);
             }
         }
-        for (end, (own, at)) in ends.iter().enumerate() {
-            match own {
-                End::Open => {}
-                End::Closed => film.close(end),
-                End::Flooded(pressure) => {
-                    if let Err(wrong) = film.flood(end, *pressure) {
-                        note(at, wrong);
-                    }
+        for (place, (own, at)) in sides.iter().enumerate() {
+            let done = match own {
+                Side::Open => film.open(place),
+                Side::Closed => {
+                    film.close(place);
+                    Ok(())
                 }
+                Side::Flooded(pressure) => film.flood(place, *pressure),
+            };
+            if let Err(wrong) = done {
+                note(at, wrong);
             }
         }
         for own in openings {
@@ -306,9 +227,13 @@ impl FilmSource {
             "{} {} {grid:?} {:?} {numbers:?} {}",
             self.kernel.origin.hash,
             self.name(),
-            ends.each_ref().map(|(end, _)| *end),
+            sides.iter().map(|(side, _)| *side).collect::<Vec<_>>(),
             if bore.is_round() { String::new() } else { bore.numbers() }
         ));
+        let hash = match arc {
+            Some(arc) => cache::Key::of(&format!("{} {arc:?}", hash.hex())),
+            None => hash,
+        };
         let mut journal = match Journal::new(film, &CLEARANCES[0], clearance) {
             Ok(journal) => journal,
             Err(wrong) => {
@@ -341,7 +266,7 @@ impl FilmSource {
             errors.push(at.error_here(Code::BAD_VALUE, wrong.what).help(wrong.help));
         };
         let name = self.kernel.origin.name;
-        let closed = ends.iter().all(|(end, _)| *end == End::Closed) && openings.is_empty();
+        let closed = sides.iter().all(|(side, _)| *side == Side::Closed) && openings.is_empty();
         match journal.pressure() {
             _ if !sound => {}
             _ if closed => {
@@ -349,7 +274,7 @@ impl FilmSource {
                     "the film `{name}` has neither an end nor an opening through which oil comes or goes"
                 );
                 let help = "open an end, flood it, or add an opening";
-                note(&ends[0].1, WrongFilm { what, help: help.to_owned() });
+                note(&sides[0].1, WrongFilm { what, help: help.to_owned() });
             }
             Some(pressure) if pressure > 0.0 => {}
             Some(_) => {
@@ -373,58 +298,5 @@ impl FilmSource {
             }
         }
         errors.into_result(FilmLaw { name: self.name(), hash: hash.hex(), journal })
-    }
-}
-
-impl FilmTable {
-    fn read(store: FileStore, table: &Table, name: &Located) -> Self {
-        let counts = table.positive_numbers("grid");
-        let (grid, grid_place) = match counts.as_slice() {
-            [around, along]
-                if [around, along].iter().all(|own| own.fract() == 0.0)
-                    && *around <= MOST[0]
-                    && *along <= MOST[1] =>
-            {
-                ([*around as usize, *along as usize], table.written("grid"))
-            }
-            _ => {
-                if table.gives("grid") {
-                    let message = format!(
-                        "`grid` is two whole numbers: nodes around, {} at most, and along, {} at most",
-                        MOST[0], MOST[1]
-                    );
-                    let help = "such as `grid = [72, 7]`";
-                    let at = table.written("grid");
-                    table.push(at.error_here(Code::BAD_VALUE, message).help(help));
-                }
-                (GRID, name.clone())
-            }
-        };
-        let end = |key: &'static str| {
-            let said = table.gives(key).then(|| table.written(key));
-            let word = said.as_ref().map(|own| own.text().trim_matches(['"', '\'']).to_owned());
-            let end = match word.as_deref() {
-                None => End::Open,
-                Some("open") => End::Open,
-                Some("closed") => End::Closed,
-                Some(_) => table.quantity(key).map_or(End::Open, End::Flooded),
-            };
-            if word.is_some_and(|own| ENDS.contains(&own.as_str())) {
-                table.pass_over(key);
-            }
-            (end, said.unwrap_or_else(|| name.clone()))
-        };
-        let ends = ENDS_CALLED.map(end);
-        let all = names::in_order(table, "opening");
-        for (name, _) in all.iter().filter(|(name, _)| ENDS_CALLED.contains(&name.text())) {
-            let message =
-                format!("an opening cannot be called `{}`, as an end of the film is", name.text());
-            table.push(name.error_here(Code::BAD_VALUE, message).help("give it another name"));
-        }
-        names::plain(table, "opening", all.iter().map(|(name, _)| name));
-        let openings =
-            all.into_iter().filter_map(|(name, own)| own.read(|own| Opening::read(own, name)));
-        let (openings, bore) = (openings.collect(), BoreShape::read(store, table));
-        FilmTable { grid, grid_place, ends, openings, bore, place: name.clone() }
     }
 }

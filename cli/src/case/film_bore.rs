@@ -1,7 +1,7 @@
 //! Shapes of the bore of a film: lobes, a profile from a file, pockets. Each is a depth beyond the round bore of the radial clearance.
 
 use std::f64::consts::{PI, TAU};
-use std::sync::Arc;
+use std::sync;
 
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
@@ -11,6 +11,7 @@ use whirl_codegen::rational::nearest;
 use whirl_codegen::units::Dimension;
 
 use super::columns::{self, Columns};
+use super::film_table::Arc;
 use super::library::FileStore;
 use super::names;
 use super::shapes::{ANGLE, ARC, LENGTH, POSITION};
@@ -24,7 +25,7 @@ pub(super) const BORE_SHAPE: &[Key] = &[
     key(
         "preload",
         Between(0.0, 1.0),
-        "of lobes: the radial clearance is that where they are narrowest, c, and their radius that of the journal and c/(1 − preload)",
+        "of lobes or of an arc: the radial clearance is that where they are narrowest, c, and their radius that of the journal and c/(1 − preload)",
     )
     .like("0.5"),
     key("lobe_angle", ANGLE, "of the middle of the first lobe, from x of the bore; 0 if left out")
@@ -32,7 +33,7 @@ pub(super) const BORE_SHAPE: &[Key] = &[
     key(
         "lobe_offset",
         Number,
-        "where a lobe is narrowest, as a share of its arc from its beginning: from 0 to 1; 0.5 if left out",
+        "where a lobe or an arc is narrowest, as a share of it from its beginning: from 0 to 1; 0.5 if left out",
     ),
     key("profile", Text, "a file of depths over the angle from x of the bore: columns `angle [deg], depth [um]`")
         .like("\"bore.csv\""),
@@ -82,7 +83,7 @@ impl Around {
 #[derive(Debug, Clone, Default)]
 pub(super) struct BoreShape {
     lobes: Option<Lobes>,
-    profile: Option<Arc<Columns>>,
+    profile: Option<sync::Arc<Columns>>,
     pockets: Vec<Pocket>,
 }
 
@@ -93,6 +94,8 @@ struct Lobes {
     /// The middle of the first (rad).
     angle: f64,
     offset: f64,
+    /// Whether it is the one of an arc, about where that is narrowest.
+    of_arc: bool,
 }
 
 #[derive(Debug, Clone)]
@@ -109,8 +112,8 @@ struct Pocket {
 }
 
 impl BoreShape {
-    pub(super) fn read(store: FileStore, table: &Table) -> BoreShape {
-        let lobes = Lobes::read(table);
+    pub(super) fn read(store: FileStore, table: &Table, arc: Option<Arc>) -> BoreShape {
+        let lobes = Lobes::read(table, arc);
         let measures: [&[Dimension]; 2] = [&[Dimension::ANGLE], &[Dimension::LENGTH]];
         let profile = columns::read(store, table, "profile", measures);
         if let Some(own) = &profile
@@ -180,11 +183,14 @@ impl BoreShape {
     /// What it is, for people.
     pub(super) fn described(&self) -> Vec<String> {
         let mut lines = Vec::new();
-        if let Some(Lobes { count, preload, angle, offset }) = self.lobes {
+        if let Some(Lobes { count, preload, angle, offset, of_arc }) = self.lobes {
             let degrees = whirl_text::rounded(angle.to_degrees(), 4);
-            lines.push(format!(
-                "bore of {count} lobes, the first around {degrees}°, preload {preload}, narrowest at {offset} of each"
-            ));
+            lines.push(match of_arc {
+                true => format!("preload {preload}, narrowest at {degrees}°"),
+                false => format!(
+                    "bore of {count} lobes, the first around {degrees}°, preload {preload}, narrowest at {offset} of each"
+                ),
+            });
         }
         if let Some(own) = &self.profile {
             lines.push(format!("bore with the profile {}", own.name.text()));
@@ -198,29 +204,40 @@ impl BoreShape {
 }
 
 impl Lobes {
-    fn read(table: &Table) -> Option<Lobes> {
+    fn read(table: &Table, arc: Option<Arc>) -> Option<Lobes> {
         const OF_LOBES: [&str; 3] = ["preload", "lobe_angle", "lobe_offset"];
+        const NOT_OF_ARCS: [&str; 2] = ["lobes", "lobe_angle"];
         let count = table.optional_count("lobes");
         let preload = table.has("preload").then(|| table.number_or_middle("preload"));
         let angle = table.quantity("lobe_angle").unwrap_or(0.0);
         let offset = table.optional_number("lobe_offset").map_or(0.5, |own| nearest(&own.0));
+        if table.gives("arc") {
+            for key in NOT_OF_ARCS.into_iter().filter(|key| table.gives(key)) {
+                let message = format!("`{key}` is of a bore that closes, and this film is an arc");
+                let help = "leave it out: an arc has a `preload` of its own, narrowest at `lobe_offset` of it";
+                table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
+            }
+            if !table.gives("preload") && table.gives("lobe_offset") {
+                table.absent("preload", "add `preload = 0.5`: without one the arc is round");
+            }
+            in_arc(table, offset);
+            let Arc { start, size } = arc?;
+            let angle = start + offset * size;
+            return Some(Lobes { count: 1, preload: preload?, angle, offset: 0.5, of_arc: true });
+        }
         let Some(count) = count else {
             for key in OF_LOBES.into_iter().filter(|key| table.gives(key)) {
-                let message = format!("`{key}` is of a bore with `lobes`");
+                let message = format!("`{key}` is of a bore with `lobes`, or of an `arc`");
                 let help = "add `lobes = 2`, or leave it out";
                 table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
             }
             return None;
         };
-        if !(0.0..=1.0).contains(&offset) {
-            let message = "`lobe_offset` is a share of the arc of a lobe, from 0 to 1";
-            let at = table.written("lobe_offset");
-            table.push(at.error_here(Code::BAD_VALUE, message).help("such as `lobe_offset = 0.5`"));
-        }
+        in_arc(table, offset);
         if preload.is_none() {
             table.absent("preload", "add `preload = 0.5`: without one the bore is round");
         }
-        Some(Lobes { count, preload: preload?, angle, offset })
+        Some(Lobes { count, preload: preload?, angle, offset, of_arc: false })
     }
 
     /// c m/(1 − m) (1 − cos ψ) at the angle ψ from where the lobe is narrowest.
@@ -229,6 +246,15 @@ impl Lobes {
         let from_first = (angle - self.angle + 0.5 * arc).rem_euclid(TAU);
         let within = from_first.rem_euclid(arc) - self.offset * arc;
         clearance * self.preload / (1.0 - self.preload) * (1.0 - within.cos())
+    }
+}
+
+/// Notes an offset that is none.
+fn in_arc(table: &Table, offset: f64) {
+    if !(0.0..=1.0).contains(&offset) {
+        let message = "`lobe_offset` is a share of the arc of a lobe, from 0 to 1";
+        let at = table.written("lobe_offset");
+        table.push(at.error_here(Code::BAD_VALUE, message).help("such as `lobe_offset = 0.5`"));
     }
 }
 
@@ -266,7 +292,7 @@ mod tests {
 
     #[test]
     fn one_lobe_is_a_round_bore_out_of_the_middle() {
-        let lobes = Lobes { count: 1, preload: 0.4, angle: 0.7, offset: 0.5 };
+        let lobes = Lobes { count: 1, preload: 0.4, angle: 0.7, offset: 0.5, of_arc: false };
         let clearance = 60e-6;
         let (wide, out) = (clearance / 0.6, clearance * 0.4 / 0.6);
         for k in 0..17 {
@@ -279,7 +305,7 @@ mod tests {
     #[test]
     fn lobes_are_narrowest_where_they_are_told_to_be() {
         let arc = TAU / 3.0;
-        let lobes = Lobes { count: 3, preload: 0.5, angle: 0.2, offset: 0.75 };
+        let lobes = Lobes { count: 3, preload: 0.5, angle: 0.2, offset: 0.75, of_arc: false };
         for k in 0..3 {
             let narrow = 0.2 + arc * (f64::from(k) + 0.25);
             assert!(lobes.depth(narrow, 1.0) < 1e-15);

@@ -72,7 +72,7 @@ impl Joint {
 impl Side {
     /// On a body, or on the ground, with these node sets.
     pub(super) fn of(body: Option<usize>, place: Located, sets: Vec<Located>) -> Side {
-        Side { body, place, sets, surface: false, z: None }
+        Side { body, place, sets, surface: false, z: None, at: None }
     }
 }
 
@@ -130,4 +130,6 @@ pub(crate) struct Side {
     pub(crate) surface: bool,
     /// z on a rigid body or on one made from sections, m, if the case says it.
     pub(crate) z: Option<f64>,
+    /// x and y on a body that rocks (m), if the case says it, and where.
+    pub(crate) at: Option<([f64; 2], Located)>,
 }

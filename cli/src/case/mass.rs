@@ -69,6 +69,7 @@ fn body(table: &Table) -> NamedBody {
         polar_inertia: 0.0,
         transverse_inertia: None,
         along: false,
+        rocks: false,
         centre: [0.0; 3],
         stiffness: [or_zero("stiffness"); 2],
         damping: [or_zero("damping"); 2],

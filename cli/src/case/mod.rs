@@ -10,6 +10,7 @@ mod files;
 mod film;
 mod film_bore;
 mod film_march;
+mod film_table;
 mod gears;
 mod gravity;
 mod ground;

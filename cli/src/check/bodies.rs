@@ -118,8 +118,8 @@ pub(super) fn masses(
     for (body, own) in joined.bodies.iter().zip(&plan.bodies) {
         let [mass, z, polar, transverse] = match own {
             PlannedBody::Rigid(rigid) => {
-                let polar = body.turns().then_some(rigid.body.polar_inertia);
                 let own = &rigid.body;
+                let polar = (body.turns() || own.rocks).then_some(own.polar_inertia);
                 [Some(own.mass), Some(own.centre[2]), polar, own.transverse_inertia]
             }
             PlannedBody::Meshed(meshed) => {

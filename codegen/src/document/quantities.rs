@@ -4,7 +4,7 @@ use super::Table;
 use super::schema::{Measure, Range, Shape};
 use super::tree::{Content, Node};
 use crate::diagnostic::Code;
-use crate::units::Quantity;
+use crate::units::{Dimension, Quantity};
 
 /// Bytes before the text of a string.
 const OPENING_QUOTE: usize = 1;
@@ -112,7 +112,13 @@ impl Table<'_> {
             }
             _ => {
                 let example = format!("[\"{0}\", \"{0}\"]", measure.example);
-                self.wrong(key, node, "two quantities, along x and y", &example);
+                let of_angles = measure.dimension == Dimension::ANGLE;
+                let what = if of_angles {
+                    "two angles, from and to"
+                } else {
+                    "two quantities, along x and y"
+                };
+                self.wrong(key, node, what, &example);
                 None
             }
         }

@@ -6,6 +6,7 @@
 
 use super::film_law::motion;
 use super::hold::{Hold, LawStates};
+use super::placed_law::PlacedLaw;
 use super::plane::Plane;
 use super::springs::Springs;
 use crate::film::{Balance, INPUTS, Journal, JournalMotion, OUTPUTS, Oil};
@@ -138,6 +139,13 @@ impl Films {
 }
 
 impl Springs {
+    /// Whether a film is on an arc, as on a pad.
+    pub(crate) fn have_arcs(&self) -> bool {
+        let arc =
+            |own: &PlacedLaw| own.bound.law.film().is_some_and(|own| own.film.grid.arc.is_some());
+        self.laws.iter().any(arc)
+    }
+
     pub(super) fn film_of(&self, law: usize) -> &Journal {
         self.laws[law].bound.law.film().expect("a film")
     }

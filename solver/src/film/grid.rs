@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-/// Evenly spaced nodes all around a bore, in rows along it. Node (i, j), the i-th around in the j-th row, has place
-/// j·around + i.
+/// Evenly spaced nodes around a bore, in rows along it: all around, or from one end of an arc to the other. Node (i, j), the
+/// i-th around in the j-th row, has place j·around + i.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Grid {
     /// Nodes around.
@@ -17,6 +17,8 @@ pub struct Grid {
     pub length: f64,
     /// Angle of the first node of every row (rad).
     pub first: f64,
+    /// Angle from the first node to the last one of every row (rad), of a film that does not close.
+    pub arc: Option<f64>,
     /// Nodes of a cell around and along.
     pub(super) cell: [usize; 2],
 }
@@ -24,7 +26,17 @@ pub struct Grid {
 impl Grid {
     /// Angle of the i-th node around (rad).
     pub fn angle(&self, i: usize) -> f64 {
-        self.first + TAU * i as f64 / self.around as f64
+        self.first + self.span() * i as f64 / self.intervals() as f64
+    }
+
+    /// The angle that the film takes (rad).
+    pub fn span(&self) -> f64 {
+        self.arc.unwrap_or(TAU)
+    }
+
+    /// Distances between neighbours around.
+    fn intervals(&self) -> usize {
+        self.around - usize::from(self.arc.is_some())
     }
 
     /// Distance of a row from the middle of the film (m).
@@ -44,7 +56,8 @@ impl Grid {
 
     /// Distance between neighbours around and along (m).
     pub fn spacing(&self) -> [f64; 2] {
-        [TAU * self.radius / self.around as f64, self.length / (self.along - 1) as f64]
+        let around = self.span() * self.radius / self.intervals() as f64;
+        [around, self.length / (self.along - 1) as f64]
     }
 
     /// Lengths of a cell around and along (m).
@@ -55,7 +68,7 @@ impl Grid {
 
     /// Cells around and along.
     pub(super) fn cells(&self) -> [usize; 2] {
-        [self.around / (self.cell[0] - 1), (self.along - 1) / (self.cell[1] - 1)]
+        [self.intervals() / (self.cell[0] - 1), (self.along - 1) / (self.cell[1] - 1)]
     }
 
     /// Areas of the nodes of one row after the other (m²): shares of the cells as their functions have them at the nodes.
@@ -87,16 +100,24 @@ impl Grid {
         j * self.around + i
     }
 
-    /// Values of a row with those at its beginning repeated behind its end, so that cells find theirs side by side.
+    /// Values of a row; of one that closes with those at its beginning repeated behind its end, so that cells find theirs side by
+    /// side.
     pub(super) fn pitch(&self) -> usize {
-        self.around + self.cell[0] - 1
+        match self.arc {
+            Some(_) => self.around,
+            None => self.around + self.cell[0] - 1,
+        }
     }
 
     /// Rows of the band matrix: those around in the order 0, n − 1, 1, n − 2 …, so that neighbours stay close where the ring
-    /// closes.
+    /// closes; along an arc one after the other.
     pub(super) fn order(&self) -> Vec<usize> {
         let n = self.around;
-        let folded = |i: usize| if 2 * i < n { 2 * i } else { 2 * (n - i) - 1 };
+        let folded = |i: usize| match self.arc {
+            Some(_) => i,
+            None if 2 * i < n => 2 * i,
+            None => 2 * (n - i) - 1,
+        };
         let mut order = Vec::with_capacity(self.nodes());
         for j in 0..self.along {
             order.extend((0..n).map(|i| folded(i) * self.along + j));
@@ -106,11 +127,19 @@ impl Grid {
 
     /// Entries of the band matrix beside its diagonal.
     pub(super) fn half_band(&self) -> usize {
-        2 * (self.cell[0] - 1) * self.along + self.cell[1] - 1
+        let folds = if self.arc.is_some() { 1 } else { 2 };
+        folds * (self.cell[0] - 1) * self.along + self.cell[1] - 1
     }
 
-    /// Nodes whose control area lies in a rectangle of the developed bore, and the rectangle that they cover: angle and z,
-    /// half widths (rad, m).
+    /// Whether a range of angles (rad) lies on the film, but for rounding.
+    pub(super) fn has(&self, angle: &Range<f64>) -> bool {
+        let Some(arc) = self.arc else { return true };
+        let rounding = 1e-9 * arc;
+        let begins = (angle.start - self.first + rounding).rem_euclid(TAU) - rounding;
+        begins + angle.end - angle.start <= arc + rounding
+    }
+
+    /// Nodes that lie in a rectangle of the developed bore: over angles (rad) and z (m).
     pub(super) fn within(&self, angle: Range<f64>, z: Range<f64>) -> Vec<usize> {
         let mut found = Vec::new();
         // Nodes on its edges are in it, however these are rounded.
@@ -140,7 +169,12 @@ mod tests {
     use super::*;
 
     fn grid(around: usize, along: usize) -> Grid {
-        Grid { around, along, radius: 0.02, length: 0.03, first: 0.1, cell: [2, 3] }
+        let cell = [2, 3];
+        Grid { around, along, radius: 0.02, length: 0.03, first: 0.1, arc: None, cell }
+    }
+
+    fn pad(around: usize, along: usize) -> Grid {
+        Grid { arc: Some(1.2), ..grid(around, along) }
     }
 
     #[test]
@@ -150,12 +184,33 @@ mod tests {
             let total: f64 = grid.areas().iter().sum();
             assert!((total / (2.0 * PI * 0.02 * 0.03) - 1.0).abs() < 1e-13);
         }
+        let grid = pad(13, 5);
+        let total: f64 = grid.areas().iter().sum();
+        assert!((total / (1.2 * 0.02 * 0.03) - 1.0).abs() < 1e-13);
+        assert!((grid.angle(12) - 1.3).abs() < 1e-15 && grid.angle(0) == 0.1);
+    }
+
+    #[test]
+    fn openings_lie_on_an_arc_or_beyond_it() {
+        let grid = pad(13, 5);
+        for (range, lies) in [
+            (0.1..1.3, true),
+            (0.1 - TAU..0.2 - TAU, true),
+            (0.0..0.3, false),
+            (1.2..1.4, false),
+            (2.0..2.1, false),
+        ] {
+            assert_eq!(grid.has(&range), lies, "{range:?}");
+        }
+        // Both edges of an arc that begins before the axis.
+        let grid = Grid { first: -0.3, ..grid };
+        assert!(grid.has(&(0.1..0.9)) && !grid.has(&(0.1..0.91)));
+        assert_eq!(grid.within(-0.3..-0.3, 0.0..0.0), [26]);
     }
 
     #[test]
     fn neighbours_stay_within_the_band() {
-        for around in [11, 12, 37] {
-            let grid = grid(around, 7);
+        for grid in [grid(11, 7), grid(12, 7), grid(37, 7), pad(9, 7)] {
             let order = grid.order();
             let mut seen = vec![false; grid.nodes()];
             order.iter().for_each(|place| seen[*place] = true);

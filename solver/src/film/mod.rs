@@ -28,6 +28,6 @@ pub use balance::{Balance, Motion};
 pub use grid::Grid;
 pub use journal::Journal;
 pub use oil::Oil;
-pub use openings::{OilFilm, Opening, WrongFilm};
+pub use openings::{OilFilm, Opening, Reach, WrongFilm};
 pub use reaction::{INPUTS, JournalMotion, OUTPUTS, Reaction};
 pub use solve::Unsolved;

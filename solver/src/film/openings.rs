@@ -1,6 +1,7 @@
 //! A film as it is described: its grid, its numbers, and where oil comes and goes.
 
 use std::collections::BTreeSet;
+use std::f64::consts::TAU;
 use std::ops::Range;
 
 use whirl_specs::{Film, FilmEdge};
@@ -28,12 +29,21 @@ pub struct OilFilm {
     pub grid: Grid,
     /// Lengths of a cell, speed, parameters: as kernels take them.
     pub(super) uniform: Vec<f64>,
-    /// Ends first, then holes and grooves.
+    /// Ends first, then the edges of an arc, then holes and grooves.
     pub openings: Vec<Opening>,
     /// Of every node the opening that it belongs to.
     pub(super) opening_of: Vec<Option<usize>>,
     /// Areas of the nodes (m²).
     pub(super) areas: Vec<f64>,
+}
+
+/// Where a film begins around the bore (rad), and the angle to where it ends; none of a film that closes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reach {
+    /// Angle of the first node.
+    pub first: f64,
+    /// To the last node.
+    pub arc: Option<f64>,
 }
 
 /// What is wrong with a film, and how to fix it.
@@ -50,15 +60,28 @@ fn wrong<T>(what: impl Into<String>, help: impl Into<String>) -> Result<T, Wrong
 }
 
 impl OilFilm {
-    /// A film of this kind with open ends and the parameters of its spec.
+    /// A film of this kind all around with open ends and the parameters of its spec.
     ///
     /// # Errors
     /// A grid that its cells do not fill.
     pub fn new(
         kernel: &'static Film,
+        nodes: [usize; 2],
+        size: [f64; 2],
+        first: f64,
+    ) -> Result<Self, WrongFilm> {
+        Self::reaching(kernel, nodes, size, Reach { first, arc: None })
+    }
+
+    /// The same around the bore or along an arc of it, whose edges are in oil at the pressure of the cavity.
+    ///
+    /// # Errors
+    /// A grid that its cells do not fill, an arc of nothing or of more than once around.
+    pub fn reaching(
+        kernel: &'static Film,
         [around, along]: [usize; 2],
         [radius, length]: [f64; 2],
-        first: f64,
+        Reach { first, arc }: Reach,
     ) -> Result<Self, WrongFilm> {
         let cell = kernel.nodes;
         if cell[0] != 2 {
@@ -68,13 +91,19 @@ impl OilFilm {
             );
         }
         let [x, z] = cell.map(|nodes| nodes - 1);
-        if around < 8 || !around.is_multiple_of(x) {
+        if around < 8 || (arc.is_none() && !around.is_multiple_of(x)) {
             return wrong(
                 format!("{around} nodes around are too few, or do not close"),
                 match x {
                     1 => "take at least 8".to_owned(),
                     _ => format!("take at least 8, a multiple of {x}"),
                 },
+            );
+        }
+        if arc.is_some_and(|arc| !(arc > 0.0 && arc < TAU)) {
+            return wrong(
+                "an arc of a film is more than 0° and less than 360°",
+                "leave `arc` out for a film that closes",
             );
         }
         if along <= z || !(along - 1).is_multiple_of(z) {
@@ -86,7 +115,7 @@ impl OilFilm {
         if !(radius > 0.0 && length > 0.0) {
             return wrong("a film needs a radius and a length above zero", "give both");
         }
-        let grid = Grid { around, along, radius, length, first, cell };
+        let grid = Grid { around, along, radius, length, first, arc, cell };
         let mut uniform = grid.cell_lengths().to_vec();
         uniform.push(0.0);
         uniform.extend(kernel.parameters.iter().map(|own| own.value));
@@ -103,7 +132,19 @@ impl OilFilm {
                 nodes,
             });
         }
+        if arc.is_some() {
+            for (name, column) in [("edge at the start", 0), ("edge at the end", around - 1)] {
+                let nodes = (0..along).map(|row| row * around + column).collect();
+                let edge = film.edge("supply")?;
+                film.add(Opening { name: name.to_owned(), edge, pressure: 0.0, nodes });
+            }
+        }
         Ok(film)
+    }
+
+    /// Its ends, and the edges of an arc.
+    pub fn sides(&self) -> usize {
+        if self.grid.arc.is_some() { 4 } else { 2 }
     }
 
     fn edge(&self, name: &str) -> Result<&'static FilmEdge, WrongFilm> {
@@ -138,20 +179,32 @@ impl OilFilm {
         }
     }
 
-    /// Floods an end: 0 at −z, 1 at +z, with a pressure above that of the cavity (Pa).
+    /// Floods a side with a pressure above that of the cavity (Pa): 0 the end at −z, 1 that at +z; 2 and 3 the edges at the start
+    /// and the end of an arc.
     ///
     /// # Errors
     /// A film whose spec has no supply.
-    pub fn flood(&mut self, end: usize, pressure: f64) -> Result<(), WrongFilm> {
+    pub fn flood(&mut self, side: usize, pressure: f64) -> Result<(), WrongFilm> {
         let edge = self.edge("supply")?;
-        let opening = &mut self.openings[end];
+        let opening = &mut self.openings[side];
         (opening.edge, opening.pressure) = (edge, pressure);
         Ok(())
     }
 
-    /// Closes an end: 0 at −z, 1 at +z. Nothing leaves there, as in a plane of symmetry.
-    pub fn close(&mut self, end: usize) {
-        for node in std::mem::take(&mut self.openings[end].nodes) {
+    /// Opens a side to air at the pressure of the cavity: oil leaves, none comes back.
+    ///
+    /// # Errors
+    /// A film whose spec has no open edges.
+    pub fn open(&mut self, side: usize) -> Result<(), WrongFilm> {
+        let edge = self.edge("open")?;
+        let opening = &mut self.openings[side];
+        (opening.edge, opening.pressure) = (edge, 0.0);
+        Ok(())
+    }
+
+    /// Closes a side. Nothing leaves there, as in a plane of symmetry.
+    pub fn close(&mut self, side: usize) {
+        for node in std::mem::take(&mut self.openings[side].nodes) {
             self.opening_of[node] = None;
         }
     }
@@ -180,6 +233,18 @@ impl OilFilm {
                 "shorten it, or move it",
             );
         }
+        if !self.grid.has(&angle) {
+            let [from, to] = [0.0, self.grid.span()]
+                .map(|own| (self.grid.first + own).to_degrees().rem_euclid(360.0));
+            return wrong(
+                format!(
+                    "the opening `{name}` reaches beyond the arc of the film, which goes from {}° to {}°",
+                    whirl_text::rounded(from, 5),
+                    whirl_text::rounded(to, 5)
+                ),
+                "make it narrower, or move it; edges of an arc have pressures of their own",
+            );
+        }
         let nodes = self.grid.within(angle.clone(), z.clone());
         if nodes.is_empty() {
             let width = 1e3 * self.grid.radius * (angle.end - angle.start);
@@ -194,8 +259,9 @@ impl OilFilm {
                 "give the film more nodes, or the opening the size of one distance at least",
             );
         }
+        let sides = self.sides();
         if let Some(other) =
-            nodes.iter().find_map(|node| self.opening_of[*node].filter(|own| *own >= 2))
+            nodes.iter().find_map(|node| self.opening_of[*node].filter(|own| *own >= sides))
         {
             let other = self.openings[other].name.clone();
             return wrong(
@@ -207,7 +273,8 @@ impl OilFilm {
         Ok(())
     }
 
-    /// Takes nodes from what had them before: an opening that reaches an end has its nodes there.
+    /// Takes nodes from what had them before: an opening that reaches an end has its nodes there, and an edge of an arc its
+    /// corners.
     fn add(&mut self, opening: Opening) {
         let place = self.openings.len();
         for node in &opening.nodes {

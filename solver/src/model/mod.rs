@@ -27,6 +27,7 @@
 //! // A wheel of 0.5 kg m² under a couple of 2 N m turns with 4 rad/s after a second.
 //! let wheel = RigidBody {
 //!     along: false,
+//!     rocks: false,
 //!     mass: 3.0,
 //!     polar_inertia: 0.5,
 //!     transverse_inertia: None,

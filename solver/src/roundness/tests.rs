@@ -233,6 +233,7 @@ fn rigid_bodies_and_points_turn_by_their_coordinates() {
         polar_inertia: 0.5,
         transverse_inertia: Some(0.25),
         along: true,
+        rocks: false,
         centre: [0.0, 0.0, 0.2],
         stiffness: [0.0; 2],
         damping: [0.0; 2],

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use whirl_solver::film::{Balance, Journal, JournalMotion, Oil, OilFilm};
+use whirl_solver::film::{Balance, Journal, JournalMotion, Oil, OilFilm, Reach};
 use whirl_specs::{CLEARANCES, FILMS};
 
 use crate::workbench::Workbench;
@@ -63,4 +63,64 @@ fn a_film_of_a_case_is_that_of_its_keys() {
     let said = bench.whirl(&["check", "films.toml"]);
     assert!(said.stdout.contains("film of 48 × 9 nodes"), "{}", said.stdout);
     assert!(said.stdout.contains("opening hole: 2 × 3 nodes"), "{}", said.stdout);
+}
+
+#[test]
+fn a_pad_of_a_case_is_that_of_its_keys() {
+    let bench = Workbench::new().file("pads.toml", include_str!("pads.toml"));
+    let outcome = bench.whirl(&["run", "pads.toml", "--out", "out"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    let history = bench.history("out");
+    let kernel = FILMS.iter().find(|film| film.origin.name == "jfo").expect("a shipped film");
+    let [start, arc, middle] = [100.0_f64, 100.0, 125.0].map(f64::to_radians);
+    let reach = Reach { first: start, arc: Some(arc) };
+    let mut film = OilFilm::reaching(kernel, [25, 5], [0.021, 0.023], reach).expect("a film");
+    film.set("mu_0", 0.013).expect("a parameter");
+    film.set("sigma", 0.3e-6).expect("a parameter");
+    film.flood(2, 0.7e5).expect("an edge");
+    film.flood(3, 0.2e5).expect("an edge");
+    let half = 0.5 * 0.004 / 0.021;
+    film.supply("hole", middle - half..middle + half, -0.00575..0.00575, 2e5).expect("a hole");
+    let mut journal = Journal::new(film, &CLEARANCES[0], 31e-6).expect("a journal");
+    journal.shape(|angle, _| 31e-6 * 0.3 / 0.7 * (1.0 - (angle - start - 0.6 * arc).cos()));
+    let (mut oil, mut balance) = (Oil::full(&journal.film), Balance::new(&journal.film));
+    let last = |name: &str| history.last(name);
+    // The film turns with its pad: by what the middle of its bore moves about the pivot.
+    let of = |letter: &str, joint: &str| {
+        ["X", "Y"].map(|axis| 1e-6 * last(&format!("{letter}{axis}_{joint}_um")))
+    };
+    let (journal_at, eccentric, pivot) = (of("", "b"), of("E", "b"), of("E", "pivot"));
+    let bore = [0, 1].map(|axis| journal_at[axis] - eccentric[axis] - pivot[axis]);
+    let [x, y] = [-0.026, 0.015];
+    let (sin, cos) = ((bore[0] * y - bore[1] * x) / (x * x + y * y)).sin_cos();
+    let [x, y] = eccentric;
+    let motion = JournalMotion {
+        displacement: [cos * x + sin * y, cos * y - sin * x],
+        omega: TAU * 2900.0 / 60.0,
+        ..JournalMotion::default()
+    };
+    let mut reaction = journal.react(&motion, &mut oil, &mut balance, &mut [0.0]).expect("a film");
+    let [x, y, ..] = reaction.forces;
+    reaction.forces[0] = cos * x - sin * y;
+    reaction.forces[1] = cos * y + sin * x;
+    let size = last("RX_b_N").hypot(last("RY_b_N"));
+    assert!(size > 50.0, "{size}");
+    for (found, name) in reaction.forces.iter().zip(["RX_b_N", "RY_b_N"]) {
+        assert!((found - last(name)).abs() < 1e-5 * size, "{found} N against {} N", last(name));
+    }
+    for (opening, own) in ["left", "right", "start", "end", "hole"].into_iter().enumerate() {
+        let found = 1e6 * balance.inflow(&journal.film, opening);
+        let flow = last(&format!("q_{own}_f_mL_s"));
+        assert!((found - flow).abs() < 1e-4 * flow.abs(), "{own}: {found} {flow}");
+        assert!(flow != 0.0, "{own}");
+    }
+    let said = bench.whirl(&["check", "pads.toml"]);
+    for word in [
+        "film of 25 × 5 nodes",
+        "arc from 100° to 200°",
+        "preload 0.3, narrowest at 160°",
+        "opening hole: 3 × 3 nodes",
+    ] {
+        assert!(said.stdout.contains(word), "{word}: {}", said.stdout);
+    }
 }

@@ -20,9 +20,10 @@ use whirl_tests::History;
 use crate::workbench::Workbench;
 
 /// Everything that the cases name, by its name.
-const FILES: [(&str, &str); 25] = [
+const FILES: [(&str, &str); 26] = [
     ("bore.csv", include_str!("bore.csv")),
     ("films.toml", include_str!("films.toml")),
+    ("pads.toml", include_str!("pads.toml")),
     ("quake.csv", include_str!("quake.csv")),
     ("generated.toml", include_str!("generated.toml")),
     ("base.toml", include_str!("base.toml")),
@@ -49,8 +50,9 @@ const FILES: [(&str, &str); 25] = [
 ];
 
 /// Those of them that are cases.
-const CASES: [&str; 14] = [
+const CASES: [&str; 15] = [
     "films.toml",
+    "pads.toml",
     "generated.toml",
     "base.toml",
     "read.toml",

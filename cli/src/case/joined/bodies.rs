@@ -33,7 +33,7 @@ pub(super) struct BodyDraft {
 /// Keys of a rigid body.
 const RIGID: [&str; 4] = ["mass", "polar_inertia", "transverse_inertia", "stiffness"];
 /// Keys of rigid bodies, with a mesh or without, and of all.
-const OF_BOTH: [&str; 4] = ["z", "damping", "ground_spring", "moves_along_z"];
+const OF_BOTH: [&str; 6] = ["z", "damping", "ground_spring", "moves_along_z", "rocks", "centre"];
 /// Keys of a body with a mesh.
 const MESHED: [&str; 18] = [
     "mesh",
@@ -107,7 +107,17 @@ pub(super) fn read(
             OF_BOTH.iter().for_each(|key| table.pass_over(key));
             None
         }
-        (Some(_), None) => read_meshed(store, table, materials, (turned, thrust)).map(Form::Meshed),
+        (Some(meshed), None) => {
+            let of_numbers = ["rocks", "centre"].into_iter().filter(|key| table.gives(key));
+            for key in of_numbers.filter(|_| !turned) {
+                table.pass_over(key);
+                let message =
+                    format!("`{key}` is of a rigid body by numbers, and this one has a `{meshed}`");
+                let help = "leave it out: a mesh on a bushing at one of its sets rocks by itself";
+                table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
+            }
+            read_meshed(store, table, materials, (turned, thrust)).map(Form::Meshed)
+        }
         (None, Some(_)) => Some(Form::Rigid(read_rigid(table, turned))),
         (None, None) => {
             let help = "add `mesh = \"body.inp\"`, `sections = \"body.csv\"`, a table of `dimensions` or of `matrices`, or the `mass` of a rigid body";
@@ -170,11 +180,12 @@ fn of_other_rotations(table: &Table, turns: &str, rigid: bool) {
     match turns {
         "no" => {
             let help = "leave it out, or write `turns = \"free\"` or `turns = \"prescribed\"`";
+            let rocks = table.gives("rocks");
             for key in
                 OF_PRESCRIBED.into_iter().chain(["initial_speed", "polar_inertia", "section"])
             {
-                // A mesh has no inertia of its own that it could give.
-                if rigid || key != "polar_inertia" {
+                // A mesh has no inertia of its own that it could give, and what rocks needs one.
+                if key != "polar_inertia" || rigid && !rocks {
                     note(key, "a body that turns", help);
                 }
             }
@@ -190,6 +201,8 @@ fn of_other_rotations(table: &Table, turns: &str, rigid: bool) {
         ),
     }
     if turns != "no" {
+        let help = "leave it out: the body turns";
+        ["rocks", "centre"].iter().for_each(|key| note(key, "a body that does not turn", help));
         let help = "join the body to the ground by a `bushing`";
         let own: &[&str] = if rigid { &["stiffness", "damping"] } else { &["ground_spring"] };
         own.iter().for_each(|key| note(key, "a body that does not turn", help));
@@ -341,8 +354,16 @@ fn made(table: &Table, material: Material, turns: bool) -> Dimensions {
 
 fn read_rigid(table: &Table, turns: bool) -> RigidBody {
     table.demand("mass");
-    if turns {
+    let rocks = !turns && table.optional_boolean("rocks").unwrap_or(false);
+    if turns || rocks {
         table.demand("polar_inertia");
+    }
+    let [x, y] = table.quantity_pair("centre").unwrap_or_default();
+    if table.gives("centre") && !turns && !rocks {
+        let message = "`centre` is of a body that rocks";
+        let help =
+            "add `rocks = true`, or leave it out: the centre of a rigid body is on its `axis`";
+        table.push(table.written("centre").error_here(Code::BAD_VALUE, message).help(help));
     }
     // What stands in space beside a body that turns is a joint to the ground.
     let to_ground = |key: &str| -> [f64; 2] {
@@ -356,15 +377,16 @@ fn read_rigid(table: &Table, turns: bool) -> RigidBody {
     if table.has("transverse_inertia") {
         table.demand("z");
     }
-    let polar_inertia = if turns { table.quantity("polar_inertia") } else { None };
+    let polar_inertia = if turns || rocks { table.quantity("polar_inertia") } else { None };
     let transverse_inertia = table.quantity("transverse_inertia");
     fit::inertias(table, polar_inertia, transverse_inertia);
     RigidBody {
         mass: table.quantity_or_one("mass"),
-        polar_inertia: polar_inertia.unwrap_or(if turns { 1.0 } else { 0.0 }),
+        polar_inertia: polar_inertia.unwrap_or(if turns || rocks { 1.0 } else { 0.0 }),
         transverse_inertia,
         along: table.optional_boolean("moves_along_z").unwrap_or(false),
-        centre: [0.0, 0.0, table.quantity("z").unwrap_or(0.0)],
+        rocks,
+        centre: [x, y, table.quantity("z").unwrap_or(0.0)],
         stiffness: to_ground("stiffness"),
         damping: to_ground("damping"),
     }

@@ -63,6 +63,7 @@ impl Checks<'_, '_> {
         if let Some((at, message, help)) = gear::wrong(self.machine, joint) {
             self.note(&at, message, &help);
         }
+        self.on_rocking(joint);
         let turns = |side: &Side| side.body.is_some_and(|body| self.machine.bodies[body].turns());
         let [first, second] = joint.sides.each_ref().map(turns);
         let [of_first, of_second] = joint.sides.each_ref().map(|side| side.place.clone());
@@ -248,6 +249,14 @@ impl Checks<'_, '_> {
                 format!("{without}add a joint at another z, or list `stations` along the joint");
             self.note(&body.name.clone(), message, &help);
         }
+        let rocks = matches!(&body.form, Form::Rigid(rigid) if rigid.rocks);
+        let aside =
+            |joint: &&Joint| joint.kind == JointKind::Bearing || joint.sides[0].at.is_some();
+        if rocks && (joints.len() < 2 || !joints.iter().any(aside)) {
+            let message = format!("nothing acts on the turn of `{name}` about z");
+            let help = "add its pivot, a bushing `at` a place of it, to the bearing that pushes it; or leave `rocks` out";
+            self.note(&body.name.clone(), message, help);
+        }
         if !body.is_free() {
             return;
         }
@@ -261,6 +270,33 @@ impl Checks<'_, '_> {
             let help = "add a drive `[drives.NAME]`, an `initial_speed` or a law with a torque, or write \
                         `turns = \"no\"`";
             self.note(&body.name.clone(), message, help);
+        }
+    }
+
+    /// Notes a place on a body that does not rock, and one that rocks where it cannot be.
+    fn on_rocking(&mut self, joint: &Joint) {
+        let rocks = |side: &Side| {
+            let form = side.body.map(|body| &self.machine.bodies[body].form);
+            matches!(form, Some(Form::Rigid(rigid)) if rigid.rocks)
+        };
+        let first = &joint.sides[0];
+        let runs = matches!(joint.kind, JointKind::Bearing | JointKind::Stop) && rocks(first);
+        let (of_first, name) = (first.place.clone(), first.place.text().to_owned());
+        let wrong = match &first.at {
+            Some((_, at)) if !rocks(first) || joint.kind != JointKind::Bushing => Some((
+                at.clone(),
+                format!("`at` is of a bushing on a rigid body that rocks, and `{name}` is none"),
+                "leave it out, or write `rocks = true` on the body",
+            )),
+            _ if runs => Some((
+                of_first,
+                format!("`{name}` rocks, which no journal does"),
+                "make it the `bore` of the joint, or leave `rocks` out",
+            )),
+            _ => None,
+        };
+        if let Some((at, message, help)) = wrong {
+            self.note(&at, message, help);
         }
     }
 

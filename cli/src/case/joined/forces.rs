@@ -140,9 +140,9 @@ fn followed<'a>(
 
 /// Notes a force or a couple along or about an axis along or about which a rigid body does not move.
 fn moves(table: &Table, load: &loads::Load, body: &NamedBody) {
-    let (tilts, along) = match &body.form {
-        Form::Rigid(rigid) => (rigid.transverse_inertia.is_some(), rigid.along),
-        Form::Meshed(meshed) if meshed.rigid => (true, meshed.moves_along_z),
+    let (tilts, along, rocks) = match &body.form {
+        Form::Rigid(rigid) => (rigid.transverse_inertia.is_some(), rigid.along, rigid.rocks),
+        Form::Meshed(meshed) if meshed.rigid => (true, meshed.moves_along_z, false),
         Form::Meshed(_) => return,
     };
     let name = body.name.text();
@@ -160,9 +160,9 @@ fn moves(table: &Table, load: &loads::Load, body: &NamedBody) {
                 "give it a `transverse_inertia`, or leave these parts out",
             );
         }
-        LoadAction::Couple([.., z]) if z != 0.0 && !body.turns() => note(
+        LoadAction::Couple([.., z]) if z != 0.0 && !body.turns() && !rocks => note(
             format!("`{name}` does not turn: a couple about z has no effect"),
-            "let it turn, or leave this part out",
+            "let it turn or rock, or leave this part out",
         ),
         _ => {}
     }

@@ -147,12 +147,15 @@ fn side(table: &Table, key: &'static str, known: &[Located]) -> Option<Side> {
     }
     let Some(own) = table.optional_table(key) else {
         let place = table.heading().text(GROUND);
-        let ground = Side { body: None, place, sets: Vec::new(), surface: false, z: None };
+        let ground =
+            Side { body: None, place, sets: Vec::new(), surface: false, z: None, at: None };
         return (second && !table.has(key)).then_some(ground);
     };
     own.read(|side| {
         let (mut sets, z) = (side.texts("sets"), side.quantity("z"));
         let of_faces = matches!(key, "journal" | "bore");
+        let at = if key == "first" { side.quantity_pair("at") } else { None };
+        let at = at.map(|place| (place, side.written("at")));
         let surface = if of_faces { side.optional_string("surface") } else { None };
         if surface.is_some() && side.gives("sets") {
             side.conflict("surface", "sets");
@@ -173,7 +176,7 @@ fn side(table: &Table, key: &'static str, known: &[Located]) -> Option<Side> {
             side.push(side.written("sets").error_here(Code::BAD_VALUE, message).help(help));
         }
         sets.extend(surface.clone());
-        Some(Side { body, place, sets, surface: surface.is_some(), z })
+        Some(Side { body, place, sets, surface: surface.is_some(), z, at })
     })
 }
 

@@ -5,8 +5,8 @@ use whirl_codegen::document::schema::Shape::{
 };
 use whirl_codegen::document::schema::{Key, Shape, key, merged};
 
-use crate::case::film::FILM;
 use crate::case::film_bore::BORE_SHAPE;
+use crate::case::film_table::FILM;
 use crate::case::shapes::{
     ACCELERATION, ANGLE, ANSWERS, BORE, CLEARANCE, CROSS_DAMPING, CROSS_STIFFNESS, DAMPING,
     DAMPING_RATE, DAMPING_TIME, GROUND_SPRING, INERTIA, LENGTH, MASS, MERGE, MESH_DAMPING,
@@ -76,7 +76,7 @@ pub(crate) const BODY: &[Key] = &[
     .like("[\"TOP\", \"BOTTOM\"]"),
     key("rigid", Flag, "true takes a mesh as a rigid body that moves in the plane and tilts"),
     key("mass", MASS, "of a rigid body"),
-    key("polar_inertia", INERTIA, "about the axis, of a rigid body that turns"),
+    key("polar_inertia", INERTIA, "about the axis, of a rigid body that turns; about its centre, of one that rocks"),
     key("transverse_inertia", INERTIA, "about x and y through its centre; it may tilt then"),
     key("z", POSITION, "of its centre of mass"),
     key("stiffness", Table(&[PLANE_STIFFNESS]), "of a rigid body to the ground, by x and y"),
@@ -95,6 +95,9 @@ pub(crate) const BODY: &[Key] = &[
         "of a mesh that turns: false leaves out the stiffness by the centrifugal stress",
     ),
     key("moves_along_z", Flag, "of a rigid body: true lets it move along z"),
+    key("rocks", Flag, "of a rigid body that does not turn: true lets it turn a little about z, as pads do"),
+    key("centre", PLACE, "x and y of the centre of mass of a body that rocks, 0 if left out")
+        .like("[\"-60 mm\", \"0 mm\"]"),
 ];
 
 const SECTION: &[Key] = &[
@@ -238,7 +241,7 @@ pub(crate) const JOINT: &[Key] = &[
     merged("kind", Words(&["bearing", "stop", "bushing", "coupling", "gear"]), "what joins the bodies"),
     key("journal", Table(&[SIDE]), "of a bearing or a stop: what runs in the bore"),
     key("bore", Table(&[SIDE]), "of a bearing or a stop: what it runs in; the ground if left out"),
-    key("first", Table(&[END]), "of a bushing, a coupling or a gear"),
+    key("first", Table(&[END, AT]), "of a bushing, a coupling or a gear"),
     key("second", Table(&[END]), "of a bushing, a coupling or a gear; the ground if left out"),
     key("law", Text, "the name of a law, or the path of a law file").like("\"ocvirk\""),
     key("parameters", PARAMETERS, "of the law, by name").like(PARAMETERS_EXAMPLE),
@@ -341,6 +344,13 @@ const END: &[Key] = &[
         "on a body of `sections`; on a rigid one where the other side does not say it",
     ),
 ];
+
+const AT: &[Key] = &[key(
+    "at",
+    PLACE,
+    "of a bushing on a body that rocks: x and y; its centre of mass if left out",
+)
+.like("[\"-75 mm\", \"0 mm\"]")];
 
 const SIDE: &[Key] = &[
     merged("body", Text, "its name, or \"ground\"").like("\"rotor\""),

@@ -42,7 +42,7 @@ fn planned(
                 // How far the body reaches, by which couples are compared with forces.
                 let radius = own.radius_of_gyration();
                 own.node([radius, 0.0, z]);
-            } else {
+            } else if !own.body.rocks {
                 own.body.centre = [body.axis[0], body.axis[1], z];
             }
             return Ok(PlannedBody::Rigid(own));

@@ -175,6 +175,7 @@ fn journal(
     let plan = match body {
         PlannedBody::Rigid(own) => {
             let [x, y, _] = own.body.centre;
+            let [x, y] = joint.sides[0].at.as_ref().map_or([x, y], |(place, _)| *place);
             return Some(match z[0] == z[2] {
                 true => [own.node([x, y, z[1]]); 3],
                 false => z.map(|z| own.node([x, y, z])),

@@ -16,6 +16,7 @@ use crate::dynamics::lengths::ControlMemory;
 use crate::dynamics::marching::{Checkpoint, Clock, March, MarchOptions};
 use crate::equations::{Equations, State};
 use crate::error::Error;
+use crate::film::Grid;
 use crate::loads::Load;
 use crate::machine::{Body, Machine};
 use crate::shaft::Shaft;
@@ -317,7 +318,8 @@ fn films(machine: &Machine) -> Key {
         let film = &law.bound.law.film()?.film;
         let joints = joints(machine, law.planes.clone());
         let openings: Vec<&str> = film.openings.iter().map(|own| own.name.as_str()).collect();
-        Some((joints, film.name(), [film.grid.around, film.grid.along], openings))
+        let Grid { around, along, first, arc, .. } = film.grid;
+        Some((joints, film.name(), [around, along], openings, format!("{first:?} {arc:?}")))
     });
     Key::of(&of_law.collect::<Vec<_>>())
 }

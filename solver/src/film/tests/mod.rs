@@ -1,5 +1,6 @@
 //! Films against closed forms, tables and differences. Numbers with their sources stand where they are compared.
 
+mod arcs;
 mod coefficients;
 mod differences;
 mod tables;

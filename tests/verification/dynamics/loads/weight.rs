@@ -29,6 +29,7 @@ fn rotor() -> Shaft {
 fn plain() -> Shaft {
     let body = RigidBody {
         along: false,
+        rocks: false,
         mass: 4.0,
         polar_inertia: 0.02,
         transverse_inertia: Some(0.03),

@@ -124,6 +124,7 @@ fn around(radius: f64) -> Vec<[f64; 3]> {
 fn rigid(mass: f64, polar_inertia: f64, positions: &[[f64; 3]]) -> Shaft {
     let body = RigidBody {
         along: false,
+        rocks: false,
         mass,
         polar_inertia,
         transverse_inertia: None,

@@ -56,6 +56,7 @@ fn rigid_rotor(mass: f64, load: f64, z: f64, rotation: Rotation) -> Machine {
 fn tilting_rotor([mass, transverse]: [f64; 2], load: f64, z: f64, rotation: Rotation) -> Machine {
     let body = RigidBody {
         along: false,
+        rocks: false,
         mass,
         polar_inertia: 0.02 * mass,
         transverse_inertia: Some(transverse * mass),

@@ -112,6 +112,7 @@ fn a_rigid_body_whose_centre_has_moved_is_another_one() {
             polar_inertia: 0.2,
             transverse_inertia: Some(0.15),
             along: false,
+            rocks: false,
             centre: [0.0, 0.0, z],
             stiffness: [0.0; 2],
             damping: [0.0; 2],

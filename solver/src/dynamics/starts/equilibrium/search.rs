@@ -56,7 +56,10 @@ pub(super) fn search(
         }
         search.kept = 0.0;
     }
-    if let Some(found) = search.newton(balance, &middle, &mut nearest)? {
+    // Pads are in balance where they would tip over, too, which Newton's method does not tell from where they stand: they move
+    // there first.
+    let tip = balance.machine.springs.have_arcs();
+    if !tip && let Some(found) = search.newton(balance, &middle, &mut nearest)? {
         return Ok(Ok(found));
     }
     if search.damped(balance, &middle, &mut nearest)? {

@@ -170,6 +170,7 @@ fn in_clearance(weight: f64) -> Machine {
     let law = LAWS.iter().find(|law| law.origin.name == "hu2003-linear").expect("is shipped");
     let body = RigidBody {
         along: false,
+        rocks: false,
         mass: 10.0,
         polar_inertia: 0.1,
         transverse_inertia: Some(0.06),
