@@ -291,17 +291,13 @@ fn solved(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
         let pivot = (k..n).max_by(|i, j| a[*i][k].abs().total_cmp(&a[*j][k].abs())).expect("one");
         a.swap(k, pivot);
         b.swap(k, pivot);
-        for i in 0..n {
-            if i == k {
-                continue;
+        let (row, right) = (a[k].clone(), b[k]);
+        for i in (0..n).filter(|i| *i != k) {
+            let factor = a[i][k] / row[k];
+            for (own, pivot) in a[i][k..].iter_mut().zip(&row[k..]) {
+                *own -= factor * pivot;
             }
-            let factor = a[i][k] / a[k][k];
-            for j in k..n {
-                let own = a[k][j];
-                a[i][j] -= factor * own;
-            }
-            let own = b[k];
-            b[i] -= factor * own;
+            b[i] -= factor * right;
         }
     }
     (0..n).map(|k| b[k] / a[k][k]).collect()
