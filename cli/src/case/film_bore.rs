@@ -11,7 +11,7 @@ use whirl_codegen::rational::nearest;
 use whirl_codegen::units::Dimension;
 
 use super::columns::{self, Columns};
-use super::film_table::Arc;
+use super::film_arc::Arc;
 use super::library::FileStore;
 use super::names;
 use super::shapes::{ANGLE, ARC, LENGTH, POSITION};

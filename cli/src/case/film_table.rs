@@ -1,12 +1,11 @@
 //! The table `film` of a joint: nodes, how far the film reaches, its sides and openings.
 
-use std::f64::consts::TAU;
-
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
 use whirl_codegen::document::schema::Shape::{Either, List, Named, Number, Tuple, Words};
 use whirl_codegen::document::schema::{Key, Shape, key, merged};
 
+use super::film_arc::Arc;
 use super::film_bore::{Around, BoreShape, POCKET};
 use super::library::FileStore;
 use super::names;
@@ -68,13 +67,6 @@ pub(super) struct FilmTable {
     pub(super) bore: BoreShape,
     /// Where the joint names the film.
     pub(super) place: Located,
-}
-
-/// Where a film that does not close begins, and how far it reaches (rad).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Arc {
-    pub(super) start: f64,
-    pub(super) size: f64,
 }
 
 /// An end of a film, or an edge of an arc.
@@ -161,24 +153,6 @@ impl FilmTable {
         let sides = ENDS.into_iter().chain(EDGES).take(self.sides.len());
         let openings = self.openings.iter().map(|own| own.name.text());
         sides.chain(openings).map(str::to_owned).collect()
-    }
-}
-
-impl Arc {
-    fn read(table: &Table) -> Option<Self> {
-        let [start, end] = table.quantity_pair("arc")?;
-        let size = end - start;
-        // Across the axis x, such as from 330° to 30°.
-        let size = if size < 0.0 { size + TAU } else { size };
-        if !(size > 1e-9 && size < TAU * (1.0 - 1e-9)) {
-            let degrees = whirl_text::rounded(size.to_degrees(), 4);
-            let message = format!("`arc` reaches over {degrees}°: more than 0° and less than 360°");
-            let help =
-                "such as `arc = [\"240 deg\", \"300 deg\"]`; leave it out for a film that closes";
-            table.push(table.written("arc").error_here(Code::BAD_VALUE, message).help(help));
-            return None;
-        }
-        Some(Arc { start, size })
     }
 }
 

@@ -8,6 +8,7 @@ mod embedded;
 mod fields;
 mod files;
 mod film;
+mod film_arc;
 mod film_bore;
 mod film_march;
 mod film_table;
