@@ -19,7 +19,7 @@ def by_the_command(command, folder, *arguments):
     assert done.returncode == 0, done.stderr
     files = {own.name: own.read_bytes() for own in pathlib.Path(folder / "out").iterdir()}
     # What the command tells of them is no table.
-    return {name: files[name] for name in files if name not in ("analyses.json", "report.html")}
+    return {name: files[name] for name in files if name != "analyses.json"}
 
 
 KINDS = {
@@ -35,8 +35,8 @@ KINDS = {
 @pytest.mark.parametrize("kind", KINDS)
 def test_numbers_are_those_of_the_command(command, kind, tmp_path):
     arguments, speeds = KINDS[kind]
-    figures = [] if kind == "matrices" else ["--no-figures"]
-    theirs = by_the_command(command, tmp_path, kind, "weight", *arguments, *figures)
+    pictures = [] if kind == "matrices" else ["--no-figures", "--no-report"]
+    theirs = by_the_command(command, tmp_path, kind, "weight", *arguments, *pictures)
     own = getattr(whirl.Case("weight"), kind)(speeds)
     assert isinstance(own, whirl.Analysis) and own.kind == kind and str(own)
     own.save(tmp_path / "own")
@@ -47,7 +47,7 @@ def test_numbers_are_those_of_the_command(command, kind, tmp_path):
 
 
 def test_a_table_of_the_case_is_analysed_by_its_name(command, tmp_path):
-    theirs = by_the_command(command, tmp_path, "analyse", "weight", "campbell", "--no-figures")
+    theirs = by_the_command(command, tmp_path, "analyse", "weight", "campbell", "--no-figures", "--no-report")
     own = whirl.Case("weight").analyse("campbell")
     assert isinstance(own, whirl.Campbell)
     assert own._files == theirs

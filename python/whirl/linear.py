@@ -162,7 +162,7 @@ class Analysis:
         return self.tables[self.name]
 
     def save(self, folder: str | os.PathLike[str]) -> Path:
-        """Writes the files of the command, without figures, into a folder, which is made where it is missing."""
+        """Writes the files of the command, without figures and page, into a folder, which is made where it is missing."""
         folder = Path(folder)
         try:
             folder.mkdir(parents=True, exist_ok=True)

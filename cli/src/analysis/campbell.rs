@@ -24,7 +24,7 @@ pub(super) fn found(
     pictures: Pictures,
 ) -> Result<Found, Failure> {
     let of = wanted.of.expect("a body that turns");
-    let (all, interrupted) = followed(linear, (analysis, wanted), interruption, &analysis.orders)?;
+    let all = followed(linear, (analysis, wanted), interruption, &analysis.orders)?;
     let name = &analysis.name;
     let mut files = vec![
         (format!("{name}.csv"), rows(&all).into_bytes()),
@@ -40,10 +40,10 @@ pub(super) fn found(
         in_space(linear, (of, analysis), &all, &mut space);
         files.extend(space.file(name));
     }
-    let mut text = text(case, linear, of, (&all, interrupted));
+    let mut text = text(case, linear, of, &all);
     text += &words::doubts(&all.doubts);
     let facts = Facts::of_campbell(&all);
-    Ok(Found { text, files, interrupted, facts })
+    Ok(Found { text, files, interrupted: all.interrupted, facts })
 }
 
 /// Modes at critical speeds and where they begin to grow, and those at some of the speeds.
@@ -137,12 +137,7 @@ fn values(mode: &Mode, speed: f64) -> String {
     format!("{numbers},{whirl},{sense},{},{},{beside}", value.re, value.im)
 }
 
-fn text(
-    case: &Case,
-    linear: &LinearMachine,
-    of: usize,
-    (all, interrupted): (&Campbell, bool),
-) -> String {
+fn text(case: &Case, linear: &LinearMachine, of: usize, all: &Campbell) -> String {
     let body = linear.machine().bodies[of].name();
     let mut text = format!("{}: {}\n", case.name, case.title);
     let ends = [all.speeds.first(), all.speeds.last()];
@@ -174,7 +169,7 @@ fn text(
         text.push_str(&table(&rows));
     }
     text.push('\n');
-    text.push_str(&words::thresholds(all, interrupted));
+    text.push_str(&words::thresholds(all));
     if let Some(own) = &all.reduced {
         let error = whirl_text::shown(own.error, 1, 1e-3..1e4);
         let _ = writeln!(

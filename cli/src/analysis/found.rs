@@ -34,7 +34,7 @@ pub(super) fn drawn(name: &str, figure: &Figure) -> impl Iterator<Item = (String
     image.into_iter().chain([(format!("{name}.svg"), drawing.into_bytes())])
 }
 
-/// Modes followed over the speeds of an analysis, with critical speeds of some orders, and whether that was interrupted.
+/// Modes followed over the speeds of an analysis, with critical speeds of some orders.
 ///
 /// # Errors
 /// None of the speeds was done.
@@ -43,7 +43,7 @@ pub(super) fn followed(
     (analysis, wanted): (&Analysis, &Wanted),
     interruption: &Interruption,
     orders: &[f64],
-) -> Result<(Campbell, bool), Failure> {
+) -> Result<Campbell, Failure> {
     let range = Range {
         of: wanted.of.expect("a body that turns"),
         speeds: wanted.speeds.clone(),
@@ -55,6 +55,5 @@ pub(super) fn followed(
     if all.speeds.is_empty() {
         return Err(nothing());
     }
-    let interrupted = all.speeds.len() + all.lost.len() < wanted.speeds.len();
-    Ok((all, interrupted))
+    Ok(all)
 }

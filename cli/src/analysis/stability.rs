@@ -23,7 +23,7 @@ pub(super) fn found(
     figures: bool,
 ) -> Result<Found, Failure> {
     let of = wanted.of.expect("a body that turns");
-    let (all, interrupted) = followed(linear, (analysis, wanted), interruption, &[])?;
+    let all = followed(linear, (analysis, wanted), interruption, &[])?;
     let least: Vec<Option<&Mode>> = (0..all.speeds.len()).map(|place| least(&all, place)).collect();
     let name = &analysis.name;
     let mut files = vec![
@@ -53,10 +53,10 @@ pub(super) fn found(
     text.push('\n');
     text.push_str(&table(&lines));
     text.push('\n');
-    text.push_str(&words::thresholds(&all, interrupted));
+    text.push_str(&words::thresholds(&all));
     text.push_str(&words::doubts(&all.doubts));
     let facts = Facts::of_stability(&all);
-    Ok(Found { text, files, interrupted, facts })
+    Ok(Found { text, files, interrupted: all.interrupted, facts })
 }
 
 /// The listed mode with the smallest logarithmic decrement at a speed.

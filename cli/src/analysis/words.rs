@@ -86,8 +86,8 @@ pub(super) fn at_the_speed(linear: &LinearMachine) -> String {
 }
 
 /// Where modes begin or end to grow, whether the machine is stable, and speeds at which it does not stand; of a range that was
-/// `interrupted`, as far as it was reached.
-pub(super) fn thresholds(all: &Campbell, interrupted: bool) -> String {
+/// interrupted, as far as it was reached.
+pub(super) fn thresholds(all: &Campbell) -> String {
     let mut text = String::new();
     for own in &all.thresholds {
         let how = own.mode.as_ref().map_or("without oscillation".to_owned(), |mode| {
@@ -103,13 +103,13 @@ pub(super) fn thresholds(all: &Campbell, interrupted: bool) -> String {
             true if before => "UNSTABLE",
             true => "another motion grows",
             false if after => "stable",
-            false => "a motion stops to grow, others do not,",
+            false => "one motion stops growing, others do not,",
         };
         let _ = writeln!(text, "{what} above {} rpm: {how}", speed(own.speed));
     }
     match all.stable.iter().filter(|stable| !**stable).count() {
         0 if !all.thresholds.is_empty() => {}
-        0 if interrupted => {
+        0 if all.interrupted => {
             let ends = [all.speeds.first(), all.speeds.last()];
             let [from, to] = ends.map(|own| own.map_or(String::new(), |own| speed(*own)));
             let _ = writeln!(text, "stable from {from} to {to} rpm, where it was interrupted");
@@ -117,6 +117,9 @@ pub(super) fn thresholds(all: &Campbell, interrupted: bool) -> String {
         0 if all.lost.is_empty() => text.push_str("stable at all these speeds\n"),
         0 => text.push_str("stable at the speeds of the range at which it stands\n"),
         some if some == all.speeds.len() => text.push_str("UNSTABLE at all these speeds\n"),
+        _ if all.interrupted => {
+            text.push_str("interrupted: thresholds between these speeds may be missing\n");
+        }
         _ => {}
     }
     if let Some((_, error)) = all.lost.last() {

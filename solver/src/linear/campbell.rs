@@ -1,5 +1,7 @@
 //! Modes followed over speeds: Campbell diagram, critical speeds, thresholds of stability.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use super::doubts::Doubt;
 use super::modes::Mode;
 use super::points::{Along, Point};
@@ -79,6 +81,8 @@ pub struct Campbell {
     pub reduced: Option<Reduced>,
     /// What limits the worth of the states, and of the modes at the last speed.
     pub doubts: Vec<Doubt>,
+    /// Whether it was asked to end before all was found: speeds, which modes are which, critical speeds or thresholds are missing.
+    pub interrupted: bool,
 }
 
 /// Slow motions in which the modes of a large machine were looked for.
@@ -107,7 +111,16 @@ impl LinearMachine {
         if let (true, Some((_, error))) = (points.is_empty(), lost.last()) {
             return Err(error.clone());
         }
-        let roots = Roots { machine: self, range, slow: slow.as_ref(), points: &points };
+        // Once it was asked to end, it ends.
+        let interrupted = AtomicBool::new(points.len() + lost.len() < range.speeds.len());
+        let goes_on = || {
+            if !goes_on() {
+                interrupted.store(true, Ordering::Relaxed);
+            }
+            !interrupted.load(Ordering::Relaxed)
+        };
+        let roots =
+            Roots { machine: self, range, slow: slow.as_ref(), points: &points, goes_on: &goes_on };
         let mut followed = Followed { roots: &roots, unclear: Vec::new() };
         let branches = followed.branches()?;
         let criticals = followed.criticals(&branches, &range.orders)?;
@@ -148,6 +161,7 @@ impl LinearMachine {
             lost,
             unclear,
             doubts,
+            interrupted: interrupted.into_inner(),
             reduced: slow.map(|own| Reduced {
                 columns: own.columns(),
                 of: self.machine.active(),
@@ -248,7 +262,6 @@ impl Followed<'_> {
             let is_clear = is_sure || self.crosses(a, b, &to);
             return Ok((to, is_clear));
         }
-        let Roots { machine, range, slow, .. } = self.roots;
         let least = (b.speed - a.speed) / f64::from(1_u32 << halvings);
         // Whirls that lock to the rotation meet over whole intervals.
         let meeting = if a.is_uneven { None } else { meeting(a, b, &to) };
@@ -259,9 +272,9 @@ impl Followed<'_> {
             }
             _ => vec![0.5 * (a.speed + b.speed)],
         };
-        let inside: Result<Vec<Point>, Error> =
-            cuts.into_iter().map(|speed| machine.point(range, *slow, speed, Some(&a.at))).collect();
-        let inside = inside?;
+        let inside: Result<Option<Vec<Point>>, Error> =
+            cuts.into_iter().map(|speed| self.roots.point(speed, a)).collect();
+        let Some(inside) = inside? else { return Ok((to, false)) };
         let all: Vec<&Point> =
             std::iter::once(a).chain(&inside).chain(std::iter::once(b)).collect();
         let (mut to, mut is_clear) = ((0..to.len()).map(Some).collect::<Vec<_>>(), true);
@@ -330,8 +343,8 @@ impl Followed<'_> {
             if before == after {
                 return Ok(None);
             }
-            let (speed, mode) = self.roots.stability(pair)?;
-            Ok(Some(Threshold { speed, mode, branch: None, grows: before }))
+            let found = self.roots.stability(pair)?;
+            Ok(found.map(|(speed, mode)| Threshold { speed, mode, branch: None, grows: before }))
         };
         // Motions that do not oscillate, and those that no branch shows.
         for pair in self.roots.points.windows(2) {
@@ -350,7 +363,7 @@ impl Followed<'_> {
                 locked.sort_by(f64::total_cmp);
                 locked.dedup();
                 for own in locked.windows(2) {
-                    inner.push(self.roots.most_growing(&pair[0], [own[0], own[1]])?);
+                    inner.extend(self.roots.most_growing(&pair[0], [own[0], own[1]])?);
                 }
             }
             let all: Vec<&Point> =

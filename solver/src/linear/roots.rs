@@ -42,9 +42,19 @@ pub(super) struct Roots<'a> {
     pub(super) range: &'a Range,
     pub(super) slow: Option<&'a Slow>,
     pub(super) points: &'a [Point],
+    /// Asked before every speed.
+    pub(super) goes_on: &'a (dyn Fn() -> bool + Sync),
 }
 
 impl Roots<'_> {
+    /// The machine at a speed near another one; none if the search was interrupted.
+    pub(super) fn point(&self, speed: f64, near: &Point) -> Result<Option<Point>, Error> {
+        if !(self.goes_on)() {
+            return Ok(None);
+        }
+        self.machine.point(self.range, self.slow, speed, Some(&near.at)).map(Some)
+    }
+
     /// Speeds at which something of a branch changes its sign. Of a machine that is not round it may be zero over whole
     /// intervals: their ends. `exact`: the same without what keeps rounding from changing it, whose zero is found where it changes
     /// its sign, too.
@@ -117,7 +127,7 @@ impl Roots<'_> {
             } else {
                 &right.mode
             };
-            let Some((own, is_uneven)) = self.nearest(near, speed, nearest)? else { break };
+            let Some((own, is_uneven)) = self.nearest(near, speed, nearest)? else { return Ok(()) };
             let next = End { speed, value: of(speed, &own), mode: own };
             if sign(next.value) == 0 && !signs.contains(&0) {
                 if is_uneven {
@@ -139,14 +149,15 @@ impl Roots<'_> {
         Ok(())
     }
 
-    /// The mode at a speed that is most like another one, and whether the machine is not round.
+    /// The mode at a speed that is most like another one, and whether the machine is not round; none where there is no mode, or if
+    /// the search was interrupted.
     fn nearest(
         &self,
         near: &Point,
         speed: f64,
         like: &Mode,
     ) -> Result<Option<(Mode, bool)>, Error> {
-        let point = self.machine.point(self.range, self.slow, speed, Some(&near.at))?;
+        let Some(point) = self.point(speed, near)? else { return Ok(None) };
         let moved = apply(&point.mass, &like.shape);
         let apart = |own: &Mode| {
             let change = (own.value - like.value).norm() / like.value.norm();
@@ -157,33 +168,46 @@ impl Roots<'_> {
         Ok(mode.map(|own| (own, point.is_uneven)))
     }
 
-    /// The machine between two speeds where a whirl that is locked to the rotation there grows most, or decays least.
-    pub(super) fn most_growing(&self, near: &Point, ends: [f64; 2]) -> Result<Point, Error> {
+    /// The machine between two speeds where a whirl that is locked to the rotation there grows most, or decays least; none if the
+    /// search was interrupted.
+    pub(super) fn most_growing(
+        &self,
+        near: &Point,
+        ends: [f64; 2],
+    ) -> Result<Option<Point>, Error> {
         let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
-        let at = |speed: f64| self.machine.point(self.range, self.slow, speed, Some(&near.at));
         let growth = |own: &Point| own.locked().unwrap_or(f64::NEG_INFINITY);
         let [mut first, mut last] = ends;
-        let mut left = at(last - golden * (last - first))?;
-        let mut right = at(first + golden * (last - first))?;
+        let Some(mut left) = self.point(last - golden * (last - first), near)? else {
+            return Ok(None);
+        };
+        let Some(mut right) = self.point(first + golden * (last - first), near)? else {
+            return Ok(None);
+        };
         for _ in 0..tries(near) / 2 {
             if growth(&left) > 0.0 || growth(&right) > 0.0 {
                 break;
             }
-            if growth(&left) > growth(&right) {
+            let goes_left = growth(&left) > growth(&right);
+            let speed = if goes_left {
                 last = right.speed;
-                right = left;
-                left = at(last - golden * (last - first))?;
+                last - golden * (last - first)
             } else {
                 first = left.speed;
-                left = right;
-                right = at(first + golden * (last - first))?;
-            }
+                first + golden * (last - first)
+            };
+            let Some(next) = self.point(speed, near)? else { return Ok(None) };
+            (left, right) = if goes_left { (next, left) } else { (right, next) };
         }
-        Ok(if growth(&left) > growth(&right) { left } else { right })
+        Ok(Some(if growth(&left) > growth(&right) { left } else { right }))
     }
 
-    /// The speed between two points of which one is stable, with the motion that begins to grow there, if it oscillates.
-    pub(super) fn stability(&self, [a, b]: [&Point; 2]) -> Result<(f64, Option<Mode>), Error> {
+    /// The speed between two points of which one is stable, with the motion that begins to grow there, if it oscillates; nothing if
+    /// the search was interrupted.
+    pub(super) fn stability(
+        &self,
+        [a, b]: [&Point; 2],
+    ) -> Result<Option<(f64, Option<Mode>)>, Error> {
         let mut ends = [a.speed, b.speed];
         let before = a.modes.is_stable();
         let growing = |point: &Point| {
@@ -196,14 +220,14 @@ impl Roots<'_> {
             if (ends[1] - ends[0]).abs() <= FOUND * speed.abs() {
                 break;
             }
-            let point = self.machine.point(self.range, self.slow, speed, Some(&a.at))?;
+            let Some(point) = self.point(speed, a)? else { return Ok(None) };
             let is_stable = point.modes.is_stable();
             if !is_stable {
                 mode = growing(&point);
             }
             ends[usize::from(is_stable != before)] = speed;
         }
-        Ok((ends[1], mode))
+        Ok(Some((ends[1], mode)))
     }
 }
 

@@ -295,6 +295,6 @@ fn a_motion_that_stops_to_grow_beside_another_makes_nothing_stable() {
     let table = format!("speed [rpm], {COEFFICIENTS}\n{rows}");
     let bench = Workbench::new().file("case.toml", &case).file("fall.csv", &table);
     let said = bench.whirl(&["stability", "case.toml", "--speeds", "0 rpm .. 9000 rpm, 4"]).stdout;
-    assert!(said.contains("a motion stops to grow, others do not, above 4500 rpm"), "{said}");
+    assert!(said.contains("one motion stops growing, others do not, above 4500 rpm"), "{said}");
     assert!(said.contains("UNSTABLE at all these speeds"), "{said}");
 }

@@ -51,7 +51,7 @@ pub(super) fn find(
     let campbell = linear.resonating(&range, &|| !interruption.asked())?;
     let mut text = String::new();
     if campbell.stable.contains(&false) {
-        text += &words::thresholds(&campbell, false);
+        text += &words::thresholds(&campbell);
         text += "where the machine is not stable this response is not reached: something grows\n";
     }
     // What can be compared: motions of journals in their bores, and motions in space.

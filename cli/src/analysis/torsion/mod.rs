@@ -88,7 +88,7 @@ pub(super) fn found(
     orders.sort_by(f64::total_cmp);
     orders.dedup();
     let looked_for = Analysis { count: looked_for, ..analysis.clone() };
-    let (campbell, interrupted) = followed(linear, (&looked_for, wanted), interruption, &orders)?;
+    let campbell = followed(linear, (&looked_for, wanted), interruption, &orders)?;
     // Branches of torsion, each by the largest share that one of its modes has.
     let mut branches = Vec::new();
     for (place, branch) in campbell.branches.iter().enumerate() {
@@ -149,7 +149,7 @@ pub(super) fn found(
     facts.lines(&text[before..]);
     text += &words::doubts(&campbell.doubts);
     facts.doubts(&campbell.doubts);
-    Ok(Found { text, files, interrupted, facts })
+    Ok(Found { text, files, interrupted: campbell.interrupted, facts })
 }
 
 /// The speed that a case gives a body (rad/s), with its sign.
