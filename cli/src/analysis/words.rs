@@ -60,9 +60,13 @@ pub(super) fn most(linear: &LinearMachine, shares: &[f64]) -> String {
     named.collect::<Vec<_>>().join(", ")
 }
 
+/// Share of the largest part from which another one is named.
+const NAMED: f64 = 0.05;
+
 /// Frequencies (Hz) with which a mode moves besides, where a body is not round, largest parts first.
 pub(super) fn beside(mode: &Mode) -> String {
-    let mut parts = mode.beside.clone();
+    let mut parts: Vec<(f64, f64)> =
+        mode.beside.iter().copied().filter(|own| own.1 > NAMED).collect();
     parts.sort_by(|a, b| b.1.total_cmp(&a.1));
     let hertz = parts.iter().map(|own| (own.0 / std::f64::consts::TAU).to_string());
     hertz.collect::<Vec<_>>().join(" ")
@@ -95,15 +99,11 @@ pub(super) fn thresholds(all: &Campbell) -> String {
             let whirl = whirl(mode, own.speed);
             format!("{} Hz, {share} of the rotation, {whirl}", hertz(mode))
         });
-        // Others may grow on both sides.
-        let next = all.speeds.iter().position(|speed| *speed >= own.speed);
-        let after = next.is_none_or(|place| all.stable[place]);
-        let before = next.is_none_or(|place| place == 0 || all.stable[place - 1]);
-        let what = match own.grows {
-            true if before => "UNSTABLE",
-            true => "another motion grows",
-            false if after => "stable",
-            false => "one motion stops growing, others do not,",
+        let what = match (own.grows, own.others) {
+            (true, false) => "UNSTABLE",
+            (true, true) => "another motion grows",
+            (false, false) => "stable",
+            (false, true) => "one motion stops growing, others do not,",
         };
         let _ = writeln!(text, "{what} above {} rpm: {how}", speed(own.speed));
     }

@@ -6,7 +6,7 @@ use super::doubts::Doubt;
 use super::modes::Mode;
 use super::points::{Along, Point};
 use super::range::Range;
-use super::roots::{Root, Roots};
+use super::roots::{Root, Roots, Threshold};
 use super::round::LinearMachine;
 use super::shapes::{apply, inner};
 use super::state_doubts::StateDoubts;
@@ -38,19 +38,6 @@ pub struct Critical {
     pub mode: Mode,
     /// Its branch.
     pub branch: usize,
-}
-
-/// A speed at which a mode begins to grow, or ends to.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Threshold {
-    /// rad/s.
-    pub speed: f64,
-    /// The mode there; none of a motion that does not oscillate.
-    pub mode: Option<Mode>,
-    /// Its branch, if it is one of those.
-    pub branch: Option<usize>,
-    /// Whether it grows beyond.
-    pub grows: bool,
 }
 
 impl Threshold {
@@ -124,10 +111,12 @@ impl LinearMachine {
         let mut followed = Followed { roots: &roots, unclear: Vec::new() };
         let branches = followed.branches()?;
         let criticals = followed.criticals(&branches, &range.orders)?;
-        // Whirls lock to the rotation where they meet it, asked for or not.
         let is_uneven = points.iter().any(|own| own.is_uneven);
-        let locks = followed.criticals(&branches, if is_uneven { &[1.0] } else { &[] })?;
-        let thresholds = followed.thresholds(&branches, &locks)?;
+        // Modes that are locked to the rotation are two with one frequency, of which either may be followed.
+        let thresholds = match is_uneven {
+            true => roots.parametric(&branches)?,
+            false => followed.thresholds(&branches)?,
+        };
         let (of_sight, thresholds): (Vec<_>, Vec<_>) =
             thresholds.into_iter().partition(|own| !is_uneven && own.is_of_sight());
         let unclear = followed.unclear;
@@ -323,56 +312,35 @@ impl Followed<'_> {
         Ok(found)
     }
 
-    fn thresholds(
-        &self,
-        branches: &[Vec<Option<usize>>],
-        locks: &[Critical],
-    ) -> Result<Vec<Threshold>, Error> {
+    fn thresholds(&self, branches: &[Vec<Option<usize>>]) -> Result<Vec<Threshold>, Error> {
         let mut found = Vec::new();
-        let is_uneven = self.roots.points.iter().any(|own| own.is_uneven);
-        // Modes that lock to the rotation are two with one frequency, of which either may be followed.
-        for (branch, places) in branches.iter().enumerate().filter(|_| !is_uneven) {
+        for (branch, places) in branches.iter().enumerate() {
             let (grows, rate) = (|_, mode: &Mode| mode.growth(), |_, mode: &Mode| mode.value.re);
             for Root { speed, mode, rises } in self.roots.of_branch(places, &grows, &rate)? {
                 let (mode, branch) = (Some(mode), Some(branch));
-                found.push(Threshold { speed, mode, branch, grows: rises });
+                found.push(Threshold { speed, mode, branch, grows: rises, others: false });
             }
         }
-        let between = |pair: [&Point; 2]| -> Result<Option<Threshold>, Error> {
-            let [before, after] = pair.map(|own| own.modes.is_stable());
-            if before == after {
-                return Ok(None);
-            }
-            let found = self.roots.stability(pair)?;
-            Ok(found.map(|(speed, mode)| Threshold { speed, mode, branch: None, grows: before }))
-        };
         // Motions that do not oscillate, and those that no branch shows.
         for pair in self.roots.points.windows(2) {
             let inside = |speed: f64| speed >= pair[0].speed && speed <= pair[1].speed;
-            if found.iter().any(|own: &Threshold| inside(own.speed)) {
-                continue;
-            }
-            // What locks between two speeds may grow there.
-            let mut locked: Vec<f64> =
-                locks.iter().map(|own| own.speed).filter(|own| inside(*own)).collect();
-            let mut inner: Vec<Point> = Vec::new();
-            if is_uneven {
-                // A whirl that is locked at an end of the step is locked up to there.
-                let ends = pair.iter().filter(|own| own.locked().is_some()).map(|own| own.speed);
-                locked.extend(ends);
-                locked.sort_by(f64::total_cmp);
-                locked.dedup();
-                for own in locked.windows(2) {
-                    inner.extend(self.roots.most_growing(&pair[0], [own[0], own[1]])?);
-                }
-            }
-            let all: Vec<&Point> =
-                std::iter::once(&pair[0]).chain(&inner).chain(std::iter::once(&pair[1])).collect();
-            for own in all.windows(2) {
-                found.extend(between([own[0], own[1]])?);
+            if !found.iter().any(|own: &Threshold| inside(own.speed)) {
+                found.extend(self.roots.threshold([&pair[0], &pair[1]])?);
             }
         }
         found.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        let mut rest = found.as_mut_slice();
+        for pair in self.roots.points.windows(2) {
+            let inside = rest.iter().take_while(|own| own.speed <= pair[1].speed).count();
+            let (own, next) = rest.split_at_mut(inside);
+            let mut grow = pair[0].modes.unstable.len() + pair[0].modes.growing.len();
+            for own in own {
+                let fewer = grow.saturating_sub(usize::from(!own.grows));
+                own.others = fewer > 0;
+                grow = fewer + usize::from(own.grows);
+            }
+            rest = next;
+        }
         Ok(found)
     }
 }

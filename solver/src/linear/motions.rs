@@ -15,8 +15,8 @@ use crate::linalg::{
 /// Motions with a larger damping ratio are not listed: those that creep in the frame of a body that turns are seen from space
 /// at its speed.
 const MOST_DAMPED: f64 = 0.9;
-/// Share of the largest part from which another one is named.
-const NAMED: f64 = 0.05;
+/// Share of the largest part from which another one is more than rounding.
+const PART: f64 = 1e-9;
 /// Share of Im λ by which motions of one λ may differ in it.
 const ALIKE: f64 = 1e-6;
 /// Parts that differ by less are the same.
@@ -147,7 +147,7 @@ pub(super) fn largest(
         .filter(|&k| sized[k].0 >= (1.0 - TIE) * most)
         .max_by(|&a, &b| sized[a].1.total_cmp(&sized[b].1))
         .unwrap_or(0);
-    let beside = sized.iter().enumerate().filter(|(k, own)| *k != place && own.0 > NAMED * most);
+    let beside = sized.iter().enumerate().filter(|(k, own)| *k != place && own.0 > PART * most);
     let beside = beside.map(|(_, own)| (own.1.abs(), own.0 / most)).collect();
     let (_, frequency, mut shape) = sized.into_iter().nth(place).expect("one of them");
     let turned = frequency < 0.0;

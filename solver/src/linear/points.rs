@@ -7,14 +7,14 @@ use super::round::LinearMachine;
 use super::slow::Slow;
 use super::stood::{Stood, beside};
 use crate::error::Error;
-use crate::linalg::Matrix;
+use crate::linalg::{Matrix, Periodic};
 
 /// Coordinates up to which equations that vary are solved in no time.
 const FEW: usize = 24;
 /// Speeds that follow each other, each state found from the one before.
 const TOGETHER: usize = 8;
 
-/// Share of |λ| by which a whirl that is locked may be off the frequency of the rotation.
+/// Share of |λ| by which a motion that is locked to the rotation may be off the frequency that it is locked to.
 pub(super) const LOCKED: f64 = 1e-8;
 
 /// A machine at a speed.
@@ -25,20 +25,10 @@ pub(super) struct Point {
     pub(super) modes: Modes,
     /// Whether a body that turns is not round.
     pub(super) is_uneven: bool,
+    /// The step of the harmonics that its angle makes in the equations, where they vary.
+    pub(super) harmonics: Option<i32>,
     /// Whether another one takes a second or so, as its equations vary and have many coordinates.
     pub(super) is_costly: bool,
-}
-
-impl Point {
-    /// The largest Re λ of a whirl that is locked to the rotation (1/s), in the frame of a body that is not round: it has the
-    /// frequency of that frame.
-    pub(super) fn locked(&self) -> Option<f64> {
-        let speed = self.speed.abs();
-        let modes = self.modes.oscillating.iter().filter(|own| {
-            self.is_uneven && (own.value.im - speed).abs() <= LOCKED * own.value.norm()
-        });
-        modes.map(|own| own.value.re).reduce(f64::max)
-    }
 }
 
 /// What is found at the speeds of a range.
@@ -64,7 +54,8 @@ impl LinearMachine {
         let modes = self.modes_in(&equations, basis, range.looked_for())?;
         let is_uneven = equations.frame != 0.0 || equations.varying.is_some();
         let is_costly = equations.varying.is_some() && equations.mass.rows > FEW;
-        Ok(Point { speed, mass: equations.mass, at, modes, is_uneven, is_costly })
+        let harmonics = equations.varying.as_ref().map(Periodic::step);
+        Ok(Point { speed, mass: equations.mass, at, modes, is_uneven, harmonics, is_costly })
     }
 
     /// The machine at the speeds, up to the first that was not done; where it does not stand, why.

@@ -10,7 +10,7 @@ use super::track::mac;
 use crate::error::Error;
 
 /// Share of a speed to which one is found, and one at which a whirl begins or ends to be locked to the rotation.
-const FOUND: f64 = 1e-9;
+pub(super) const FOUND: f64 = 1e-9;
 const EDGE: f64 = 1e-8;
 /// Roots of a branch nearer to each other than this share are one.
 const ONE: f64 = 1e-6;
@@ -34,6 +34,21 @@ pub(super) struct Root {
     pub(super) mode: Mode,
     /// Whether it rises there.
     pub(super) rises: bool,
+}
+
+/// A speed at which a mode begins to grow, or ends to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Threshold {
+    /// rad/s.
+    pub speed: f64,
+    /// The mode there; none of a motion that does not oscillate.
+    pub mode: Option<Mode>,
+    /// Its branch, if it is one of those.
+    pub branch: Option<usize>,
+    /// Whether it grows beyond.
+    pub grows: bool,
+    /// Whether others grow on both sides.
+    pub others: bool,
 }
 
 /// Searches between speeds.
@@ -168,46 +183,12 @@ impl Roots<'_> {
         Ok(mode.map(|own| (own, point.is_uneven)))
     }
 
-    /// The machine between two speeds where a whirl that is locked to the rotation there grows most, or decays least; none if the
-    /// search was interrupted.
-    pub(super) fn most_growing(
-        &self,
-        near: &Point,
-        ends: [f64; 2],
-    ) -> Result<Option<Point>, Error> {
-        let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
-        let growth = |own: &Point| own.locked().unwrap_or(f64::NEG_INFINITY);
-        let [mut first, mut last] = ends;
-        let Some(mut left) = self.point(last - golden * (last - first), near)? else {
+    /// Where the machine begins to be unstable between two points, or ends to, with the motion that grows if it oscillates; none
+    /// if it is the same at both, or if the search was interrupted.
+    pub(super) fn threshold(&self, [a, b]: [&Point; 2]) -> Result<Option<Threshold>, Error> {
+        if a.modes.is_stable() == b.modes.is_stable() {
             return Ok(None);
-        };
-        let Some(mut right) = self.point(first + golden * (last - first), near)? else {
-            return Ok(None);
-        };
-        for _ in 0..tries(near) / 2 {
-            if growth(&left) > 0.0 || growth(&right) > 0.0 {
-                break;
-            }
-            let goes_left = growth(&left) > growth(&right);
-            let speed = if goes_left {
-                last = right.speed;
-                last - golden * (last - first)
-            } else {
-                first = left.speed;
-                first + golden * (last - first)
-            };
-            let Some(next) = self.point(speed, near)? else { return Ok(None) };
-            (left, right) = if goes_left { (next, left) } else { (right, next) };
         }
-        Ok(Some(if growth(&left) > growth(&right) { left } else { right }))
-    }
-
-    /// The speed between two points of which one is stable, with the motion that begins to grow there, if it oscillates; nothing if
-    /// the search was interrupted.
-    pub(super) fn stability(
-        &self,
-        [a, b]: [&Point; 2],
-    ) -> Result<Option<(f64, Option<Mode>)>, Error> {
         let mut ends = [a.speed, b.speed];
         let before = a.modes.is_stable();
         let growing = |point: &Point| {
@@ -227,11 +208,12 @@ impl Roots<'_> {
             }
             ends[usize::from(is_stable != before)] = speed;
         }
-        Ok(Some((ends[1], mode)))
+        Ok(Some(Threshold { speed: ends[1], mode, branch: None, grows: before, others: false }))
     }
 }
 
-fn tries(near: &Point) -> usize {
+/// Evaluations of a search, at most.
+pub(super) fn tries(near: &Point) -> usize {
     if near.is_costly { FEW_TRIES } else { TRIES }
 }
 

@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use nalgebra::Matrix4;
+
 use super::closed_forms::{dofs, market};
 use super::{column, numbers, ran};
 use crate::workbench::Workbench;
@@ -44,6 +46,91 @@ fn an_interval_of_instability_between_two_speeds_is_found() {
         assert_eq!(found.len(), 2, "{speeds}: {found:?}");
         for (found, expected) in found.iter().zip(expected) {
             assert!((found / expected - 1.0).abs() < 1e-6, "{speeds}: {found}, not {expected}");
+        }
+    }
+}
+
+/// The mass on its turning spring, on standing springs as well (N/m): whether a motion grows at a speed (rad/s), by powers of what a
+/// period of half a turn makes of (x, y, ẋ, ẏ).
+fn grows(turning: [f64; 2], standing: [f64; 2], damper: f64, speed: f64) -> bool {
+    const STEPS: usize = 400;
+    let (mean, half) = (0.5 * (turning[0] + turning[1]), 0.5 * (turning[0] - turning[1]));
+    let slope = |time: f64, of: &Matrix4<f64>| -> Matrix4<f64> {
+        let (sin, cos) = (2.0 * speed * time).sin_cos();
+        let [xx, xy, yy] =
+            [mean + half * cos + standing[0], half * sin, mean - half * cos + standing[1]];
+        #[rustfmt::skip]
+        let system = Matrix4::new(
+            0.0, 0.0, 1.0, 0.0,
+            0.0, 0.0, 0.0, 1.0,
+            -xx / 10.0, -xy / 10.0, -damper / 10.0, 0.0,
+            -xy / 10.0, -yy / 10.0, 0.0, -damper / 10.0,
+        );
+        system * of
+    };
+    let step = 0.5 * TAU / speed / STEPS as f64;
+    let mut turned = Matrix4::identity();
+    for k in 0..STEPS {
+        let time = k as f64 * step;
+        let first = slope(time, &turned);
+        let second = slope(time + 0.5 * step, &(turned + 0.5 * step * first));
+        let third = slope(time + 0.5 * step, &(turned + 0.5 * step * second));
+        let last = slope(time + step, &(turned + step * third));
+        turned += step / 6.0 * (first + 2.0 * second + 2.0 * third + last);
+    }
+    // x and ẋ of one size.
+    let scale = (mean / 10.0).sqrt();
+    for (i, j) in (0..2).flat_map(|i| (2..4).map(move |j| (i, j))) {
+        turned[(i, j)] *= scale;
+        turned[(j, i)] /= scale;
+    }
+    let mut exponent = 0.0;
+    for _ in 0..40 {
+        turned *= turned;
+        let size = turned.norm();
+        turned /= size;
+        exponent = 2.0 * exponent + size.ln();
+    }
+    exponent > 0.0
+}
+
+/// A flat shaft on supports of two stiffnesses: it grows where one whirl or the other is as fast as the shaft, and where both together
+/// are twice as fast; all of that lies between two speeds that are 500 rpm apart, or within 100 rpm of one of them.
+#[test]
+fn all_intervals_between_two_speeds_are_found_with_what_is_stable_between_them() {
+    let cases = [
+        ([1.0e6, 1.15e6], [2.0e5, 4.0e5], 20.0, 3),
+        ([1.0e6, 1.02e6], [0.0, 3.0e5], 8.0, 3),
+        ([1.0e6, 1.3e6], [1.0e5, 9.0e5], 5.0, 4),
+        ([1.0e6, 1.15e6], [0.0, 0.0], 20.0, 1),
+    ];
+    for (turning, standing, damper, count) in cases {
+        let more = format!(
+            "[joint.support]\nkind = \"bushing\"\nfirst = {{ body = \"rotor\", sets = \"NODE_2\" }}\n\
+             stiffness = {{ xx = \"{} N/m\", yy = \"{} N/m\" }}\n",
+            standing[0], standing[1]
+        );
+        let workbench = shaft(turning, damper, if standing == [0.0; 2] { "" } else { &more });
+        for speeds in ["500 rpm .. 9500 rpm, 19", "1000 rpm .. 7000 rpm, 4"] {
+            ran(
+                &workbench,
+                &["stability", "case.toml", "--speeds", speeds, "--out", "out", "--no-figures"],
+            );
+            let found = numbers(&workbench, "out/stability.thresholds.csv", "speed_rpm");
+            let what = column(&workbench, "out/stability.thresholds.csv", "what");
+            assert_eq!(found.len(), 2 * count, "{turning:?} {speeds}: {found:?}");
+            for (k, (rpm, what)) in found.iter().zip(&what).enumerate() {
+                assert_eq!(what, ["unstable above", "stable above"][k % 2], "{found:?}");
+                let [below, above] = [1.0 - 1e-5, 1.0 + 1e-5]
+                    .map(|share| grows(turning, standing, damper, share * rpm * TAU / 60.0));
+                assert_eq!([below, above], [k % 2 == 1, k % 2 == 0], "{turning:?}: {rpm} rpm");
+            }
+            // Nothing grows elsewhere.
+            let inside = |rpm: f64| found.chunks(2).any(|own| own[0] < rpm && rpm < own[1]);
+            for rpm in (100..900).map(|k| 10.0 * f64::from(k) + 5.0) {
+                let own = grows(turning, standing, damper, rpm * TAU / 60.0);
+                assert_eq!(own, inside(rpm), "{turning:?}: {rpm} rpm, {found:?}");
+            }
         }
     }
 }

@@ -1,0 +1,313 @@
+//! Parametric resonance: where a body that is not round makes two motions feed each other.
+//!
+//! Of a motion with the frequency ω such a body makes others with |nΩ − ω|. Where that is the frequency of another motion, or of
+//! the same one, ω + ω′ = nΩ, the two feed each other: one of both decays less, or grows. If both are damped alike their
+//! frequencies stay together over an interval of speeds, and what grows does so most in its middle; if not, they meet once, and
+//! it grows most there. Such intervals may lie between two speeds of a range, several of them, with stable speeds between.
+
+use num_complex::Complex64;
+
+use super::modes::Mode;
+use super::points::{LOCKED, Point};
+use super::roots::{FOUND, Roots, Threshold, tries};
+use super::shapes::apply_all;
+use super::stood::beside;
+use super::track::mac;
+use crate::error::Error;
+
+/// Multiples of Ω that are looked at, by the step of the harmonics.
+const MULTIPLES: [i32; 2] = [1, 2];
+/// How many times stronger than it seems two motions may be coupled.
+const STRONGER: f64 = 10.0;
+/// Share of a motion from which on a part of it is what another one mainly does.
+const MIXED: f64 = 0.1;
+/// Share from which on a part is as large as the motion itself, at the speeds of the range.
+const AS_LARGE: f64 = 0.5;
+/// What it costs to take that part for the other one, as long as the motion itself is like it.
+const OTHER: f64 = 0.5;
+/// Share of a speed to which the one where motions meet is found.
+const MET: f64 = 1e-7;
+/// Share of an interval in which a maximum is looked for next: that of the golden section.
+const GOLDEN: f64 = 0.381_966_011_250_105_1;
+
+/// A motion as what it mainly is, or as a part of it that is what another one mainly is.
+#[derive(Clone)]
+struct Taken {
+    mode: Mode,
+    /// λ, with the frequency of that part (1/s).
+    value: Complex64,
+    is_part: bool,
+}
+
+/// Two motions at a speed, or one twice.
+#[derive(Clone)]
+struct Met {
+    speed: f64,
+    pair: [Taken; 2],
+    /// ω + ω′ − nΩ (rad/s), 0 where they stay together.
+    off: f64,
+    /// The larger Re λ of both, less what may be rounding of it (1/s).
+    growth: f64,
+}
+
+/// Two motions whose frequencies add up to n Ω between two speeds.
+struct Meeting {
+    order: f64,
+    is_one: bool,
+    ends: [Met; 2],
+}
+
+impl Taken {
+    fn new(mode: &Mode, frequency: f64) -> Taken {
+        let value = Complex64::new(mode.value.re, frequency);
+        Taken { mode: mode.clone(), value, is_part: value != mode.value }
+    }
+
+    /// All that a motion may be taken for.
+    fn all(mode: &Mode) -> impl Iterator<Item = Taken> {
+        let parts = mode.beside.iter().filter(|own| own.1 >= AS_LARGE).map(|own| own.0);
+        std::iter::once(mode.value.im).chain(parts).map(|frequency| Taken::new(mode, frequency))
+    }
+}
+
+impl Met {
+    fn new(point: &Point, order: f64, pair: [Taken; 2]) -> Met {
+        let [one, other] = &pair;
+        let off = one.value.im + other.value.im - order * point.speed.abs();
+        let is_together = off.abs() <= LOCKED * one.value.norm().max(other.value.norm());
+        Met {
+            speed: point.speed,
+            off: if is_together { 0.0 } else { off },
+            growth: one.mode.growth().max(other.mode.growth()),
+            pair,
+        }
+    }
+
+    /// The largest rate (1/s) with which both can feed each other, by the parts of each that move as the other one does.
+    fn coupling(&self, order: f64) -> f64 {
+        if self.off == 0.0 || self.pair.iter().any(|own| own.is_part) {
+            return f64::INFINITY;
+        }
+        let part = |own: &Taken| part_of(&own.mode, (order * self.speed).abs() - own.value.im);
+        let [one, other] = self.pair.each_ref().map(part);
+        one.max(other) * self.off.abs()
+    }
+}
+
+/// The share of a motion that moves with a frequency besides.
+fn part_of(mode: &Mode, frequency: f64) -> f64 {
+    let is_it = |own: &&(f64, f64)| (own.0 - frequency.abs()).abs() <= LOCKED * mode.value.norm();
+    mode.beside.iter().filter(is_it).map(|own| own.1).fold(0.0, f64::max)
+}
+
+impl Meeting {
+    /// Whether both may feed each other faster than they die out.
+    fn may_grow(&self) -> bool {
+        let coupling = self.ends.iter().map(|own| own.coupling(self.order)).fold(0.0, f64::max);
+        let damped = self.ends.iter().map(|own| {
+            let [one, other] = own.pair.each_ref().map(|own| (-own.value.re).max(0.0));
+            (one * other).sqrt()
+        });
+        STRONGER * coupling >= damped.fold(f64::INFINITY, f64::min)
+    }
+
+    /// The same two motions at a speed between: those most like the nearer end, or with a part that is.
+    fn at(&self, point: &Point, like: &Met) -> Option<Met> {
+        let modes = &point.modes.oscillating;
+        let moved = apply_all(&point.mass, like.pair.iter().map(|own| own.mode.shape.as_slice()));
+        // What it costs to take a mode for one of both, and as what it is taken then.
+        let taken = |which: usize, mode: &Mode| -> (f64, f64) {
+            let own = &like.pair[which];
+            let apart = |frequency: f64| {
+                let change = Complex64::new(mode.value.re, frequency) - own.value;
+                change.norm() / own.value.norm()
+            };
+            let unlike = if own.is_part { OTHER } else { 1.0 - mac(&moved[which], &mode.shape) };
+            let itself = (unlike + apart(mode.value.im), mode.value.im);
+            let other = (self.order * point.speed).abs() - mode.value.im;
+            let by_part = (OTHER + apart(other), other);
+            match part_of(mode, other) >= MIXED && by_part.0 < itself.0 {
+                true => by_part,
+                false => itself,
+            }
+        };
+        let costs: [Vec<(f64, f64)>; 2] =
+            [0, 1].map(|which| modes.iter().map(|mode| taken(which, mode)).collect());
+        let places = 0..modes.len();
+        let pairs = places.clone().flat_map(|i| places.clone().map(move |j| (i, j)));
+        let (i, j) = pairs.filter(|(i, j)| (i == j) == self.is_one).min_by(|a, b| {
+            let cost = |own: &(usize, usize)| costs[0][own.0].0 + costs[1][own.1].0;
+            cost(a).total_cmp(&cost(b))
+        })?;
+        let pair = [Taken::new(&modes[i], costs[0][i].1), Taken::new(&modes[j], costs[1][j].1)];
+        let mut met = Met::new(point, self.order, pair);
+        if self.is_one && met.off == 0.0 {
+            // One motion that stays with itself is two of one frequency.
+            let same =
+                |own: &&Mode| (own.value.im - modes[i].value.im).abs() <= LOCKED * own.value.norm();
+            let all = modes.iter().filter(same).map(Mode::growth);
+            met.growth = all.fold(met.growth, f64::max);
+        }
+        Some(met)
+    }
+}
+
+impl Roots<'_> {
+    /// Where a machine that is not round begins to be unstable or ends to, by the branches of its modes.
+    ///
+    /// # Errors
+    /// As [`super::LinearMachine::campbell`].
+    pub(super) fn parametric(
+        &self,
+        branches: &[Vec<Option<usize>>],
+    ) -> Result<Vec<Threshold>, Error> {
+        let steps: Vec<usize> = (1..self.points.len()).map(|next| next - 1).collect();
+        let all = beside(self.machine.threads, &steps, &|step| self.of_step(branches, *step));
+        let mut found = Vec::new();
+        for own in all {
+            found.extend(own?);
+        }
+        Ok(found)
+    }
+
+    /// Between two speeds of the range.
+    fn of_step(
+        &self,
+        branches: &[Vec<Option<usize>>],
+        step: usize,
+    ) -> Result<Vec<Threshold>, Error> {
+        let ends = [&self.points[step], &self.points[step + 1]];
+        let mut inner: Vec<Point> = Vec::new();
+        for meeting in meetings(ends, branches, step) {
+            inner.extend(self.growing(ends[0], &meeting)?);
+        }
+        let mut all: Vec<&Point> = ends.into_iter().chain(&inner).collect();
+        all.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        let mut found = Vec::new();
+        for own in all.windows(2) {
+            found.extend(self.threshold([own[0], own[1]])?);
+        }
+        Ok(found)
+    }
+
+    /// Where two motions meet, if something grows there: speeds at which it does, with those next to them at which these two do
+    /// not, or the end of the step.
+    fn growing(&self, near: &Point, meeting: &Meeting) -> Result<Vec<Point>, Error> {
+        let mut found = Vec::new();
+        let Some((point, inside, ends)) = self.most_growing(near, meeting)? else {
+            return Ok(found);
+        };
+        found.push(point);
+        for outside in ends {
+            let mut edge = [outside, inside.clone()];
+            let mut points = [None, None];
+            for _ in 0..tries(near) {
+                let (speed, width) =
+                    (0.5 * (edge[0].speed + edge[1].speed), edge[0].speed - edge[1].speed);
+                if edge[0].growth > 0.0 || width.abs() <= FOUND * speed.abs() {
+                    break;
+                }
+                let Some((point, met)) = self.met(near, meeting, speed, edge.each_ref())? else {
+                    return Ok(found);
+                };
+                let grows = usize::from(met.growth > 0.0);
+                (edge[grows], points[grows]) = (met, Some(point));
+            }
+            found.extend(points.into_iter().flatten());
+        }
+        Ok(found)
+    }
+
+    /// Two motions at a speed between those of two others.
+    fn met(
+        &self,
+        near: &Point,
+        meeting: &Meeting,
+        speed: f64,
+        [one, other]: [&Met; 2],
+    ) -> Result<Option<(Point, Met)>, Error> {
+        let Some(point) = self.point(speed, near)? else { return Ok(None) };
+        let is_one = (speed - one.speed).abs() < (speed - other.speed).abs();
+        let met = meeting.at(&point, if is_one { one } else { other });
+        Ok(met.map(|met| (point, met)))
+    }
+
+    /// Where two motions that meet grow, between two speeds at which they grow less; none where they do not.
+    fn most_growing(
+        &self,
+        near: &Point,
+        meeting: &Meeting,
+    ) -> Result<Option<(Point, Met, [Met; 2])>, Error> {
+        let [mut left, mut right] = meeting.ends.clone();
+        let mut middle: Option<Met> = None;
+        for k in 0..tries(near) {
+            let width = right.speed - left.speed;
+            if width <= MET * right.speed.abs() {
+                break;
+            }
+            let half = 0.5 * (left.speed + right.speed);
+            let speed = match &middle {
+                // Where their frequencies meet if they go straight, and in the middle.
+                None if left.off * right.off == 0.0 || k % 3 == 2 => half,
+                None => left.speed + (left.off / (left.off - right.off)).clamp(0.01, 0.99) * width,
+                Some(met) if met.speed < half => met.speed + GOLDEN * (right.speed - met.speed),
+                Some(met) => met.speed - GOLDEN * (met.speed - left.speed),
+            };
+            let Some((point, next)) = self.met(near, meeting, speed, [&left, &right])? else {
+                return Ok(None);
+            };
+            if next.growth > 0.0 && !point.modes.is_stable() {
+                return Ok(Some((point, next, [left, right])));
+            }
+            match &mut middle {
+                Some(met) => {
+                    // The one that grows less becomes an end.
+                    let less = match next.growth > met.growth {
+                        true => std::mem::replace(met, next),
+                        false => next,
+                    };
+                    let end = if less.speed < met.speed { &mut left } else { &mut right };
+                    *end = less;
+                }
+                None if next.off == 0.0 || left.off * right.off == 0.0 => middle = Some(next),
+                None if next.off * left.off > 0.0 => left = next,
+                None => right = next,
+            }
+        }
+        Ok(None)
+    }
+}
+
+/// Motions that meet between two speeds of the range and may grow there.
+fn meetings(ends: [&Point; 2], branches: &[Vec<Option<usize>>], step: usize) -> Vec<Meeting> {
+    let both = branches.iter().filter_map(|own| {
+        let [Some(a), Some(b)] = [*own.get(step)?, *own.get(step + 1)?] else { return None };
+        Some([&ends[0].modes.oscillating[a], &ends[1].modes.oscillating[b]])
+    });
+    let both: Vec<[&Mode; 2]> = both.collect();
+    let harmonics = ends[0].harmonics.or(ends[1].harmonics).unwrap_or(1);
+    let mut orders: Vec<i32> = MULTIPLES.iter().map(|own| own * harmonics).collect();
+    orders.push(2);
+    orders.sort_unstable();
+    orders.dedup();
+    let mut found = Vec::new();
+    for order in orders.into_iter().map(f64::from) {
+        for (i, one) in both.iter().enumerate() {
+            for (j, other) in both.iter().enumerate().skip(i) {
+                let met = |end: usize| -> Vec<Met> {
+                    let (one, other) = (Taken::all(one[end]), || Taken::all(other[end]));
+                    let same = |a: &Taken, b: &Taken| i != j || a.value == b.value;
+                    let pairs = one.flat_map(|a| other().map(move |b| [a.clone(), b]));
+                    let pairs = pairs.filter(|[a, b]| same(a, b));
+                    pairs.map(|pair| Met::new(ends[end], order, pair)).collect()
+                };
+                let (first, last) = (met(0), met(1));
+                let all = first.iter().flat_map(|a| last.iter().map(|b| [a.clone(), b.clone()]));
+                let all = all.map(|ends| Meeting { order, is_one: i == j, ends });
+                let meets = |own: &Meeting| own.ends[0].off * own.ends[1].off <= 0.0;
+                found.extend(all.filter(|own| meets(own) && own.may_grow()));
+            }
+        }
+    }
+    found
+}
