@@ -1,6 +1,5 @@
 //! The outside of a mesh: faces that only one cell has.
 
-use rustc_hash::FxHashMap;
 use whirl_solver::mesh::{Cell, Mesh};
 use whirl_specs::{Element, Face};
 
@@ -18,28 +17,30 @@ pub(crate) fn outer_corners(mesh: &Mesh) -> Vec<Vec<usize>> {
 
 /// Cells and faces of them that no other cell has, in the order of the cells.
 pub(crate) fn outer_places(mesh: &Mesh) -> impl Iterator<Item = (Cell, usize)> {
-    // The corners of a face name it: two cells that share them share the face.
-    let mut known: FxHashMap<[usize; 4], Option<(Cell, usize)>> = FxHashMap::default();
-    let mut order = Vec::new();
     let corners: Vec<Vec<Vec<usize>>> = mesh
         .blocks()
         .iter()
         .map(|own| own.element.faces.iter().map(|face| corners(own.element, face)).collect())
         .collect();
+    let count =
+        mesh.blocks().iter().zip(&corners).map(|(own, faces)| own.cells().len() * faces.len());
+    // The corners of a face name it: two cells that share them share the face.
+    let mut all: Vec<([usize; 4], (Cell, usize))> = Vec::with_capacity(count.sum());
     for (block, own) in mesh.blocks().iter().enumerate() {
         for (cell, nodes) in own.cells().enumerate() {
             for (face, places) in corners[block].iter().enumerate() {
                 let mut key = [usize::MAX; 4];
                 key.iter_mut().zip(places).for_each(|(key, &place)| *key = nodes[place]);
                 key.sort_unstable();
-                known.entry(key).and_modify(|first| *first = None).or_insert_with(|| {
-                    order.push(key);
-                    Some((Cell { block, cell }, face))
-                });
+                all.push((key, (Cell { block, cell }, face)));
             }
         }
     }
-    order.into_iter().filter_map(move |key| known[&key])
+    all.sort_unstable_by_key(|own| own.0);
+    let single = all.chunk_by(|a, b| a.0 == b.0).filter(|own| own.len() == 1);
+    let mut outer: Vec<(Cell, usize)> = single.map(|own| own[0].1).collect();
+    outer.sort_unstable_by_key(|(own, face)| (own.block, own.cell, *face));
+    outer.into_iter()
 }
 
 /// The places of the corners of a face among the nodes of its element, around it.

@@ -79,6 +79,7 @@ pub fn mass_properties(mesh: &Mesh) -> Result<MassProperties, Error> {
     evaluate(mesh, &kernels, &[], |block, cell, values| {
         let entry = Entries { structure: structures[block], nodes: cell.len(), values };
         let mut cell_mass = 0.0;
+        let (mut own_first, mut own_second) = (first, second);
         for (a, &node) in cell.iter().enumerate() {
             let x = mesh.nodes()[node];
             for (b, &other) in cell.iter().enumerate() {
@@ -87,13 +88,14 @@ pub fn mass_properties(mesh: &Mesh) -> Result<MassProperties, Error> {
                 let y = mesh.nodes()[other];
                 cell_mass += m;
                 for i in 0..3 {
-                    first[i] += m * x[i];
+                    own_first[i] += m * x[i];
                     for j in 0..3 {
-                        second[i][j] += m * x[i] * y[j];
+                        own_second[i][j] += m * x[i] * y[j];
                     }
                 }
             }
         }
+        (first, second) = (own_first, own_second);
         mass += cell_mass;
         volume += cell_mass / density(&mesh.blocks()[block]);
     })?;

@@ -17,6 +17,8 @@ pub struct CaseText {
     files: BTreeMap<PathBuf, String>,
     /// Values that hold in place of those of the case, as lines of TOML.
     values: String,
+    /// What messages call them, if they come from a place of the case.
+    values_of: Option<String>,
     /// Files of the disk that it was read with so far: what is read again, is the same.
     read: Mutex<BTreeMap<PathBuf, Arc<Source>>>,
 }
@@ -69,7 +71,15 @@ impl CaseText {
         let values = lines.iter().map(|own| format!("{own}\n")).collect();
         let read = self.read.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let (path, text, files) = (self.path.clone(), self.text.clone(), self.files.clone());
-        CaseText { path, text, files, values, read: Mutex::new(read) }
+        let values_of = self.values_of.clone();
+        CaseText { path, text, files, values, values_of, read: Mutex::new(read) }
+    }
+
+    /// With a name for the values, by which messages show where they stand.
+    #[must_use]
+    pub(crate) fn with_values_of(mut self, place: &str) -> CaseText {
+        self.values_of = Some(place.to_owned());
+        self
     }
 
     /// Those values.
@@ -115,7 +125,10 @@ impl CaseText {
 
     /// Its values as if they were a file beside it; none if there are none.
     pub(super) fn varied(&self) -> Option<Arc<Source>> {
-        let path = self.path.with_file_name(VARIED);
+        let path = match &self.values_of {
+            Some(place) => self.path.with_file_name(place),
+            None => self.path.with_file_name(VARIED),
+        };
         (!self.values.is_empty()).then(|| Source::new(path, self.values.as_str()))
     }
 

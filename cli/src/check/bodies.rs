@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use whirl_solver::assembly::mass_properties;
+use whirl_solver::assembly::{MassProperties, mass_properties};
 use whirl_solver::bodies::Rotation;
 use whirl_solver::model::AttachmentKind;
 use whirl_text::rounded;
@@ -116,6 +116,7 @@ pub(super) fn masses(
         ["", "mass (kg)", "centre z (mm)", "polar inertia (kg m²)", "transverse inertia (kg m²)"];
     let mut rows = vec![heads.map(str::to_string).to_vec()];
     for (body, own) in joined.bodies.iter().zip(&plan.bodies) {
+        let mut about_axes = None;
         let [mass, z, polar, transverse] = match own {
             PlannedBody::Rigid(rigid) => {
                 let own = &rigid.body;
@@ -124,6 +125,7 @@ pub(super) fn masses(
             }
             PlannedBody::Meshed(meshed) => {
                 let own = mass_properties(&meshed.mesh)?;
+                about_axes = Some(across_axes(&own));
                 let ([x, y, z], second) = (own.centre, own.second_moment);
                 // Rounding of a centre at the origin is none of its places.
                 let size =
@@ -137,7 +139,7 @@ pub(super) fn masses(
             }
         };
         let [mass, z, polar, transverse] = carrying(&body.attached, [mass, z, polar, transverse]);
-        let shown_across = match across_axes(own) {
+        let shown_across = match about_axes {
             // With what it carries, which is alike about both.
             Some([about_x, about_y]) if (about_x - about_y).abs() > 1e-3 * about_x.max(about_y) => {
                 let more = transverse.map_or(0.0, |own| own - about_x);
@@ -187,11 +189,9 @@ fn carrying(attached: &[Attached], own: [Option<f64>; 4]) -> [Option<f64>; 4] {
 }
 
 /// Inertias of a mesh about x and y through its centre (kg m²).
-fn across_axes(body: &PlannedBody) -> Option<[f64; 2]> {
-    let PlannedBody::Meshed(meshed) = body else { return None };
-    let own = mass_properties(&meshed.mesh).ok()?;
+fn across_axes(own: &MassProperties) -> [f64; 2] {
     let ([x, y, z], second) = (own.centre, own.second_moment);
     let about =
         |axis: usize, off: f64| second[axis][axis] + second[2][2] - own.mass * (off * off + z * z);
-    Some([about(1, y), about(0, x)])
+    [about(1, y), about(0, x)]
 }

@@ -217,6 +217,14 @@ fn an_analysis_that_cannot_be_done_is_named_and_foreseen() {
     for word in ["the analysis `own` cannot be done", words[0], words[1]] {
         assert!(outcome.stderr.contains(word), "{word}: {}", outcome.stderr);
     }
+    // A key that the case has not is shown where it is written.
+    let unknown = format!(
+        "{rotor}[analysis.own]\nkind = \"periodic\"\nvary = \"body.rotor.sped = 1000 rpm .. 2000 rpm\"\n"
+    );
+    let words = ["`[body.rotor]` has no key `sped`", "`vary` of [analysis.own]:1:"];
+    refused(&unknown, &["analyse", "case.toml"], &words);
+    let words = ["nothing turns at 0 rpm", "ask for other speeds"];
+    refused(&rotor, &["response", "case.toml", "--speeds", "0 rpm"], &words);
     let sound = format!("{rotor}[analysis.own]\nkind = \"modes\"\n");
     let outcome = Workbench::new().file("case.toml", &sound).whirl(&["check", "case.toml"]);
     assert!(outcome.status == 0 && !outcome.stderr.contains("cannot"), "{}", outcome.stderr);

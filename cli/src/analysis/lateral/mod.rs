@@ -131,7 +131,8 @@ pub(super) fn foreseen(
 fn varied(text: &CaseText, variant: &Variant, warnings: &mut Vec<String>) -> Result<Case, Failure> {
     let values = variant.set.iter().filter_map(|own| own.text().split_once('='));
     let values = values.map(|(key, value)| (key.trim(), as_toml(value.trim())));
-    let text = text.with_more_values(values);
+    let place = format!("variant {}", variant.name);
+    let text = text.with_more_values(values).with_values_of(&place);
     machine::read_text(&text, warnings)
 }
 

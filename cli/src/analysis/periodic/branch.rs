@@ -39,11 +39,14 @@ struct Followed<'a> {
 
 /// The case with a value of the key, and its machine.
 fn read(
-    (text, varying): (&CaseText, &Varying),
+    text: &CaseText,
+    (analysis, varying): (&Analysis, &Varying),
     value: f64,
     cache: Option<&Cache>,
 ) -> Result<(Case, machine::Built), Failure> {
-    let own = text.with_more_values([(varying.key.as_str(), varying.literal(value))].into_iter());
+    let values = [(varying.key.as_str(), varying.literal(value))].into_iter();
+    let place = format!("`vary` of [analysis.{}]", analysis.name);
+    let own = text.with_more_values(values).with_values_of(&place);
     let mut own = machine::read_text_to_analyse(&own, &mut Vec::new())?;
     own.fields = None;
     let built = machine::build_planned(&own, cache, &mut Vec::new())?;
@@ -60,7 +63,7 @@ pub(super) fn foreseen(
     cache: Option<&Cache>,
 ) -> Result<(), Failure> {
     for value in varying.ends {
-        let (own, built) = read((text, varying), value, cache)?;
+        let (own, built) = read(text, (analysis, varying), value, cache)?;
         let sought = Sought { case: &own, analysis, built: &built, speed: None };
         sought.foreseen().map_err(|error| place::of(case, error))?;
     }
@@ -78,7 +81,7 @@ pub(super) fn found(
     interruption: &Interruption,
     figures: bool,
 ) -> Result<Found, Failure> {
-    let read = |value: f64| read((text, varying), value, cache);
+    let read = |value: f64| read(text, (analysis, varying), value, cache);
     let [from, to] = varying.ends;
     let (first, built) = read(from)?;
     let of = |case: &Case, error: Error| place::of(case, error);

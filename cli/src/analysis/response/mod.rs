@@ -104,7 +104,10 @@ pub(super) fn found(
     }
     notes += &left_out(&singular);
     if sources.is_empty() {
-        return Err(no_sources(case));
+        return Err(match wanted.speeds.iter().all(|speed| *speed == 0.0) {
+            true => at_rest_only(),
+            false => no_sources(case),
+        });
     }
     if let ([speed], false) = (speeds.as_slice(), interrupted) {
         let here = at(*speed, None)?;
@@ -195,6 +198,13 @@ fn no_points(case: &Case) -> Failure {
     Failure::Argument {
         message: format!("`{}` has no point whose response could be given", case.name),
         help: "add an `[output.NAME]` with `quantity = \"displacement\"`".to_owned(),
+    }
+}
+
+fn at_rest_only() -> Failure {
+    Failure::Argument {
+        message: "nothing turns at 0 rpm, so that there is no response to unbalance".to_owned(),
+        help: "ask for other speeds".to_owned(),
     }
 }
 
