@@ -114,7 +114,7 @@ impl LinearMachine {
         let is_uneven = points.iter().any(|own| own.is_uneven);
         // Modes that are locked to the rotation are two with one frequency, of which either may be followed.
         let thresholds = match is_uneven {
-            true => roots.parametric(&branches)?,
+            true => roots.parametric()?,
             false => followed.thresholds(&branches)?,
         };
         let (of_sight, thresholds): (Vec<_>, Vec<_>) =

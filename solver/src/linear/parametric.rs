@@ -16,7 +16,7 @@ use super::track::mac;
 use crate::error::Error;
 
 /// Multiples of Ω that are looked at, by the step of the harmonics.
-const MULTIPLES: [i32; 2] = [1, 2];
+const MULTIPLES: [i32; 4] = [1, 2, 3, 4];
 /// How many times stronger than it seems two motions may be coupled.
 const STRONGER: f64 = 10.0;
 /// Share of a motion from which on a part of it is what another one mainly does.
@@ -25,8 +25,13 @@ const MIXED: f64 = 0.1;
 const AS_LARGE: f64 = 0.5;
 /// What it costs to take that part for the other one, as long as the motion itself is like it.
 const OTHER: f64 = 0.5;
-/// Share of a speed to which the one where motions meet is found.
+/// Cost from which on modes of two speeds are not one.
+const UNLIKE: f64 = 0.9;
+/// Share of a speed to which the one where motions meet is found at most.
 const MET: f64 = 1e-7;
+/// Share of the difference of both rates of growth by which their frequencies may be apart where they meet, and share of the interval in
+/// which they stay together to which its middle is found: what grows there does so no faster elsewhere but for 1e-3 of that.
+const MIDDLE: f64 = 0.03;
 /// Share of an interval in which a maximum is looked for next: that of the golden section.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 
@@ -83,6 +88,17 @@ impl Met {
         }
     }
 
+    /// Whether one of both grows as they feed each other, not by itself or with a third one.
+    fn grows(&self) -> bool {
+        self.growth > 0.0 && self.off.abs() <= self.rates_apart()
+    }
+
+    /// By how much one of both grows faster than the other one (1/s).
+    fn rates_apart(&self) -> f64 {
+        let [one, other] = self.pair.each_ref().map(|own| own.value.re);
+        (one - other).abs()
+    }
+
     /// The largest rate (1/s) with which both can feed each other, by the parts of each that move as the other one does.
     fn coupling(&self, order: f64) -> f64 {
         if self.off == 0.0 || self.pair.iter().any(|own| own.is_part) {
@@ -101,6 +117,16 @@ fn part_of(mode: &Mode, frequency: f64) -> f64 {
 }
 
 impl Meeting {
+    /// Whether it is that of the same motions.
+    fn is(&self, other: &Meeting) -> bool {
+        let same = |one: &Met, other: &Met| {
+            let [a, b] = [one, other].map(|own| own.pair.each_ref().map(|own| own.value));
+            a == b || a == [b[1], b[0]]
+        };
+        let pairs = self.ends.iter().zip(&other.ends);
+        self.order == other.order && pairs.into_iter().all(|(one, other)| same(one, other))
+    }
+
     /// Whether both may feed each other faster than they die out.
     fn may_grow(&self) -> bool {
         let coupling = self.ends.iter().map(|own| own.coupling(self.order)).fold(0.0, f64::max);
@@ -153,16 +179,14 @@ impl Meeting {
 }
 
 impl Roots<'_> {
-    /// Where a machine that is not round begins to be unstable or ends to, by the branches of its modes.
+    /// Where a machine that is not round begins to be unstable or ends to.
     ///
     /// # Errors
     /// As [`super::LinearMachine::campbell`].
-    pub(super) fn parametric(
-        &self,
-        branches: &[Vec<Option<usize>>],
-    ) -> Result<Vec<Threshold>, Error> {
-        let steps: Vec<usize> = (1..self.points.len()).map(|next| next - 1).collect();
-        let all = beside(self.machine.threads, &steps, &|step| self.of_step(branches, *step));
+    pub(super) fn parametric(&self) -> Result<Vec<Threshold>, Error> {
+        let steps: Vec<[&Point; 2]> =
+            self.points.windows(2).map(|own| [&own[0], &own[1]]).collect();
+        let all = beside(self.machine.threads, &steps, &|step| self.of_step(*step));
         let mut found = Vec::new();
         for own in all {
             found.extend(own?);
@@ -171,14 +195,9 @@ impl Roots<'_> {
     }
 
     /// Between two speeds of the range.
-    fn of_step(
-        &self,
-        branches: &[Vec<Option<usize>>],
-        step: usize,
-    ) -> Result<Vec<Threshold>, Error> {
-        let ends = [&self.points[step], &self.points[step + 1]];
+    fn of_step(&self, ends: [&Point; 2]) -> Result<Vec<Threshold>, Error> {
         let mut inner: Vec<Point> = Vec::new();
-        for meeting in meetings(ends, branches, step) {
+        for meeting in meetings(ends) {
             inner.extend(self.growing(ends[0], &meeting)?);
         }
         let mut all: Vec<&Point> = ends.into_iter().chain(&inner).collect();
@@ -187,35 +206,62 @@ impl Roots<'_> {
         for own in all.windows(2) {
             found.extend(self.threshold([own[0], own[1]])?);
         }
+        // What was interrupted has beginnings without ends.
+        Ok(if (self.goes_on)() { found } else { Vec::new() })
+    }
+
+    /// Where two motions meet, if something grows there: a speed at which it does, with those next to the ends of the interval.
+    fn growing(&self, near: &Point, meeting: &Meeting) -> Result<Vec<Point>, Error> {
+        let mut found = Vec::new();
+        let [left, right] = &meeting.ends;
+        // What grows at one end of the step and not at the other one ends to between them.
+        let edges = match (left.grows(), right.grows()) {
+            (true, true) => Vec::new(),
+            (true, false) => vec![[right.clone(), left.clone()]],
+            (false, true) => vec![[left.clone(), right.clone()]],
+            (false, false) => {
+                let Some((point, inside, ends)) = self.most_growing(near, meeting)? else {
+                    return Ok(found);
+                };
+                found.push(point);
+                ends.into_iter().map(|outside| [outside, inside.clone()]).collect()
+            }
+        };
+        for edge in edges {
+            found.extend(self.edge(near, meeting, edge)?);
+        }
         Ok(found)
     }
 
-    /// Where two motions meet, if something grows there: speeds at which it does, with those next to them at which these two do
-    /// not, or the end of the step.
-    fn growing(&self, near: &Point, meeting: &Meeting) -> Result<Vec<Point>, Error> {
-        let mut found = Vec::new();
-        let Some((point, inside, ends)) = self.most_growing(near, meeting)? else {
-            return Ok(found);
-        };
-        found.push(point);
-        for outside in ends {
-            let mut edge = [outside, inside.clone()];
-            let mut points = [None, None];
-            for _ in 0..tries(near) {
-                let (speed, width) =
-                    (0.5 * (edge[0].speed + edge[1].speed), edge[0].speed - edge[1].speed);
-                if edge[0].growth > 0.0 || width.abs() <= FOUND * speed.abs() {
-                    break;
-                }
-                let Some((point, met)) = self.met(near, meeting, speed, edge.each_ref())? else {
-                    return Ok(found);
-                };
-                let grows = usize::from(met.growth > 0.0);
-                (edge[grows], points[grows]) = (met, Some(point));
+    /// The two points, as near to each other as thresholds are found, between which two motions end to grow.
+    fn edge(
+        &self,
+        near: &Point,
+        meeting: &Meeting,
+        [mut outside, mut inside]: [Met; 2],
+    ) -> Result<Vec<Point>, Error> {
+        let mut points = [None, None];
+        for k in 0..tries(near) {
+            let width = outside.speed - inside.speed;
+            if width.abs() <= FOUND * outside.speed.abs() {
+                break;
             }
-            found.extend(points.into_iter().flatten());
+            // Growth is straight only within the interval in which both stay together.
+            let is_straight = outside.off == 0.0 && inside.off == 0.0 && k % 3 != 2;
+            let share = match is_straight {
+                true => (inside.growth / (inside.growth - outside.growth)).clamp(1e-6, 1.0 - 1e-6),
+                false => 0.5,
+            };
+            let speed = inside.speed + share * width;
+            let Some((point, met)) = self.met(near, meeting, speed, [&outside, &inside])? else {
+                return Ok(Vec::new());
+            };
+            match met.grows() {
+                true => (inside, points[1]) = (met, Some(point)),
+                false => (outside, points[0]) = (met, Some(point)),
+            }
         }
-        Ok(found)
+        Ok(points.into_iter().flatten().collect())
     }
 
     /// Two motions at a speed between those of two others.
@@ -240,9 +286,12 @@ impl Roots<'_> {
     ) -> Result<Option<(Point, Met, [Met; 2])>, Error> {
         let [mut left, mut right] = meeting.ends.clone();
         let mut middle: Option<Met> = None;
+        // The speeds between which they are known to stay together.
+        let mut together: Option<[f64; 2]> = None;
         for k in 0..tries(near) {
             let width = right.speed - left.speed;
-            if width <= MET * right.speed.abs() {
+            let known = together.map_or(0.0, |[first, last]| last - first);
+            if width <= MET * right.speed.abs() || middle.is_some() && width <= MIDDLE * known {
                 break;
             }
             let half = 0.5 * (left.speed + right.speed);
@@ -256,41 +305,68 @@ impl Roots<'_> {
             let Some((point, next)) = self.met(near, meeting, speed, [&left, &right])? else {
                 return Ok(None);
             };
-            if next.growth > 0.0 && !point.modes.is_stable() {
+            let is_met = next.off.abs() <= MIDDLE * next.rates_apart();
+            if is_met && next.grows() && !point.modes.is_stable() {
                 return Ok(Some((point, next, [left, right])));
+            }
+            if next.off == 0.0 {
+                let [first, last] = together.unwrap_or([next.speed; 2]);
+                together = Some([first.min(next.speed), last.max(next.speed)]);
             }
             match &mut middle {
                 Some(met) => {
-                    // The one that grows less becomes an end.
-                    let less = match next.growth > met.growth {
+                    // The one that grows less becomes an end; nothing grows less than what is not together.
+                    let less = match next.off == 0.0 && next.growth > met.growth {
                         true => std::mem::replace(met, next),
                         false => next,
                     };
                     let end = if less.speed < met.speed { &mut left } else { &mut right };
                     *end = less;
                 }
-                None if next.off == 0.0 || left.off * right.off == 0.0 => middle = Some(next),
-                None if next.off * left.off > 0.0 => left = next,
-                None => right = next,
+                None if next.off == 0.0 => middle = Some(next),
+                // Damped unlike, they meet once: it grows no faster elsewhere.
+                None if is_met => break,
+                None if left.off == 0.0 || next.off * left.off < 0.0 && right.off != 0.0 => {
+                    right = next
+                }
+                None => left = next,
             }
         }
         Ok(None)
     }
 }
 
+/// Modes of two speeds that may be one: of each the most alike of the other speed. Where two motions are locked to each other there
+/// is one more, so that not each has its own.
+fn alike([a, b]: [&Point; 2]) -> Vec<[&Mode; 2]> {
+    let [from, to] = [a, b].map(|own| own.modes.oscillating.as_slice());
+    let moved = apply_all(&a.mass, from.iter().map(|own| own.shape.as_slice()));
+    let cost = |i: usize, j: usize| {
+        let apart = (from[i].value - to[j].value).norm() / from[i].value.norm();
+        1.0 - mac(&moved[i], &to[j].shape) + apart
+    };
+    let best = |costs: &mut dyn Iterator<Item = (f64, [usize; 2])>| {
+        costs.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|own| own.0 < UNLIKE).map(|own| own.1)
+    };
+    let forth =
+        (0..from.len()).filter_map(|i| best(&mut (0..to.len()).map(|j| (cost(i, j), [i, j]))));
+    let back =
+        (0..to.len()).filter_map(|j| best(&mut (0..from.len()).map(|i| (cost(i, j), [i, j]))));
+    let mut all: Vec<[usize; 2]> = forth.chain(back).collect();
+    all.sort_unstable();
+    all.dedup();
+    all.into_iter().map(|[i, j]| [&from[i], &to[j]]).collect()
+}
+
 /// Motions that meet between two speeds of the range and may grow there.
-fn meetings(ends: [&Point; 2], branches: &[Vec<Option<usize>>], step: usize) -> Vec<Meeting> {
-    let both = branches.iter().filter_map(|own| {
-        let [Some(a), Some(b)] = [*own.get(step)?, *own.get(step + 1)?] else { return None };
-        Some([&ends[0].modes.oscillating[a], &ends[1].modes.oscillating[b]])
-    });
-    let both: Vec<[&Mode; 2]> = both.collect();
+fn meetings(ends: [&Point; 2]) -> Vec<Meeting> {
+    let both = alike(ends);
     let harmonics = ends[0].harmonics.or(ends[1].harmonics).unwrap_or(1);
     let mut orders: Vec<i32> = MULTIPLES.iter().map(|own| own * harmonics).collect();
     orders.push(2);
     orders.sort_unstable();
     orders.dedup();
-    let mut found = Vec::new();
+    let mut found: Vec<Meeting> = Vec::new();
     for order in orders.into_iter().map(f64::from) {
         for (i, one) in both.iter().enumerate() {
             for (j, other) in both.iter().enumerate().skip(i) {
@@ -303,9 +379,15 @@ fn meetings(ends: [&Point; 2], branches: &[Vec<Option<usize>>], step: usize) -> 
                 };
                 let (first, last) = (met(0), met(1));
                 let all = first.iter().flat_map(|a| last.iter().map(|b| [a.clone(), b.clone()]));
-                let all = all.map(|ends| Meeting { order, is_one: i == j, ends });
+                // One that is locked to itself is two there.
+                let is_one = (0..2).any(|end| std::ptr::eq(one[end], other[end]));
+                let all = all.map(|ends| Meeting { order, is_one, ends });
                 let meets = |own: &Meeting| own.ends[0].off * own.ends[1].off <= 0.0;
-                found.extend(all.filter(|own| meets(own) && own.may_grow()));
+                for own in all.filter(|own| meets(own) && own.may_grow()) {
+                    if found.iter().all(|other| !other.is(&own)) {
+                        found.push(own);
+                    }
+                }
             }
         }
     }
