@@ -25,6 +25,7 @@ mod in_space;
 mod limits;
 mod linearised;
 mod map;
+mod meeting;
 mod modes;
 mod motions;
 mod own_frequency;

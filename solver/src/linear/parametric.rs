@@ -5,28 +5,18 @@
 //! frequencies stay together over an interval of speeds, and what grows does so most in its middle; if not, they meet once, and
 //! it grows most there. Such intervals may lie between two speeds of a range, several of them, with stable speeds between.
 
-use num_complex::Complex64;
-
-use super::modes::Mode;
-use super::points::{LOCKED, Point};
+use super::meeting::{Meeting, Met, meetings};
+use super::points::Point;
 use super::roots::{FOUND, Roots, Threshold, tries};
-use super::shapes::apply_all;
 use super::stood::beside;
-use super::track::mac;
 use crate::error::Error;
 
-/// Multiples of Ω that are looked at, by the step of the harmonics.
-const MULTIPLES: [i32; 4] = [1, 2, 3, 4];
-/// How many times stronger than it seems two motions may be coupled.
-const STRONGER: f64 = 10.0;
-/// Share of a motion from which on a part of it is what another one mainly does.
-const MIXED: f64 = 0.1;
-/// Share from which on a part is as large as the motion itself, at the speeds of the range.
-const AS_LARGE: f64 = 0.5;
-/// What it costs to take that part for the other one, as long as the motion itself is like it.
-const OTHER: f64 = 0.5;
-/// Cost from which on modes of two speeds are not one.
-const UNLIKE: f64 = 0.9;
+/// Share of |λ| by which two motions must grow for their interval to be looked for: where they meet, λ is no sharper.
+const SLOW: f64 = 1e-6;
+/// Share of a speed within which two thresholds are one at which nothing changes.
+const NOTHING: f64 = 1e-7;
+/// Speeds at which something is looked for that is stable between two that are not, at most.
+const BETWEEN: usize = 24;
 /// Share of a speed to which the one where motions meet is found at most.
 const MET: f64 = 1e-7;
 /// Share of the difference of both rates of growth by which their frequencies may be apart where they meet, and share of the interval in
@@ -34,149 +24,6 @@ const MET: f64 = 1e-7;
 const MIDDLE: f64 = 0.03;
 /// Share of an interval in which a maximum is looked for next: that of the golden section.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
-
-/// A motion as what it mainly is, or as a part of it that is what another one mainly is.
-#[derive(Clone)]
-struct Taken {
-    mode: Mode,
-    /// λ, with the frequency of that part (1/s).
-    value: Complex64,
-    is_part: bool,
-}
-
-/// Two motions at a speed, or one twice.
-#[derive(Clone)]
-struct Met {
-    speed: f64,
-    pair: [Taken; 2],
-    /// ω + ω′ − nΩ (rad/s), 0 where they stay together.
-    off: f64,
-    /// The larger Re λ of both, less what may be rounding of it (1/s).
-    growth: f64,
-}
-
-/// Two motions whose frequencies add up to n Ω between two speeds.
-struct Meeting {
-    order: f64,
-    is_one: bool,
-    ends: [Met; 2],
-}
-
-impl Taken {
-    fn new(mode: &Mode, frequency: f64) -> Taken {
-        let value = Complex64::new(mode.value.re, frequency);
-        Taken { mode: mode.clone(), value, is_part: value != mode.value }
-    }
-
-    /// All that a motion may be taken for.
-    fn all(mode: &Mode) -> impl Iterator<Item = Taken> {
-        let parts = mode.beside.iter().filter(|own| own.1 >= AS_LARGE).map(|own| own.0);
-        std::iter::once(mode.value.im).chain(parts).map(|frequency| Taken::new(mode, frequency))
-    }
-}
-
-impl Met {
-    fn new(point: &Point, order: f64, pair: [Taken; 2]) -> Met {
-        let [one, other] = &pair;
-        let off = one.value.im + other.value.im - order * point.speed.abs();
-        let is_together = off.abs() <= LOCKED * one.value.norm().max(other.value.norm());
-        Met {
-            speed: point.speed,
-            off: if is_together { 0.0 } else { off },
-            growth: one.mode.growth().max(other.mode.growth()),
-            pair,
-        }
-    }
-
-    /// Whether one of both grows as they feed each other, not by itself or with a third one.
-    fn grows(&self) -> bool {
-        self.growth > 0.0 && self.off.abs() <= self.rates_apart()
-    }
-
-    /// By how much one of both grows faster than the other one (1/s).
-    fn rates_apart(&self) -> f64 {
-        let [one, other] = self.pair.each_ref().map(|own| own.value.re);
-        (one - other).abs()
-    }
-
-    /// The largest rate (1/s) with which both can feed each other, by the parts of each that move as the other one does.
-    fn coupling(&self, order: f64) -> f64 {
-        if self.off == 0.0 || self.pair.iter().any(|own| own.is_part) {
-            return f64::INFINITY;
-        }
-        let part = |own: &Taken| part_of(&own.mode, (order * self.speed).abs() - own.value.im);
-        let [one, other] = self.pair.each_ref().map(part);
-        one.max(other) * self.off.abs()
-    }
-}
-
-/// The share of a motion that moves with a frequency besides.
-fn part_of(mode: &Mode, frequency: f64) -> f64 {
-    let is_it = |own: &&(f64, f64)| (own.0 - frequency.abs()).abs() <= LOCKED * mode.value.norm();
-    mode.beside.iter().filter(is_it).map(|own| own.1).fold(0.0, f64::max)
-}
-
-impl Meeting {
-    /// Whether it is that of the same motions.
-    fn is(&self, other: &Meeting) -> bool {
-        let same = |one: &Met, other: &Met| {
-            let [a, b] = [one, other].map(|own| own.pair.each_ref().map(|own| own.value));
-            a == b || a == [b[1], b[0]]
-        };
-        let pairs = self.ends.iter().zip(&other.ends);
-        self.order == other.order && pairs.into_iter().all(|(one, other)| same(one, other))
-    }
-
-    /// Whether both may feed each other faster than they die out.
-    fn may_grow(&self) -> bool {
-        let coupling = self.ends.iter().map(|own| own.coupling(self.order)).fold(0.0, f64::max);
-        let damped = self.ends.iter().map(|own| {
-            let [one, other] = own.pair.each_ref().map(|own| (-own.value.re).max(0.0));
-            (one * other).sqrt()
-        });
-        STRONGER * coupling >= damped.fold(f64::INFINITY, f64::min)
-    }
-
-    /// The same two motions at a speed between: those most like the nearer end, or with a part that is.
-    fn at(&self, point: &Point, like: &Met) -> Option<Met> {
-        let modes = &point.modes.oscillating;
-        let moved = apply_all(&point.mass, like.pair.iter().map(|own| own.mode.shape.as_slice()));
-        // What it costs to take a mode for one of both, and as what it is taken then.
-        let taken = |which: usize, mode: &Mode| -> (f64, f64) {
-            let own = &like.pair[which];
-            let apart = |frequency: f64| {
-                let change = Complex64::new(mode.value.re, frequency) - own.value;
-                change.norm() / own.value.norm()
-            };
-            let unlike = if own.is_part { OTHER } else { 1.0 - mac(&moved[which], &mode.shape) };
-            let itself = (unlike + apart(mode.value.im), mode.value.im);
-            let other = (self.order * point.speed).abs() - mode.value.im;
-            let by_part = (OTHER + apart(other), other);
-            match part_of(mode, other) >= MIXED && by_part.0 < itself.0 {
-                true => by_part,
-                false => itself,
-            }
-        };
-        let costs: [Vec<(f64, f64)>; 2] =
-            [0, 1].map(|which| modes.iter().map(|mode| taken(which, mode)).collect());
-        let places = 0..modes.len();
-        let pairs = places.clone().flat_map(|i| places.clone().map(move |j| (i, j)));
-        let (i, j) = pairs.filter(|(i, j)| (i == j) == self.is_one).min_by(|a, b| {
-            let cost = |own: &(usize, usize)| costs[0][own.0].0 + costs[1][own.1].0;
-            cost(a).total_cmp(&cost(b))
-        })?;
-        let pair = [Taken::new(&modes[i], costs[0][i].1), Taken::new(&modes[j], costs[1][j].1)];
-        let mut met = Met::new(point, self.order, pair);
-        if self.is_one && met.off == 0.0 {
-            // One motion that stays with itself is two of one frequency.
-            let same =
-                |own: &&Mode| (own.value.im - modes[i].value.im).abs() <= LOCKED * own.value.norm();
-            let all = modes.iter().filter(same).map(Mode::growth);
-            met.growth = all.fold(met.growth, f64::max);
-        }
-        Some(met)
-    }
-}
 
 impl Roots<'_> {
     /// Where a machine that is not round begins to be unstable or ends to.
@@ -196,23 +43,87 @@ impl Roots<'_> {
 
     /// Between two speeds of the range.
     fn of_step(&self, ends: [&Point; 2]) -> Result<Vec<Threshold>, Error> {
-        let mut inner: Vec<Point> = Vec::new();
+        // Where most grows first, then what is next to the ends of the intervals.
+        let (mut peaks, mut edges) = (Vec::new(), Vec::new());
         for meeting in meetings(ends) {
-            inner.extend(self.growing(ends[0], &meeting)?);
+            let (peak, beside) = self.growing(ends[0], &meeting)?;
+            peaks.extend(peak);
+            edges.extend(beside);
         }
-        let mut all: Vec<&Point> = ends.into_iter().chain(&inner).collect();
-        all.sort_by(|a, b| a.speed.total_cmp(&b.speed));
-        let mut found = Vec::new();
+        let by_speed = |a: &&Point, b: &&Point| a.speed.total_cmp(&b.speed);
+        let mut tops: Vec<&Point> = ends.into_iter().chain(&peaks).collect();
+        tops.sort_by(by_speed);
+        let mut calm = Vec::new();
+        for pair in tops.windows(2) {
+            let inside = |own: &&Point| own.speed > pair[0].speed && own.speed < pair[1].speed;
+            if edges.iter().filter(inside).all(|own| !own.modes.is_stable()) {
+                calm.extend(self.stable_between([pair[0], pair[1]])?);
+            }
+        }
+        let mut all: Vec<&Point> = tops.into_iter().chain(&edges).chain(&calm).collect();
+        all.sort_by(by_speed);
+        let mut found: Vec<Threshold> = Vec::new();
         for own in all.windows(2) {
-            found.extend(self.threshold([own[0], own[1]])?);
+            let Some(own) = self.threshold([own[0], own[1]])? else { continue };
+            let near = |last: &Threshold| own.speed - last.speed <= NOTHING * own.speed.abs();
+            match found.last().is_some_and(near) {
+                true => drop(found.pop()),
+                false => found.push(own),
+            }
         }
         // What was interrupted has beginnings without ends.
         Ok(if (self.goes_on)() { found } else { Vec::new() })
     }
 
-    /// Where two motions meet, if something grows there: a speed at which it does, with those next to the ends of the interval.
-    fn growing(&self, near: &Point, meeting: &Meeting) -> Result<Vec<Point>, Error> {
-        let mut found = Vec::new();
+    /// A speed between two at which something grows where nothing does: the least growth of all, by golden sections.
+    fn stable_between(&self, [a, b]: [&Point; 2]) -> Result<Option<Point>, Error> {
+        let most = |own: &Point| {
+            let modes = &own.modes;
+            let rates =
+                modes.growing.iter().copied().chain(modes.unstable.iter().map(|own| own.re));
+            rates.reduce(f64::max)
+        };
+        if most(a).is_none() || most(b).is_none() {
+            return Ok(None);
+        }
+        let [mut left, mut right] = [a.speed, b.speed];
+        let mut least: Option<(f64, f64)> = None;
+        for _ in 0..BETWEEN.min(tries(a)) {
+            if right - left <= NOTHING * right.abs() {
+                break;
+            }
+            let half = 0.5 * (left + right);
+            let speed = match least {
+                None => half,
+                Some((met, _)) if met < half => met + GOLDEN * (right - met),
+                Some((met, _)) => met - GOLDEN * (met - left),
+            };
+            let Some(point) = self.point(speed, a)? else { return Ok(None) };
+            let Some(growth) = most(&point) else { return Ok(Some(point)) };
+            // The one of both at which more grows becomes an end.
+            let more = match least {
+                None => None,
+                Some((met, own)) if growth < own => Some((met, speed)),
+                Some((met, _)) => Some((speed, met)),
+            };
+            if let Some((more, other)) = more {
+                let end = if more < other { &mut left } else { &mut right };
+                *end = more;
+            }
+            if least.is_none_or(|(_, own)| growth < own) {
+                least = Some((speed, growth));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Where two motions meet, if something grows there: a speed at which it does, and those next to the ends of the interval.
+    fn growing(
+        &self,
+        near: &Point,
+        meeting: &Meeting,
+    ) -> Result<(Option<Point>, Vec<Point>), Error> {
+        let (mut peak, mut found) = (None, Vec::new());
         let [left, right] = &meeting.ends;
         // What grows at one end of the step and not at the other one ends to between them.
         let edges = match (left.grows(), right.grows()) {
@@ -221,16 +132,16 @@ impl Roots<'_> {
             (false, true) => vec![[left.clone(), right.clone()]],
             (false, false) => {
                 let Some((point, inside, ends)) = self.most_growing(near, meeting)? else {
-                    return Ok(found);
+                    return Ok((peak, found));
                 };
-                found.push(point);
+                peak = Some(point);
                 ends.into_iter().map(|outside| [outside, inside.clone()]).collect()
             }
         };
         for edge in edges {
             found.extend(self.edge(near, meeting, edge)?);
         }
-        Ok(found)
+        Ok((peak, found))
     }
 
     /// The two points, as near to each other as thresholds are found, between which two motions end to grow.
@@ -306,7 +217,8 @@ impl Roots<'_> {
                 return Ok(None);
             };
             let is_met = next.off.abs() <= MIDDLE * next.rates_apart();
-            if is_met && next.grows() && !point.modes.is_stable() {
+            let size = next.pair[0].value.norm();
+            if is_met && next.growth > SLOW * size && !point.modes.is_stable() {
                 return Ok(Some((point, next, [left, right])));
             }
             if next.off == 0.0 {
@@ -334,62 +246,4 @@ impl Roots<'_> {
         }
         Ok(None)
     }
-}
-
-/// Modes of two speeds that may be one: of each the most alike of the other speed. Where two motions are locked to each other there
-/// is one more, so that not each has its own.
-fn alike([a, b]: [&Point; 2]) -> Vec<[&Mode; 2]> {
-    let [from, to] = [a, b].map(|own| own.modes.oscillating.as_slice());
-    let moved = apply_all(&a.mass, from.iter().map(|own| own.shape.as_slice()));
-    let cost = |i: usize, j: usize| {
-        let apart = (from[i].value - to[j].value).norm() / from[i].value.norm();
-        1.0 - mac(&moved[i], &to[j].shape) + apart
-    };
-    let best = |costs: &mut dyn Iterator<Item = (f64, [usize; 2])>| {
-        costs.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|own| own.0 < UNLIKE).map(|own| own.1)
-    };
-    let forth =
-        (0..from.len()).filter_map(|i| best(&mut (0..to.len()).map(|j| (cost(i, j), [i, j]))));
-    let back =
-        (0..to.len()).filter_map(|j| best(&mut (0..from.len()).map(|i| (cost(i, j), [i, j]))));
-    let mut all: Vec<[usize; 2]> = forth.chain(back).collect();
-    all.sort_unstable();
-    all.dedup();
-    all.into_iter().map(|[i, j]| [&from[i], &to[j]]).collect()
-}
-
-/// Motions that meet between two speeds of the range and may grow there.
-fn meetings(ends: [&Point; 2]) -> Vec<Meeting> {
-    let both = alike(ends);
-    let harmonics = ends[0].harmonics.or(ends[1].harmonics).unwrap_or(1);
-    let mut orders: Vec<i32> = MULTIPLES.iter().map(|own| own * harmonics).collect();
-    orders.push(2);
-    orders.sort_unstable();
-    orders.dedup();
-    let mut found: Vec<Meeting> = Vec::new();
-    for order in orders.into_iter().map(f64::from) {
-        for (i, one) in both.iter().enumerate() {
-            for (j, other) in both.iter().enumerate().skip(i) {
-                let met = |end: usize| -> Vec<Met> {
-                    let (one, other) = (Taken::all(one[end]), || Taken::all(other[end]));
-                    let same = |a: &Taken, b: &Taken| i != j || a.value == b.value;
-                    let pairs = one.flat_map(|a| other().map(move |b| [a.clone(), b]));
-                    let pairs = pairs.filter(|[a, b]| same(a, b));
-                    pairs.map(|pair| Met::new(ends[end], order, pair)).collect()
-                };
-                let (first, last) = (met(0), met(1));
-                let all = first.iter().flat_map(|a| last.iter().map(|b| [a.clone(), b.clone()]));
-                // One that is locked to itself is two there.
-                let is_one = (0..2).any(|end| std::ptr::eq(one[end], other[end]));
-                let all = all.map(|ends| Meeting { order, is_one, ends });
-                let meets = |own: &Meeting| own.ends[0].off * own.ends[1].off <= 0.0;
-                for own in all.filter(|own| meets(own) && own.may_grow()) {
-                    if found.iter().all(|other| !other.is(&own)) {
-                        found.push(own);
-                    }
-                }
-            }
-        }
-    }
-    found
 }

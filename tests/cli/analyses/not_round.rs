@@ -94,6 +94,17 @@ fn grows(turning: [f64; 2], standing: [f64; 2], damper: f64, speed: f64) -> bool
     exponent > 0.0
 }
 
+/// Standing springs (N/m) below the mass, as lines of a case; none of no stiffness.
+fn support([x, y]: [f64; 2]) -> String {
+    if [x, y] == [0.0; 2] {
+        return String::new();
+    }
+    format!(
+        "[joint.support]\nkind = \"bushing\"\nfirst = {{ body = \"rotor\", sets = \"NODE_2\" }}\n\
+         stiffness = {{ xx = \"{x} N/m\", yy = \"{y} N/m\" }}\n"
+    )
+}
+
 /// A flat shaft on supports of two stiffnesses: it grows where one whirl or the other is as fast as the shaft, and where both together
 /// are twice as fast; all of that lies between two speeds that are 500 rpm apart, or within 100 rpm of one of them.
 #[test]
@@ -105,12 +116,7 @@ fn all_intervals_between_two_speeds_are_found_with_what_is_stable_between_them()
         ([1.0e6, 1.15e6], [0.0, 0.0], 20.0, 1),
     ];
     for (turning, standing, damper, count) in cases {
-        let more = format!(
-            "[joint.support]\nkind = \"bushing\"\nfirst = {{ body = \"rotor\", sets = \"NODE_2\" }}\n\
-             stiffness = {{ xx = \"{} N/m\", yy = \"{} N/m\" }}\n",
-            standing[0], standing[1]
-        );
-        let workbench = shaft(turning, damper, if standing == [0.0; 2] { "" } else { &more });
+        let workbench = shaft(turning, damper, &support(standing));
         for speeds in ["500 rpm .. 9500 rpm, 19", "1000 rpm .. 7000 rpm, 4"] {
             ran(
                 &workbench,
@@ -131,6 +137,33 @@ fn all_intervals_between_two_speeds_are_found_with_what_is_stable_between_them()
                 let own = grows(turning, standing, damper, rpm * TAU / 60.0);
                 assert_eq!(own, inside(rpm), "{turning:?}: {rpm} rpm, {found:?}");
             }
+        }
+    }
+}
+
+/// The first of these shafts over ranges that begin or end within an interval, or next to its end.
+#[test]
+fn intervals_are_found_from_any_ends_of_a_range() {
+    let (turning, standing, damper) = ([1.0e6, 1.15e6], [2.0e5, 4.0e5], 20.0);
+    let workbench = shaft(turning, damper, &support(standing));
+    for (speeds, count) in [
+        ("3400 rpm .. 3670 rpm, 2", 4),
+        ("3000 rpm .. 3721.42 rpm, 2", 6),
+        ("3000 rpm .. 3721.41 rpm, 2", 5),
+        ("3000 rpm .. 3583.02 rpm, 2", 4),
+    ] {
+        ran(
+            &workbench,
+            &["stability", "case.toml", "--speeds", speeds, "--out", "out", "--no-figures"],
+        );
+        let found = numbers(&workbench, "out/stability.thresholds.csv", "speed_rpm");
+        let what = column(&workbench, "out/stability.thresholds.csv", "what");
+        assert_eq!(found.len(), count, "{speeds}: {found:?}");
+        for (rpm, what) in found.iter().zip(&what) {
+            let [below, above] = [1.0 - 1e-5, 1.0 + 1e-5]
+                .map(|share| grows(turning, standing, damper, share * rpm * TAU / 60.0));
+            let begins = what == "unstable above";
+            assert_eq!([below, above], [!begins, begins], "{speeds}: {rpm} rpm");
         }
     }
 }
