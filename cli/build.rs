@@ -20,7 +20,7 @@ fn main() {
         }
     }
     changed("build.rs".to_string());
-    // At a fixed place 92,000 addresses in tables need not be written at every start. Elsewhere the flag may not be known.
+    // At a fixed place the addresses in its tables, some 90,000, need not be written at every start. Elsewhere the flag may not be known.
     let target = |name: &str| std::env::var(format!("CARGO_CFG_TARGET_{name}")).unwrap_or_default();
     if target("OS") == "linux" && target("ENV") == "gnu" {
         println!("cargo::rustc-link-arg-bin=whirl=-no-pie");

@@ -14,6 +14,9 @@ use crate::figures::{Dot, Figure, Label, Line, Mark, Panel, Stroke, Style};
 use crate::report::table;
 use crate::signals::Interruption;
 
+/// Share of the range of speeds by which thresholds that are named in a figure are apart.
+const APART: f64 = 0.1;
+
 /// The least stable mode at each speed.
 pub(super) fn found(
     case: &Case,
@@ -94,7 +97,7 @@ fn figure(
         levels: vec![Mark { x: 0.0, name: String::new() }],
         ..Panel::default()
     };
-    let points: Vec<(f64, f64, bool)> = all
+    let mut points: Vec<(f64, f64, bool)> = all
         .speeds
         .iter()
         .zip(least)
@@ -103,9 +106,13 @@ fn figure(
             Some((words::rpm(*speed), mode.log_decrement(), mode.grows()))
         })
         .collect();
-    // A piece between two speeds is unstable if its end is.
+    // At a threshold nothing decays or grows; intervals may lie between two speeds.
+    let crossed =
+        all.thresholds.iter().map(|own| (words::rpm(own.speed), 0.0, own.grows || own.others));
+    points.extend(crossed);
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
     for piece in points.windows(2) {
-        let [(x, y, _), (u, v, grows)] = [piece[0], piece[1]];
+        let [(x, y, grows), (u, v, _)] = [piece[0], piece[1]];
         let (style, name) = match grows {
             true => (Style::Doubted, "unstable"),
             false => (Style::First, "the least stable mode"),
@@ -118,10 +125,14 @@ fn figure(
             }
         }
     }
+    let length = points.last().zip(points.first()).map_or(0.0, |(last, first)| last.0 - first.0);
     for own in &all.thresholds {
         let at = (words::rpm(own.speed), 0.0);
         panel.dots.push(Dot { at, name: "thresholds".to_owned() });
-        panel.labels.push(Label { at, text: format!("{:.0} rpm", at.0) });
+        // Of several that are close together the first is named.
+        if panel.labels.last().is_none_or(|last| at.0 - last.at.0 > APART * length) {
+            panel.labels.push(Label { at, text: format!("{:.0} rpm", at.0) });
+        }
     }
     Figure { title: format!("{}: least stable mode", case.name), panels: vec![panel], columns: 1 }
 }

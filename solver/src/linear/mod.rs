@@ -20,6 +20,7 @@ mod doubts;
 mod excited;
 mod first_order;
 mod frame;
+mod golden;
 mod hill;
 mod in_space;
 mod limits;

@@ -5,6 +5,7 @@
 //! frequencies stay together over an interval of speeds, and what grows does so most in its middle; if not, they meet once, and
 //! it grows most there. Such intervals may lie between two speeds of a range, several of them, with stable speeds between.
 
+use super::golden::golden_step;
 use super::meeting::{Meeting, Met, meetings};
 use super::points::Point;
 use super::roots::{FOUND, Roots, Threshold, tries};
@@ -22,8 +23,6 @@ const MET: f64 = 1e-7;
 /// Share of the difference of both rates of growth by which their frequencies may be apart where they meet, and share of the interval in
 /// which they stay together to which its middle is found: what grows there does so no faster elsewhere but for 1e-3 of that.
 const MIDDLE: f64 = 0.03;
-/// Share of an interval in which a maximum is looked for next: that of the golden section.
-const GOLDEN: f64 = 0.381_966_011_250_105_1;
 
 impl Roots<'_> {
     /// Where a machine that is not round begins to be unstable or ends to.
@@ -92,27 +91,21 @@ impl Roots<'_> {
             if right - left <= NOTHING * right.abs() {
                 break;
             }
-            let half = 0.5 * (left + right);
             let speed = match least {
-                None => half,
-                Some((met, _)) if met < half => met + GOLDEN * (right - met),
-                Some((met, _)) => met - GOLDEN * (met - left),
+                None => 0.5 * (left + right),
+                Some((met, _)) => met + golden_step([left, met, right]),
             };
             let Some(point) = self.point(speed, a)? else { return Ok(None) };
             let Some(growth) = most(&point) else { return Ok(Some(point)) };
             // The one of both at which more grows becomes an end.
-            let more = match least {
-                None => None,
-                Some((met, own)) if growth < own => Some((met, speed)),
-                Some((met, _)) => Some((speed, met)),
+            let Some(other) = least.replace((speed, growth)) else { continue };
+            let (more, kept) = match growth < other.1 {
+                true => (other, (speed, growth)),
+                false => ((speed, growth), other),
             };
-            if let Some((more, other)) = more {
-                let end = if more < other { &mut left } else { &mut right };
-                *end = more;
-            }
-            if least.is_none_or(|(_, own)| growth < own) {
-                least = Some((speed, growth));
-            }
+            let end = if more.0 < kept.0 { &mut left } else { &mut right };
+            *end = more.0;
+            least = Some(kept);
         }
         Ok(None)
     }
@@ -205,13 +198,13 @@ impl Roots<'_> {
             if width <= MET * right.speed.abs() || middle.is_some() && width <= MIDDLE * known {
                 break;
             }
-            let half = 0.5 * (left.speed + right.speed);
             let speed = match &middle {
                 // Where their frequencies meet if they go straight, and in the middle.
-                None if left.off * right.off == 0.0 || k % 3 == 2 => half,
+                None if left.off * right.off == 0.0 || k % 3 == 2 => {
+                    0.5 * (left.speed + right.speed)
+                }
                 None => left.speed + (left.off / (left.off - right.off)).clamp(0.01, 0.99) * width,
-                Some(met) if met.speed < half => met.speed + GOLDEN * (right.speed - met.speed),
-                Some(met) => met.speed - GOLDEN * (met.speed - left.speed),
+                Some(met) => met.speed + golden_step([left.speed, met.speed, right.speed]),
             };
             let Some((point, next)) = self.met(near, meeting, speed, [&left, &right])? else {
                 return Ok(None);

@@ -1,5 +1,6 @@
 //! Where a response between known speeds is largest, and where it has a value.
 
+use super::super::golden::golden_step;
 use super::over::Over;
 use crate::error::Error;
 
@@ -10,9 +11,6 @@ const OF_BRACKET: f64 = 1e-6;
 const CROSSED: [f64; 2] = [1e-11, 1e-10];
 /// Evaluations of one search at most.
 const TRIES: usize = 80;
-
-/// 1 − 1/golden ratio.
-const GOLDEN: f64 = 0.381_966_011_250_105_1;
 
 /// The maximum between the outer of three speeds of which the middle one has the largest value, by Brent's method on 1/response²,
 /// which beside a resonance is a parabola; none where the machine does not stand in between.
@@ -48,7 +46,7 @@ pub(super) fn maximum(
                 finest.copysign(middle - best.0)
             }
             Some(step) => step,
-            None => GOLDEN * if best.0 < middle { high - best.0 } else { low - best.0 },
+            None => golden_step([low, best.0, high]),
         };
         steps = match parabola {
             Some(_) => [steps[1], step],
