@@ -20,11 +20,6 @@ fn main() {
         }
     }
     changed("build.rs".to_string());
-    // At a fixed place the addresses in its tables, some 90,000, need not be written at every start. Elsewhere the flag may not be known.
-    let target = |name: &str| std::env::var(format!("CARGO_CFG_TARGET_{name}")).unwrap_or_default();
-    if target("OS") == "linux" && target("ENV") == "gnu" {
-        println!("cargo::rustc-link-arg-bin=whirl=-no-pie");
-    }
     let package = env!("CARGO_PKG_VERSION");
     let long =
         if commit.is_empty() { package.to_string() } else { format!("{package} ({commit})") };
