@@ -254,23 +254,37 @@ fn followed(case: &str, more: &[(&str, &str)]) -> (Workbench, Vec<(String, f64)>
     (bench, events)
 }
 
-/// Rub A: contact all around begins at 93.93 rad/s, the motion in contact folds at 287.17 and is unstable back to 109.62, where contact
-/// ends all around and the branch with it, of N = 48 steps a turn, by the closed form with ω̃.
-#[test]
-fn a_rub_is_followed_through_its_fold_to_where_contact_ends() {
-    let case = rub(
-        80.0,
-        0.25e-3,
-        "steps = 48\nvary = \"mass.unbalance.speed = 80 rad/s .. 320 rad/s\"\npoints = 400\n",
+/// Where contact all around begins and ends in rub A with N = 48 steps a turn, by the closed form with ω̃.
+const CORNERS: [f64; 2] = [93.9316738679, 109.6170957619];
+
+/// Rub A from one speed to another, in so many points.
+fn branch_of_rub(ends: [f64; 2], points: usize) -> (Workbench, Vec<(String, f64)>) {
+    let [from, to] = ends;
+    let rest = format!(
+        "steps = 48\nvary = \"mass.unbalance.speed = {from} rad/s .. {to} rad/s\"\npoints = {points}\n"
     );
-    let (bench, events) = followed(&case, &[]);
-    let folds: Vec<f64> = events.iter().filter(|own| own.0 == "fold").map(|own| own.1).collect();
+    followed(&rub(from, 0.25e-3, &rest), &[])
+}
+
+/// The motion in contact folds at 287.17 rad/s and is unstable back to 109.62, where contact ends all around; the motion without contact
+/// goes on from there, up to the end of the range.
+#[test]
+fn a_rub_is_followed_through_its_fold_and_beyond_where_contact_ends() {
+    let (bench, events) = branch_of_rub([80.0, 320.0], 400);
+    let of = |kind: &str| -> Vec<f64> {
+        events.iter().filter(|own| own.0 == kind).map(|own| own.1).collect()
+    };
+    let folds = of("fold");
     assert_eq!(folds.len(), 1, "{events:?}");
     assert!((folds[0] / 287.1673208443 - 1.0).abs() < 1e-8, "{folds:?}");
+    let corners = of("corner");
+    assert_eq!(corners.len(), 2, "{events:?}");
+    for (corner, exact) in corners.iter().zip(CORNERS) {
+        assert!((corner / exact - 1.0).abs() < 1e-5, "{corner} for {exact}");
+    }
     let value = column(&bench, "cycle.csv", "value");
     let most = column(&bench, "cycle.csv", "X1_um.max");
-    let last = value.last().expect("points");
-    assert!((last / 109.6170957619 - 1.0).abs() < 1e-5, "{last}");
+    assert_eq!(value.last(), Some(&320.0));
     let text = std::fs::read_to_string(bench.path("out/cycle.csv")).expect("a table");
     let unstable: Vec<bool> = text.lines().skip(1).map(|line| line.contains("unstable")).collect();
     // What is unstable is in contact, between the corner and the fold.
@@ -283,7 +297,43 @@ fn a_rub_is_followed_through_its_fold_to_where_contact_ends() {
     }
     assert!(count > 20, "{count}");
     let least = value.iter().zip(&unstable).filter(|own| *own.1).map(|own| *own.0);
-    assert!(least.fold(f64::INFINITY, f64::min) < 110.5);
+    assert!(least.fold(f64::INFINITY, f64::min) < 112.0);
+}
+
+/// From any speed below and from above: contact begins where the closed form has it, and the branch goes on in contact.
+#[test]
+fn a_rub_is_followed_into_contact_from_either_side() {
+    for (ends, exact) in
+        [([60.0, 320.0], CORNERS[0]), ([85.0, 110.0], CORNERS[0]), ([320.0, 60.0], CORNERS[1])]
+    {
+        let (bench, events) = branch_of_rub(ends, 90);
+        let corners: Vec<f64> =
+            events.iter().filter(|own| own.0 == "corner").map(|own| own.1).collect();
+        assert_eq!(corners.len(), 1, "{ends:?}: {events:?}");
+        assert!((corners[0] / exact - 1.0).abs() < 1e-5, "{ends:?}: {corners:?} for {exact}");
+        let most = column(&bench, "cycle.csv", "X1_um.max");
+        assert!(most.last().is_some_and(|last| *last > 1001.0), "{ends:?}: {:?}", most.last());
+        let value = column(&bench, "cycle.csv", "value");
+        assert!(value.iter().all(|own| (ends[0].min(ends[1])..=ends[0].max(ends[1])).contains(own)));
+    }
+}
+
+/// The last point is the end of the range, which a key need not outlive: there is no damping below zero. Of an undamped oscillator
+/// nothing but the range ends the branch.
+#[test]
+fn a_branch_ends_at_the_end_of_its_range() {
+    let rest = "steps = 48\nvary = \"mass.damping = 30 N*s/m .. 0 N*s/m\"\n";
+    let (bench, events) = followed(&rub(60.0, 0.05e-3, rest), &[]);
+    let value = column(&bench, "cycle.csv", "value");
+    assert_eq!(value.last(), Some(&0.0));
+    assert!(value.windows(2).all(|own| own[0] > own[1]), "{value:?}");
+    assert!(events.iter().all(|own| own.0 == "second frequency"), "{events:?}");
+    // r = m e Ω²/(k − m Ω²), Ω that of the steps.
+    let omega = 60.0 * (std::f64::consts::PI / 48.0).tan() / (std::f64::consts::PI / 48.0);
+    let exact = 1e6 * 0.05e-3 * omega * omega / (1e4 - omega * omega);
+    let most = column(&bench, "cycle.csv", "X1_um.max");
+    let last = most.last().expect("points");
+    assert!((last / exact - 1.0).abs() < 3e-3, "{last} for {exact}");
 }
 
 /// x″ + 0.05 x′ + x + 0.1 x³ = 0.18 cos Ωt (Krack and Gross, Harmonic Balance for Nonlinear Vibration Problems, 2019, example 01): it

@@ -267,6 +267,10 @@ impl FilmSource {
         };
         let name = self.kernel.origin.name;
         let closed = sides.iter().all(|(side, _)| *side == Side::Closed) && openings.is_empty();
+        // Rows of nodes at open ends hold oil, so that the balance alone shows only where they feed too little.
+        let is_fed = !journal.film.carries_fill()
+            || !openings.is_empty()
+            || sides.iter().any(|(side, _)| matches!(side, Side::Flooded(_)));
         match journal.pressure() {
             _ if !sound => {}
             _ if closed => {
@@ -276,7 +280,7 @@ impl FilmSource {
                 let help = "open an end, flood it, or add an opening";
                 note(&sides[0].1, WrongFilm { what, help: help.to_owned() });
             }
-            Some(pressure) if pressure > 0.0 => {}
+            Some(pressure) if pressure > 0.0 && is_fed => {}
             Some(_) => {
                 let what = format!(
                     "nothing feeds the film `{name}`: its oil leaves at the ends, and it runs dry"

@@ -11,6 +11,7 @@ use super::placed_law::PlacedLaw;
 use super::spin::Spin;
 use super::springs::Springs;
 use super::state::{LawState, SpringState};
+use crate::linalg::{sum_of, widely};
 
 /// Nodes in (0, 1) of Lobatto's rule of five points, exact for polynomials of degree 7, and their weights.
 const NODES: [(f64, f64); 3] = [
@@ -115,6 +116,8 @@ pub(crate) struct WorkAlong {
     /// if they had not turned since: what drives a spin does its work on no coordinate.
     spins: Vec<Option<Spin>>,
     without_spin: Vec<f64>,
+    /// By the springs of a plane: energy made in motions that its law takes, and in the others (J), and |Δh| of a force.
+    by_spring: [Vec<f64>; 3],
     /// Energy made and the work on all springs in the step that was measured last; every bearing has its [`MOTIONS`].
     flows: Vec<Flow>,
 }
@@ -142,6 +145,7 @@ impl WorkAlong {
             memory: LawMemory::for_times(springs, together),
             spins: state.planes.iter().map(|own| own.spin).collect(),
             without_spin: vec![0.0; springs.most(|law| law.bound.kind.rows)],
+            by_spring: std::array::from_fn(|_| vec![0.0; springs.most(|_| 1)]),
             flows: vec![Flow::default(); MOTIONS * springs.bearings],
         }
     }
@@ -274,29 +278,44 @@ impl WorkAlong {
         for plane in &springs.planes[law.planes.clone()] {
             // In motions that the law takes, and in the others.
             let [mut taken, mut others] = [Flow::default(); 2];
-            let mut made_in_all = 0.0;
-            for j in plane.springs.clone() {
-                let [mut made, mut made_in_others] = [0.0; 2];
-                for (k, &force) in law.bound.forces.iter().enumerate() {
-                    let row = law.bound.kind.measures[force];
-                    let measure = row * n + j;
-                    let moved = moved_to[measure] - start.inputs[measure];
-                    let ends = start.forces[force * n + j] + end.forces[force * n + j];
-                    let [along, at_rest] =
-                        [self.along[k * n + j], self.at_rest[k * n + j]].map(|mean| mean * moved);
-                    let is_taken = row < law.bound.kind.inputs.len();
-                    let (made, flow) = match is_taken {
-                        true => (&mut made, &mut taken),
-                        false => (&mut made_in_others, &mut others),
-                    };
-                    *made += 0.5 * ends * moved - along;
+            let count = plane.springs.len();
+            let [made, made_in_others, moved] = &mut self.by_spring;
+            made[..count].fill(0.0);
+            made_in_others[..count].fill(0.0);
+            for (k, &force) in law.bound.forces.iter().enumerate() {
+                let row = law.bound.kind.measures[force];
+                let (made, flow) = match row < law.bound.kind.inputs.len() {
+                    true => (&mut made[..count], &mut taken),
+                    false => (&mut made_in_others[..count], &mut others),
+                };
+                let place = |row: usize| row * n + plane.springs.start..row * n + plane.springs.end;
+                let [from, to] = [&start.inputs, moved_to].map(|own| &own[place(row)]);
+                let ends = [&start.forces, &end.forces].map(|own| &own[place(force)]);
+                let [along, at_rest] = [&self.along, &self.at_rest].map(|own| &own[place(k)]);
+                let moved = &mut moved[..count];
+                widely(|| {
+                    // Of one length, so that no bound is checked on the way.
+                    let [from, to, before, after, along, at_rest] =
+                        [from, to, ends[0], ends[1], along, at_rest].map(|own| &own[..count]);
+                    for j in 0..count {
+                        let way = to[j] - from[j];
+                        let both = before[j] + after[j];
+                        made[j] += 0.5 * both * way - along[j] * way;
+                        moved[j] = if both == 0.0 { 0.0 } else { way.abs() };
+                    }
+                    let along = sum_of(count, |j| along[j] * (to[j] - from[j]));
+                    let at_rest = sum_of(count, |j| at_rest[j] * (to[j] - from[j]));
                     flow.flowed += along;
-                    flow.moved += if ends == 0.0 { 0.0 } else { moved.abs() };
+                    flow.moved += sum_of(count, |j| moved[j]);
                     work.add(along, at_rest);
-                }
-                taken.made += f64::abs(made);
-                made_in_all += f64::abs(made + made_in_others);
+                });
             }
+            let (made, others_made) = (&made[..count], &made_in_others[..count]);
+            let mut made_in_all = 0.0;
+            widely(|| {
+                taken.made = sum_of(count, |j| made[j].abs());
+                made_in_all = sum_of(count, |j| (made[j] + others_made[j]).abs());
+            });
             let all = Flow {
                 made: made_in_all,
                 flowed: taken.flowed + others.flowed,

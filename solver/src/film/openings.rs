@@ -60,6 +60,14 @@ fn wrong<T>(what: impl Into<String>, help: impl Into<String>) -> Result<T, Wrong
 }
 
 impl OilFilm {
+    /// Whether what a node holds depends on its fill, so that oil which leaves must come from somewhere.
+    pub fn carries_fill(&self) -> bool {
+        // Half full and without pressure, in a gap of 1 m: what it holds, and its slopes by pressure, fill and gap.
+        let mut stored = [0.0; 4];
+        (self.kernel.stored)(1, &self.uniform, &[0.0, 0.5, 1.0], &[0, 1, 2], &mut stored);
+        stored[2] != 0.0
+    }
+
     /// A film of this kind all around with open ends and the parameters of its spec.
     ///
     /// # Errors

@@ -9,10 +9,10 @@
 
 use std::ops::ControlFlow;
 
-use super::events::{BranchEvent, between};
+use super::events::{BranchEvent, EventKind, apart, between, corner, oriented};
 use super::family::{At, Family};
 use super::options::{CycleProgress, PeriodicOptions};
-use super::path::{BranchPoint, Node, Path, is_of_motion, norm};
+use super::path::{BranchPoint, Node, Path, norm};
 use super::solve::Observe;
 use crate::error::Error;
 use crate::linalg::dot;
@@ -26,6 +26,16 @@ const FAR: f64 = 10.0;
 /// The least step, of the first one; the longest.
 const LEAST: f64 = 1e-3;
 const LONGEST: f64 = 20.0;
+/// Changes of the parameter with which a motion is looked for beyond a corner, and how far the states lie from it where the search
+/// begins, of the first step.
+const BEYOND: [f64; 5] = [0.1, 0.5, 2.5, 10.0, 40.0];
+/// By how much the derivative of the cycle jumps there at least, and how much of it is left half way.
+const LEAST_JUMP: f64 = 1e-2;
+const JUMPED: f64 = 0.75;
+/// How far the point half way is from the corner at most, of the way.
+const NEARER: f64 = 0.75;
+/// How near to each other two corners are one, of the range.
+const SAME: f64 = 1e-6;
 /// Multipliers beyond this say that nothing is known any more.
 const WILD: f64 = 1e3;
 
@@ -85,7 +95,7 @@ pub fn branch(
 ) -> Result<Branch, Error> {
     let [from, to] = options.range;
     let range = (to - from).abs();
-    let family = Family::new(at, options.first.newton, (from, range), x)?;
+    let family = Family::new(at, options.first.newton, options.range, x)?;
     let mut path = Path { family, size: 1.0, range };
     let y = path.family.weighed(x);
     let first = path.fixed((from, to - from), &y, &options.first, observe)?;
@@ -107,20 +117,22 @@ pub fn branch(
         if observe(&progress) != ControlFlow::Continue(()) {
             break BranchEnd::Interrupted;
         }
-        let (a, b) = (path.u(&before.y, before.value), path.u(&last.y, last.value));
-        let mut secant: Vec<f64> = b.iter().zip(&a).map(|(b, a)| b - a).collect();
-        let length = norm(&secant);
-        secant.iter_mut().for_each(|own| *own /= length);
+        let way = Way::through(&path, [before, last]);
         let next = loop {
-            let predicted: Vec<f64> = b.iter().zip(&secant).map(|(b, s)| b + step * s).collect();
-            if let Some(node) = path.correct(&predicted, &secant)? {
-                let moved: Vec<f64> =
-                    path.u(&node.y, node.value).iter().zip(&b).map(|(a, b)| a - b).collect();
-                let turn = (dot(&moved, &secant) / norm(&moved)).clamp(-1.0, 1.0).acos();
+            let next = stepped(&mut path, last, &way, step, options.range)?;
+            // Near a corner it may be on the way back already. Where branches cross it changes in the least step, too.
+            let goes_on =
+                |node: &Node| Ok::<_, Error>(step <= least || oriented(node)? == oriented(last)?);
+            if let Some((node, is_last)) = next
+                && goes_on(&node)?
+            {
+                let moved = way.moved(&path, &node);
+                let turn = (dot(&moved, &way.secant) / norm(&moved)).clamp(-1.0, 1.0).acos();
                 if turn <= TURN || step <= least && norm(&moved) <= FAR * step {
                     let grown = step * (USUAL / node.corrections as f64).clamp(0.5, 2.0);
                     step = grown.clamp(least, longest);
-                    break Some((node, turn > TURN));
+                    let is_corner = turn > TURN && apart(&node, last) > LEAST_JUMP;
+                    break Some((node, is_last, is_corner));
                 }
             }
             if step <= least {
@@ -128,27 +140,36 @@ pub fn branch(
             }
             step = (0.5 * step).max(least);
         };
-        let (node, corner) = match next {
+        let (node, is_last, is_corner) = match next {
             Some(found) => found,
-            None => match beyond(&mut path, &nodes, (&secant, options.step), &quick, observe)? {
-                Some(node) => {
-                    step = options.step;
-                    (node, true)
-                }
-                None => break BranchEnd::Step,
-            },
+            None => {
+                let ahead = (options.step, options.range);
+                let Some((node, is_last)) = beyond(&mut path, last, &way, ahead)? else {
+                    break BranchEnd::Step;
+                };
+                step = options.step;
+                (node, is_last, true)
+            }
         };
-        let own =
-            if corner { Vec::new() } else { between(&mut path, [last, &node], points.len() - 1)? };
-        events.extend(own);
-        points.push(path.point(&node, corner)?);
+        let after = points.len() - 1;
+        let found = match is_corner {
+            true => vec![corner(&mut path, [last, &node], after)?],
+            false => between(&mut path, [last, &node], after)?,
+        };
+        // A corner that takes two steps is one.
+        let is_same = |own: &BranchEvent| {
+            let near = |other: &BranchEvent| (own.value - other.value).abs() < SAME * range;
+            let at_corner = |own: &&BranchEvent| own.kind == EventKind::Corner;
+            at_corner(&own) && events.last().filter(at_corner).is_some_and(near)
+        };
+        let found: Vec<BranchEvent> = found.into_iter().filter(|own| !is_same(own)).collect();
+        events.extend(found);
+        points.push(path.point(&node, is_corner)?);
         let largest =
             points.last().and_then(|own| own.multipliers.first()).map_or(0.0, |own| own.norm());
         let [_, last] = nodes;
         nodes = [last, node];
-        let (least_value, most_value) = (from.min(to), from.max(to));
-        let value = nodes[1].value;
-        if value < least_value - 1e-9 * range || value > most_value + 1e-9 * range {
+        if is_last {
             break BranchEnd::Range;
         }
         if largest > WILD {
@@ -159,6 +180,65 @@ pub fn branch(
         }
     };
     Ok(Branch { points, events, end, cycles: path.family.cycles })
+}
+
+/// The straight way on from the last of two points.
+struct Way {
+    from: Vec<f64>,
+    /// Of length 1.
+    secant: Vec<f64>,
+}
+
+impl Way {
+    fn through(path: &Path, [before, last]: [&Node; 2]) -> Way {
+        let [before, from] = [before, last].map(|own| path.u(&own.y, own.value));
+        let mut secant: Vec<f64> = from.iter().zip(&before).map(|(b, a)| b - a).collect();
+        let length = norm(&secant);
+        secant.iter_mut().for_each(|own| *own /= length);
+        Way { from, secant }
+    }
+
+    fn at(&self, length: f64) -> Vec<f64> {
+        self.from.iter().zip(&self.secant).map(|(from, s)| from + length * s).collect()
+    }
+
+    /// From the last point to another one.
+    fn moved(&self, path: &Path, node: &Node) -> Vec<f64> {
+        path.u(&node.y, node.value).iter().zip(&self.from).map(|(a, b)| a - b).collect()
+    }
+}
+
+/// The end of the range that a value has passed.
+fn passed(value: f64, [from, to]: [f64; 2]) -> Option<f64> {
+    let (least, most) = (from.min(to), from.max(to));
+    let held = value.clamp(least, most);
+    (held != value).then_some(held)
+}
+
+/// The point after a step, and whether that is at an end of the range: the step then ends there.
+fn stepped(
+    path: &mut Path,
+    last: &Node,
+    way: &Way,
+    step: f64,
+    range: [f64; 2],
+) -> Result<Option<(Node, bool)>, Error> {
+    let predicted = way.at(step);
+    let (_, value) = path.split(&predicted);
+    let mut end = passed(value, range);
+    let mut ahead: Vec<f64> = predicted.iter().zip(&way.from).map(|(a, b)| a - b).collect();
+    if end.is_none() {
+        let Some(node) = path.correct(&predicted, &way.secant)? else { return Ok(None) };
+        end = passed(node.value, range);
+        if end.is_none() {
+            return Ok(Some((node, false)));
+        }
+        ahead = way.moved(path, &node);
+    }
+    let Some(end) = end else { return Ok(None) };
+    let share = (end - last.value) / (ahead.last().expect("the parameter") * path.range);
+    let guess: Vec<f64> = way.from.iter().zip(&ahead).map(|(a, b)| a + share * b).collect();
+    Ok(path.at_value(&guess, (end, end - last.value))?.map(|node| (node, true)))
 }
 
 /// Whether the last step has passed the first point in its direction.
@@ -175,35 +255,36 @@ fn is_closed(path: &Path, first: &BranchPoint, [a, b]: &[Node; 2], points: usize
     (0.0..=1.0).contains(&share) && norm(&off) < 0.1 * norm(&way)
 }
 
-/// A point beyond a corner: at values of the parameter a little ahead or back, from the state that the branch was going to; one that is
-/// near, and not on the way that it came.
+/// A point beyond a corner, and whether it is at an end of the range: at values of the parameter ahead and back, from states that the
+/// branch was going to. The derivative of its cycle has jumped, and half way to it there is another one that is half as far: it lies
+/// on a branch that begins at the corner, and not on that which ends there, nor on a third one.
 fn beyond(
     path: &mut Path,
-    [before, last]: &[Node; 2],
-    (secant, step): (&[f64], f64),
-    options: &PeriodicOptions,
-    observe: Observe,
-) -> Result<Option<Node>, Error> {
-    let (a, b) = (path.u(&before.y, before.value), path.u(&last.y, last.value));
-    let ahead = if secant[secant.len() - 1] < 0.0 { -1.0 } else { 1.0 };
-    for length in [0.05 * step, 0.2 * step] {
+    last: &Node,
+    way: &Way,
+    (step, range): (f64, [f64; 2]),
+) -> Result<Option<(Node, bool)>, Error> {
+    let ahead = if way.secant[way.secant.len() - 1] < 0.0 { -1.0 } else { 1.0 };
+    for change in BEYOND.map(|own| own * step) {
         for direction in [ahead, -ahead] {
-            let value = last.value + direction * length * path.range;
-            let guess: Vec<f64> = b.iter().zip(secant).map(|(b, s)| b + length * s).collect();
-            let (y, _) = path.split(&guess);
-            let node = match path.fixed((value, direction), &y, options, observe) {
-                Ok(node) => node,
-                Err(error) if is_of_motion(&error) => continue,
-                Err(error) => return Err(error),
-            };
-            let u = path.u(&node.y, node.value);
-            let apart = |other: &[f64]| {
-                norm(&u.iter().zip(other).map(|(a, b)| a - b).collect::<Vec<f64>>())
-            };
-            let moved: Vec<f64> = u.iter().zip(&b).map(|(a, b)| a - b).collect();
-            let back = dot(&moved, secant) < -0.5 * norm(&moved);
-            if apart(&b) < 10.0 * length && !back && apart(&a) > 0.1 * length {
-                return Ok(Some(node));
+            let value = last.value + direction * change * (range[1] - range[0]).abs();
+            let end = passed(value, range);
+            let value = end.unwrap_or(value);
+            if value == last.value {
+                continue;
+            }
+            for reach in BEYOND.map(|own| own * step) {
+                let Some(node) = path.at_value(&way.at(reach), (value, direction))? else { continue };
+                let moved = way.moved(path, &node);
+                let middle: Vec<f64> =
+                    way.from.iter().zip(&moved).map(|(from, own)| from + 0.5 * own).collect();
+                let half = (0.5 * (last.value + value), direction);
+                let Some(half) = path.at_value(&middle, half)? else { continue };
+                let [jump, jump_half] = [&node, &half].map(|own| apart(own, last));
+                let has_jumped = jump > LEAST_JUMP && jump_half > JUMPED * jump;
+                if has_jumped && norm(&way.moved(path, &half)) < NEARER * norm(&moved) {
+                    return Ok(Some((node, end.is_some())));
+                }
             }
         }
     }

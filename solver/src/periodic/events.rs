@@ -4,14 +4,21 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
-use super::path::{Node, Path, values};
+use super::path::{Node, Path, norm, values};
 use crate::error::Error;
+use crate::linalg::dot;
 
 /// Divisions of a step at most, and the part of it to which an event is located.
 const DIVISIONS: usize = 40;
 const LOCATED: f64 = 1e-10;
 /// How near to the unit circle a multiplier is where it passes; where none is, they have jumped.
 const PASSES: f64 = 0.01;
+/// How often a corner is approached, and by how much of the way each time.
+const APPROACHES: usize = 12;
+const MOST: f64 = 0.9;
+/// 1 − cos² of tangents that do not meet, and how far from two points they meet at most, of the distance between these.
+const STRAIGHT: f64 = 1e-6;
+const FARTHEST: f64 = 20.0;
 
 /// A change between two points of a branch.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,7 +29,7 @@ pub struct BranchEvent {
     pub value: f64,
     /// x at the start of the cycle there.
     pub state: Vec<f64>,
-    /// The multiplier that is on the unit circle there.
+    /// The multiplier that is on the unit circle there; before a corner the largest one.
     pub multiplier: Complex64,
     /// The place of the point before it.
     pub after: usize,
@@ -54,12 +61,19 @@ fn outside(all: &[Complex64]) -> [usize; 3] {
     counts
 }
 
+/// The sign of det [∂R/∂u; t] but for one that all points have in common: along a branch it changes where another one crosses it, and
+/// neither at folds nor at corners.
+pub(super) fn oriented(node: &Node) -> Result<bool, Error> {
+    let beyond_one = outside(&values(&node.monodromy)?)[0];
+    Ok((node.along() < 0.0) ^ (beyond_one % 2 == 1))
+}
+
 /// What is zero where an event of a kind is.
 fn measure(kind: EventKind, node: &Node) -> Result<f64, Error> {
     let all = values(&node.monodromy)?;
     let product = |at: f64| all.iter().map(|own| own - at).product::<Complex64>().re;
     Ok(match kind {
-        EventKind::Fold | EventKind::Corner => node.along,
+        EventKind::Fold | EventKind::Corner => node.along(),
         EventKind::Crossing => product(1.0),
         EventKind::Doubling => product(-1.0),
         EventKind::Torus => {
@@ -83,7 +97,7 @@ pub(super) fn between(
 ) -> Result<Vec<BranchEvent>, Error> {
     let [before, behind] = [values(&a.monodromy)?, values(&b.monodromy)?].map(|own| outside(&own));
     let mut kinds = Vec::new();
-    if a.along * b.along < 0.0 {
+    if a.along() * b.along() < 0.0 {
         kinds.push(EventKind::Fold);
     } else if before[0].abs_diff(behind[0]) % 2 == 1 {
         kinds.push(EventKind::Crossing);
@@ -140,8 +154,6 @@ fn located(
             break;
         }
     }
-    let Some(node) = best else { return Ok(None) };
-    let all = values(&node.monodromy)?;
     let off = |own: &&Complex64| match kind {
         EventKind::Fold | EventKind::Crossing | EventKind::Corner => (*own - 1.0).norm(),
         EventKind::Doubling => (*own + 1.0).norm(),
@@ -150,15 +162,71 @@ fn located(
             false => f64::INFINITY,
         },
     };
-    let multiplier = all.iter().min_by(|a, b| off(a).total_cmp(&off(b))).copied();
-    let passes = multiplier.is_some_and(|own| off(&&own) < PASSES);
-    Ok(Some(BranchEvent {
-        kind: if passes { kind } else { EventKind::Corner },
-        value: node.value,
-        state: path.family.state(&node.y),
-        multiplier: multiplier.unwrap_or_default(),
+    let located = match best {
+        Some(node) => {
+            let all = values(&node.monodromy)?;
+            let nearest = all.into_iter().min_by(|a, b| off(&a).total_cmp(&off(&b)));
+            nearest.filter(|own| off(&own) < PASSES).map(|multiplier| (node, multiplier))
+        }
+        None => None,
+    };
+    let Some((node, multiplier)) = located else {
+        return corner(path, [a, b], after).map(Some);
+    };
+    let (value, state) = (node.value, path.family.state(&node.y));
+    Ok(Some(BranchEvent { kind, value, state, multiplier, after }))
+}
+
+/// The corner between two points: where the tangents of both meet, again from points that are nearer to it.
+pub(super) fn corner(
+    path: &mut Path,
+    [a, b]: [&Node; 2],
+    after: usize,
+) -> Result<BranchEvent, Error> {
+    let (mut a, mut b) = (a.clone(), b.clone());
+    let mut value = b.value;
+    for _ in 0..APPROACHES {
+        let [from, to] = [&a, &b].map(|own| path.u(&own.y, own.value));
+        let between: Vec<f64> = to.iter().zip(&from).map(|(to, from)| to - from).collect();
+        let alike = dot(&a.tangent, &b.tangent);
+        let [by_a, by_b] = [&a, &b].map(|own| dot(&between, &own.tangent));
+        let turned = 1.0 - alike * alike;
+        if turned < STRAIGHT {
+            break;
+        }
+        let [ahead, back] = [(by_a - alike * by_b) / turned, (alike * by_a - by_b) / turned];
+        value = a.value + ahead * a.along() * path.range;
+        let size = norm(&between);
+        if size < LOCATED || ahead.abs().max(back.abs()) > size * FARTHEST {
+            break;
+        }
+        let near_a = nearer(path, &from, (&a, ahead))?.filter(|own| apart(own, &a) < apart(own, &b));
+        let near_b = nearer(path, &to, (&b, back))?.filter(|own| apart(own, &b) < apart(own, &a));
+        if near_a.is_none() && near_b.is_none() {
+            break;
+        }
+        a = near_a.unwrap_or(a);
+        b = near_b.unwrap_or(b);
+    }
+    Ok(BranchEvent {
+        kind: EventKind::Corner,
+        value,
+        state: path.family.state(&a.y),
+        multiplier: values(&a.monodromy)?.first().copied().unwrap_or_default(),
         after,
-    }))
+    })
+}
+
+/// The point most of the way along a tangent.
+fn nearer(path: &mut Path, u: &[f64], (at, way): (&Node, f64)) -> Result<Option<Node>, Error> {
+    let near: Vec<f64> = u.iter().zip(&at.tangent).map(|(u, t)| u + MOST * way * t).collect();
+    path.correct(&near, &at.tangent)
+}
+
+/// How far the derivatives of two cycles are from each other.
+pub(super) fn apart(a: &Node, b: &Node) -> f64 {
+    let pairs = a.monodromy.data.iter().zip(&b.monodromy.data);
+    pairs.map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
 }
 
 impl BranchEvent {

@@ -22,8 +22,9 @@ pub(super) struct Family<'f> {
     at: At<'f>,
     newton: NewtonOptions,
     metric: Arc<Metric>,
-    /// Change of the parameter for a derivative.
+    /// Change of the parameter for a derivative, and the value beyond which there may be no machine.
     change: f64,
+    most: f64,
     /// Cycles that were marched.
     pub(super) cycles: usize,
 }
@@ -38,20 +39,21 @@ pub(super) struct Evaluated {
 }
 
 impl<'f> Family<'f> {
-    /// Of machines whose parameter has such a range, in the metric of the one at `value` and x.
+    /// Of machines over a range of the parameter, in the metric of the one at its start and x.
     ///
     /// # Errors
     /// As of the machine and its cycle.
     pub(super) fn new(
         at: At<'f>,
         newton: NewtonOptions,
-        (value, range): (f64, f64),
+        [from, to]: [f64; 2],
         x: &[f64],
     ) -> Result<Self, Error> {
-        let (machine, cycle) = at(value)?;
+        let (machine, cycle) = at(from)?;
         let map = CycleMap::new(&machine, cycle, newton)?;
         let metric = Arc::new(Metric::new(&map, x)?);
-        Ok(Family { at, newton, metric, change: CHANGE * range, cycles: 0 })
+        let change = CHANGE * (to - from).abs();
+        Ok(Family { at, newton, metric, change, most: from.max(to), cycles: 0 })
     }
 
     pub(super) fn weighed(&self, x: &[f64]) -> Vec<f64> {
@@ -84,7 +86,8 @@ impl<'f> Family<'f> {
     /// As [`Family::with`].
     pub(super) fn evaluate(&mut self, value: f64, y: &[f64]) -> Result<Evaluated, Error> {
         let (image, monodromy) = self.with(value, |map| map.monodromy(y))?;
-        let change = self.change;
+        // Not beyond the range.
+        let change = if value + self.change > self.most { -self.change } else { self.change };
         let beyond = self.with(value + change, |map| map.apply(y))?;
         let slope = beyond.iter().zip(&image).map(|(a, b)| (a - b) / change).collect();
         let residual = image.iter().zip(y).map(|(a, b)| a - b).collect();

@@ -14,6 +14,23 @@ use crate::linalg::{Lu, Matrix, dot, eigenvalues};
 const CORRECTIONS: usize = 10;
 const FOUND: f64 = 1e-9;
 
+/// The smallest part of a correction that is tried.
+const LEAST_SHARE: f64 = 0.05;
+
+/// A correction of u, as far as it is taken, and the residual before it.
+struct Correction {
+    from: Vec<f64>,
+    way: Vec<f64>,
+    missed: f64,
+    share: f64,
+}
+
+impl Correction {
+    fn reached(&self) -> Vec<f64> {
+        self.from.iter().zip(&self.way).map(|(from, way)| from - self.share * way).collect()
+    }
+}
+
 /// A point of a branch.
 #[derive(Debug, Clone)]
 pub struct BranchPoint {
@@ -41,8 +58,8 @@ pub(super) struct Node {
     pub(super) y: Vec<f64>,
     pub(super) value: f64,
     pub(super) monodromy: Matrix,
-    /// λ/Λ along the branch, over its length.
-    pub(super) along: f64,
+    /// Along the branch there, of length 1, in u; not against the way in which it was looked for.
+    pub(super) tangent: Vec<f64>,
     pub(super) corrections: usize,
 }
 
@@ -52,6 +69,13 @@ pub(super) struct Path<'f> {
     /// Y and Λ.
     pub(super) size: f64,
     pub(super) range: f64,
+}
+
+impl Node {
+    /// λ/Λ along the branch, over its length.
+    pub(super) fn along(&self) -> f64 {
+        self.tangent[self.tangent.len() - 1]
+    }
 }
 
 impl Path<'_> {
@@ -65,15 +89,17 @@ impl Path<'_> {
         (rest.iter().map(|own| own * self.size).collect(), last * self.range)
     }
 
-    /// The point in the plane through `from` normal to `normal`; none where Newton's method does not come to it.
+    /// The point in the plane through `from` normal to `normal`; none where Newton's method does not come to it. A correction
+    /// that makes the residual larger is halved: between the two sides of a contact whole ones go to and fro for ever.
     ///
     /// # Errors
     /// A machine that cannot be made.
     pub(super) fn correct(&mut self, from: &[f64], normal: &[f64]) -> Result<Option<Node>, Error> {
         let mut u = from.to_vec();
         let n = u.len() - 1;
-        let mut last = f64::INFINITY;
-        for corrections in 1..=CORRECTIONS {
+        let (mut corrections, mut halvings) = (0, 0);
+        let mut before: Option<Correction> = None;
+        while corrections < CORRECTIONS {
             let (y, value) = self.split(&u);
             let found = match self.family.evaluate(value, &y) {
                 Ok(found) => found,
@@ -90,41 +116,82 @@ impl Path<'_> {
             if lu.factor(&bordered.data).is_err() {
                 return Ok(None);
             }
-            let mut right: Vec<f64> = found.residual.iter().map(|own| own / self.size).collect();
-            right.push(u.iter().zip(from).zip(normal).map(|((u, from), n)| (u - from) * n).sum());
-            lu.solve_in_place(&mut right);
-            let length = norm(&right);
-            u.iter_mut().zip(&right).for_each(|(u, own)| *u -= own);
-            if !(length.is_finite()) || length > 4.0 * last.max(1e-6) {
+            let mut way: Vec<f64> = found.residual.iter().map(|own| own / self.size).collect();
+            let missed = norm(&way);
+            way.push(u.iter().zip(from).zip(normal).map(|((u, from), n)| (u - from) * n).sum());
+            lu.solve_in_place(&mut way);
+            let length = norm(&way);
+            if !length.is_finite() {
                 return Ok(None);
             }
             // The correction after one of this size is below rounding, as convergence is quadratic; kinks want another one.
             if length < FOUND {
+                u.iter_mut().zip(&way).for_each(|(u, own)| *u -= own);
                 let mut tangent = vec![0.0; n + 1];
                 tangent[n] = 1.0;
                 lu.solve_in_place(&mut tangent);
-                let along = tangent[n] / norm(&tangent);
+                let length = norm(&tangent);
+                tangent.iter_mut().for_each(|own| *own /= length);
                 let (y, value) = self.split(&u);
                 let monodromy = found.monodromy;
-                return Ok(Some(Node { y, value, monodromy, along, corrections }));
+                let corrections = corrections + halvings + 1;
+                return Ok(Some(Node { y, value, monodromy, tangent, corrections }));
             }
-            last = length;
+            let last = match before.take() {
+                Some(mut last) if missed > last.missed && last.share > LEAST_SHARE => {
+                    last.share *= 0.5;
+                    halvings += 1;
+                    u = last.reached();
+                    before = Some(last);
+                    continue;
+                }
+                last => last.map_or(1e-6, |own| norm(&own.way).max(1e-6)),
+            };
+            if length > 4.0 * last && corrections > 0 {
+                return Ok(None);
+            }
+            corrections += 1;
+            let correction = Correction { from: u, way, missed, share: 1.0 };
+            u = correction.reached();
+            before = Some(correction);
         }
         Ok(None)
+    }
+
+    /// The point at a value to which the parameter goes up or down, looked for from the state of another one; none where Newton's
+    /// method does not come to it.
+    ///
+    /// # Errors
+    /// As [`Path::correct`].
+    pub(super) fn at_value(
+        &mut self,
+        from: &[f64],
+        (value, direction): (f64, f64),
+    ) -> Result<Option<Node>, Error> {
+        let mut from = from.to_vec();
+        let mut normal = vec![0.0; from.len()];
+        let last = from.len() - 1;
+        (from[last], normal[last]) = (value / self.range, direction.signum());
+        Ok(self.correct(&from, &normal)?.map(|node| Node { value, ..node }))
     }
 
     /// The motion near y at a value, to which the parameter goes up or down.
     pub(super) fn fixed(
         &mut self,
-        (value, along): (f64, f64),
+        (value, direction): (f64, f64),
         y: &[f64],
         options: &PeriodicOptions,
         observe: Observe,
     ) -> Result<Node, Error> {
-        let solved =
-            self.family.with(value, |map| Ok(solve(map, y.to_vec(), options, observe)?.y))?;
-        let monodromy = self.family.with(value, |map| map.monodromy(&solved))?.1;
-        Ok(Node { y: solved, value, monodromy, along: along.signum(), corrections: 0 })
+        let y = self.family.with(value, |map| Ok(solve(map, y.to_vec(), options, observe)?.y))?;
+        if let Some(node) = self.at_value(&self.u(&y, value), (value, direction))? {
+            return Ok(node);
+        }
+        // Where Newton's method sees no more than rounding of it.
+        let monodromy = self.family.with(value, |map| map.monodromy(&y))?.1;
+        let mut tangent = vec![0.0; y.len() + 1];
+        tangent[y.len()] = direction.signum();
+        Ok(Node { y, value, monodromy, tangent, corrections: 0 })
     }
 
     pub(super) fn point(&mut self, node: &Node, corner: bool) -> Result<BranchPoint, Error> {

@@ -208,9 +208,6 @@ impl Followed<'_> {
                 };
                 lines.push(vec![self.shown(own.value), beside, String::new()]);
             }
-            if point.corner {
-                lines.push(vec![self.shown(point.value), "corner".to_owned(), String::new()]);
-            }
             if before != Some(said) || place + 1 == points.len() {
                 let size = point.multipliers.first().map_or(0.0, |own| own.norm());
                 lines.push(vec![

@@ -27,15 +27,19 @@ struct RowBounds {
 
 impl RowBounds {
     fn of(equations: &Equations, state: &State, predicted: &State) -> Self {
-        let norm = |x: &[f64]| match sum_of(x.len(), |i| x[i] * x[i]).sqrt() {
-            tiny if tiny < UNSQUARED => largest_and_sum(x.len(), |i| x[i]).1,
-            norm => norm,
+        let norm = |x: &[f64]| {
+            let mut squares = 0.0;
+            widely(|| squares = sum_of(x.len(), |i| x[i] * x[i]));
+            match squares.sqrt() {
+                tiny if tiny < UNSQUARED => largest_and_sum(x.len(), |i| x[i]).1,
+                norm => norm,
+            }
         };
         let forces = &equations.springs.forces;
-        RowBounds {
-            force: largest_and_sum(forces.len(), |j| forces[j]).0,
-            state: [norm(&state.a) + norm(&predicted.a), norm(&state.v), norm(&state.q)],
-        }
+        let mut force = 0.0;
+        widely(|| force = largest_and_sum(forces.len(), |j| forces[j]).0);
+        let state = [norm(&state.a) + norm(&predicted.a), norm(&state.v), norm(&state.q)];
+        RowBounds { force, state }
     }
 
     /// Twice what they can add to the bound of row `i`; of the row of θ nothing is known.
@@ -218,21 +222,21 @@ impl Equations<'_> {
         let column = body.column(owner.coordinate.map_or(0, |row| 1 + row));
         let flexible = body.place.flexible.clone();
         let accelerations = &self.accelerations[flexible.clone()];
+        let (q, v) = (&state.q[flexible.clone()], &state.v[flexible]);
         sum += column[0].abs() * self.accelerations[body.theta()];
-        sum += sum_of(accelerations.len(), |j| column[1 + j].abs() * accelerations[j]);
-        if let Some(row) = owner.coordinate {
-            let (q, v) = (&state.q[flexible.clone()], &state.v[flexible]);
-            let elastic = body.shaft.stiffness.col(row);
-            sum += sum_of(q.len(), |j| (elastic[j] * q[j]).abs());
+        widely(|| {
+            let n = accelerations.len();
+            // Of one length, so that no bound is checked on the way.
+            let (column, q, v) = (&column[1..][..n], &q[..n], &v[..n]);
+            sum += sum_of(n, |j| column[j].abs() * accelerations[j]);
+            let Some(row) = owner.coordinate else { return };
+            let elastic = &body.shaft.stiffness.col(row)[..n];
+            sum += sum_of(n, |j| (elastic[j] * q[j]).abs());
             sum += match body.proportional {
-                Some(factor) => factor.abs() * sum_of(v.len(), |j| (elastic[j] * v[j]).abs()),
-                None => v
-                    .iter()
-                    .enumerate()
-                    .map(|(j, v)| (body.shaft.damping[(row, j)] * v).abs())
-                    .sum(),
+                Some(factor) => factor.abs() * sum_of(n, |j| (elastic[j] * v[j]).abs()),
+                None => sum_of(n, |j| (body.shaft.damping[(row, j)] * v[j]).abs()),
             };
-        }
+        });
         (largest, sum)
     }
 }

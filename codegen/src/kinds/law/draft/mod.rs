@@ -103,7 +103,12 @@ fn draft<'d>(
     let inputs = names.named(root.table("inputs"), |entry, key, name| {
         variable(entry, key, name, Acts::inputs, "an input")
     });
-    let states = names.named(root.optional_table("states"), state::read);
+    let table_of_states = root.optional_table("states");
+    let declared: Vec<String> = table_of_states.as_ref().map_or(Vec::new(), |table| {
+        let keys = table.names().into_iter();
+        keys.filter_map(|key| crate::formula::name(key.text()).ok()).collect()
+    });
+    let states = names.named(table_of_states, state::read);
     let parameters = names.named(root.optional_table("parameters"), parameter);
     let tables = names.all(root.optional_table("tables"), |entry, key, name| {
         let table = table::read(&entry, key, name, beside);
@@ -129,7 +134,7 @@ fn draft<'d>(
     let mut outputs = names.named(table_of_outputs, output::read);
     let acts = acts(document, &inputs, &outputs);
     let is_free = |name: &str| !names.taken.contains_key(name);
-    outputs.extend(state::rates(root.optional_table("rates"), &states, is_free, &root));
+    outputs.extend(state::rates(root.optional_table("rates"), (&states, &declared), is_free, &root));
     let stored = root.optional_string("stored").and_then(|text| parse(document, &text));
     // Nothing refers to measures, so that one may have the name of an input. The ends of tables are measures, too.
     let taken = tables.iter().map(|table: &TableDraft| (table.name.clone(), table.key.span()));

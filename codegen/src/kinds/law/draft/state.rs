@@ -55,17 +55,18 @@ pub(super) fn read(table: &Table<'_>, key: &Located, name: String) -> Option<Sta
     Some(StateDraft { variable, start: start? })
 }
 
-/// Reads the formulas of the rates: one for every state, as outputs that are called `NAME_dot`.
+/// Reads the formulas of the rates: one for every state, as outputs that are called `NAME_dot`. `declared`: all states that have a
+/// section, with those that could not be read.
 pub(super) fn rates(
     table: Option<Table<'_>>,
-    states: &[StateDraft],
+    (states, declared): (&[StateDraft], &[String]),
     is_free: impl Fn(&str) -> bool,
     root: &Table<'_>,
 ) -> Vec<Output> {
     let mut formulas: BTreeMap<String, Formula> = BTreeMap::new();
     let mut named: Vec<String> = Vec::new();
     if let Some(table) = table {
-        let known: Vec<&str> = states.iter().map(|own| own.variable.name.as_str()).collect();
+        let known: Vec<&str> = declared.iter().map(String::as_str).collect();
         for key in table.names() {
             let name = crate::formula::name(key.text()).unwrap_or_else(|_| key.text().to_owned());
             let text = table.string(key.text());
