@@ -114,11 +114,21 @@ impl Load {
 
     /// The factor on the amplitude; `released` once the target speed was reached.
     pub(crate) fn factor(&self, at: &Instant, released: bool) -> f64 {
-        let factor = self.time_function.factor(at, self.body, released);
+        let factor = self.time_function.factor(at, || self.speed(at), released);
         match self.onset {
             Onset::Start => factor,
             onset => onset.factor(at) * factor,
         }
+    }
+
+    /// The speed of that on which it acts (rad/s): θ̇ + Ψ_z η̇ of a couple, so that what it takes of a section's turns is what it works on.
+    fn speed(&self, at: &Instant) -> f64 {
+        let own = &at.places[self.body];
+        let theta = own.rotation.map_or(0.0, |theta| at.v[theta]);
+        let Action::Couple { turn, .. } = &self.action else { return theta };
+        let about_z = turn.data.as_chunks::<3>().0.iter().map(|turn| turn[2]);
+        theta
+            + about_z.zip(&at.v[own.flexible.clone()]).map(|(turn, rate)| turn * rate).sum::<f64>()
     }
 
     /// Whether its direction turns with its body: one fixed to that, but for a couple about the axis.
@@ -169,9 +179,9 @@ impl Load {
     /// By how much the factor would change if the angle or the speed that it follows were none, to the first order: rounding of
     /// what it follows leaves it unknown by ε times that.
     pub(crate) fn followed(&self, at: &Instant) -> f64 {
-        let followed = match self.time_function.slope(at, self.body) {
+        let followed = match self.time_function.slope(at, || self.speed(at)) {
             Some(Slope::Angle(place, by)) => by * at.q[place],
-            Some(Slope::Speed(place, by)) => by * at.v[place],
+            Some(Slope::Speed(by)) => by * self.speed(at),
             None => 0.0,
         };
         self.onset.factor(at) * followed
@@ -223,14 +233,22 @@ impl Load {
         matrix: &mut [f64],
     ) {
         let (own, rows, q) = (&at.places[self.body], at.q.len(), at.q);
-        if let Some(slope) = self.time_function.slope(at, self.body) {
-            let (column, by) = match slope {
-                Slope::Angle(place, by) => (place, by),
-                Slope::Speed(place, by) => (place, a1 * by),
-            };
-            let column = &mut matrix[column * rows..(column + 1) * rows];
-            let by = (amplitude, -by * self.onset.factor(at));
-            self.add_force(by, position, q, own, column);
+        let onset = self.onset.factor(at);
+        let mut add_column = |place: usize, by: f64| {
+            let column = &mut matrix[place * rows..(place + 1) * rows];
+            self.add_force((amplitude, -by * onset), position, q, own, column);
+        };
+        match self.time_function.slope(at, || self.speed(at)) {
+            Some(Slope::Angle(place, by)) => add_column(place, by),
+            Some(Slope::Speed(by)) => {
+                own.rotation.into_iter().for_each(|theta| add_column(theta, a1 * by));
+                if let Action::Couple { turn, .. } = &self.action {
+                    let about_z = turn.data.as_chunks::<3>().0.iter().map(|turn| turn[2]);
+                    let columns = own.flexible.clone().zip(about_z);
+                    columns.for_each(|(place, turn)| add_column(place, a1 * by * turn));
+                }
+            }
+            None => {}
         }
         let factor = self.factor(at, released);
         let Some(theta) = own.rotation.filter(|_| factor != 0.0) else { return };

@@ -35,7 +35,8 @@ pub enum TimeFunction {
         /// Values over θ.
         curve: Arc<Curve>,
     },
-    /// A curve over θ̇ (rad/s) of the body on which the load acts.
+    /// A curve over the speed (rad/s) of that on which the load acts: θ̇ of its body, and of a couple what its section turns beside
+    /// that.
     OverSpeed(Arc<Curve>),
     /// Constant until θ̇ is at the target or beyond it; zero from then on.
     UntilSpeed(Target),
@@ -97,8 +98,8 @@ impl Instant<'_> {
 pub(crate) enum Slope {
     /// By the θ at this place of q (1/rad).
     Angle(usize, f64),
-    /// By its rate (s/rad).
-    Speed(usize, f64),
+    /// By the speed of that on which the load acts (s/rad).
+    Speed(f64),
 }
 
 impl Onset {
@@ -144,8 +145,8 @@ impl TimeFunction {
         }
     }
 
-    /// The factor on the amplitude of a load on `body`; `released` once the target speed was reached.
-    pub(crate) fn factor(&self, at: &Instant, body: usize, released: bool) -> f64 {
+    /// The factor on the amplitude of a load on what turns at a speed; `released` once the target speed was reached.
+    pub(crate) fn factor(&self, at: &Instant, speed: impl FnOnce() -> f64, released: bool) -> f64 {
         match self {
             TimeFunction::Constant => 1.0,
             TimeFunction::Sine { frequency, phase } => {
@@ -160,14 +161,12 @@ impl TimeFunction {
             TimeFunction::OverAngle { body, curve } => {
                 curve.value(at.angle(*body).map_or(0.0, |(_, theta)| theta))
             }
-            TimeFunction::OverSpeed(curve) => {
-                curve.value(at.angle(body).map_or(0.0, |(place, _)| at.v[place]))
-            }
+            TimeFunction::OverSpeed(curve) => curve.value(speed()),
         }
     }
 
     /// Its derivative by what moves.
-    pub(crate) fn slope(&self, at: &Instant, body: usize) -> Option<Slope> {
+    pub(crate) fn slope(&self, at: &Instant, speed: impl FnOnce() -> f64) -> Option<Slope> {
         match self {
             TimeFunction::Order { body, order, phase } => {
                 let (place, theta) = at.angle(*body)?;
@@ -177,10 +176,7 @@ impl TimeFunction {
                 let (place, theta) = at.angle(*body)?;
                 Some(Slope::Angle(place, curve.slope(theta)))
             }
-            TimeFunction::OverSpeed(curve) => {
-                let (place, _) = at.angle(body)?;
-                Some(Slope::Speed(place, curve.slope(at.v[place])))
-            }
+            TimeFunction::OverSpeed(curve) => Some(Slope::Speed(curve.slope(speed()))),
             TimeFunction::Constant
             | TimeFunction::Sine { .. }
             | TimeFunction::OverTime(_)

@@ -420,6 +420,28 @@ fn films_are_refused_where_they_cannot_be() {
     );
 }
 
+/// Oil that leaves at open ends must come from somewhere, whether the film closes around the bore or not; without a fill it may.
+#[test]
+fn films_that_carry_a_fill_are_fed() {
+    let opening = "opening.hole = { angle = \"90 deg\", width = \"6 mm\", length = \"8 mm\", pressure = \"2 bar\" }\n";
+    for (law, film, status) in [
+        ("jfo", "", 2),
+        ("jfo", "left = \"open\"\nright = \"closed\"\n", 2),
+        ("jfo", "left = \"0.5 bar\"\n", 0),
+        ("jfo", opening, 0),
+        ("reynolds", "", 0),
+    ] {
+        let joint = format!("law = \"{law}\"\nlength = \"25 mm\"\n[joint.b.film]\n{film}");
+        let bench =
+            Workbench::new().file("case.toml", &rotor((25.0, &joint), [-500.0, 0.0], OUTPUT));
+        let outcome = bench.whirl(&["check", "case.toml"]);
+        assert_eq!(outcome.status, status, "{law}, {film}: {}{}", outcome.stdout, outcome.stderr);
+        let says =
+            outcome.stderr.contains("nothing feeds the film `jfo`: its oil leaves at the ends");
+        assert_eq!(says, status == 2, "{law}, {film}: {}", outcome.stderr);
+    }
+}
+
 /// The machine of docs/films.md runs as the page has it.
 #[test]
 fn the_rotor_of_the_page_on_films_is_marched_and_linearised() {

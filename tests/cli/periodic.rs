@@ -314,7 +314,9 @@ fn a_rub_is_followed_into_contact_from_either_side() {
         let most = column(&bench, "cycle.csv", "X1_um.max");
         assert!(most.last().is_some_and(|last| *last > 1001.0), "{ends:?}: {:?}", most.last());
         let value = column(&bench, "cycle.csv", "value");
-        assert!(value.iter().all(|own| (ends[0].min(ends[1])..=ends[0].max(ends[1])).contains(own)));
+        assert!(
+            value.iter().all(|own| (ends[0].min(ends[1])..=ends[0].max(ends[1])).contains(own))
+        );
     }
 }
 

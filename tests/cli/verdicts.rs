@@ -130,6 +130,31 @@ fn a_resonance_that_still_grows_is_not_steady() {
     }
 }
 
+/// A body near its resonance that no joint sees: its own motion tells that it still changes.
+#[test]
+fn a_body_without_joints_is_steady_when_its_motion_is() {
+    let case = "title = \"m\"\n[body.m]\nturns = \"no\"\nmass = \"1 kg\"\n\
+                stiffness = { x = \"98696 N/m\", y = \"1e5 N/m\" }\ndamping = { x = \"3 N*s/m\", y = \"3 N*s/m\" }\n\
+                [loads.p]\nbody = \"m\"\nforce = \"1 N\"\nfrequency = \"51 Hz\"\n\
+                [output.p]\nquantity = \"displacement\"\nbody = \"m\"\n\
+                [march]\ntime_step = \"1e-4 s\"\nduration = \"40 s\"\nstop_when_steady = true\n";
+    let bench = Workbench::new().file("case.toml", case);
+    let outcome = bench.whirl(&["run", "case.toml", "--no-figures"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    let history = bench.history("results/case");
+    let (time, moved) = (history.column("t_s"), history.column("x_p_um"));
+    // 51 Hz of 1e-4 s, and what the trapezoidal rule makes of it.
+    let omega = 2e4 * (51.0 * std::f64::consts::PI * 1e-4).tan();
+    let exact = 1e6 / (98696.0 - omega * omega).hypot(3.0 * omega);
+    let last = moved[moved.len() - 200..].iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    assert!((last / exact - 1.0).abs() < 0.02, "{last} for {exact}");
+    // e^{−1.5 t} is 1 % after 3 s.
+    let end = time.last().copied().unwrap_or(0.0);
+    assert!((2.0..10.0).contains(&end), "{end}");
+    let left = bench.summary("results/case")["steady_state"]["left"].as_f64().expect("left");
+    assert!(left > 0.0 && left < 0.01, "{left}");
+}
+
 /// A ring of 10 mg on a bushing that would stop it in a nanosecond, pushed by 10 N: the bushing carries 10 N, and Newmark's method
 /// swings about that for ever.
 #[test]

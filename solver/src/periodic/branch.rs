@@ -32,7 +32,8 @@ const BEYOND: [f64; 5] = [0.1, 0.5, 2.5, 10.0, 40.0];
 /// By how much the derivative of the cycle jumps there at least, and how much of it is left half way.
 const LEAST_JUMP: f64 = 1e-2;
 const JUMPED: f64 = 0.75;
-/// How far the point half way is from the corner at most, of the way.
+/// How often the way back to the corner is halved, and how far the last point is from it at most, of the first one.
+const HALVINGS: usize = 6;
 const NEARER: f64 = 0.75;
 /// How near to each other two corners are one, of the range.
 const SAME: f64 = 1e-6;
@@ -144,11 +145,11 @@ pub fn branch(
             Some(found) => found,
             None => {
                 let ahead = (options.step, options.range);
-                let Some((node, is_last)) = beyond(&mut path, last, &way, ahead)? else {
+                let Some(node) = beyond(&mut path, last, &way, ahead)? else {
                     break BranchEnd::Step;
                 };
                 step = options.step;
-                (node, is_last, true)
+                (node, false, true)
             }
         };
         let after = points.len() - 1;
@@ -255,38 +256,57 @@ fn is_closed(path: &Path, first: &BranchPoint, [a, b]: &[Node; 2], points: usize
     (0.0..=1.0).contains(&share) && norm(&off) < 0.1 * norm(&way)
 }
 
-/// A point beyond a corner, and whether it is at an end of the range: at values of the parameter ahead and back, from states that the
-/// branch was going to. The derivative of its cycle has jumped, and half way to it there is another one that is half as far: it lies
-/// on a branch that begins at the corner, and not on that which ends there, nor on a third one.
+/// A point beyond a corner: at values of the parameter ahead and back, from states that the
+/// branch was going to. The derivative of its cycle has jumped, and half way to it there are others that are nearer: it lies on a branch
+/// that begins at the corner, and not on that which ends there, nor on a third one.
 fn beyond(
     path: &mut Path,
     last: &Node,
     way: &Way,
     (step, range): (f64, [f64; 2]),
-) -> Result<Option<(Node, bool)>, Error> {
+) -> Result<Option<Node>, Error> {
     let ahead = if way.secant[way.secant.len() - 1] < 0.0 { -1.0 } else { 1.0 };
     for change in BEYOND.map(|own| own * step) {
         for direction in [ahead, -ahead] {
             let value = last.value + direction * change * (range[1] - range[0]).abs();
-            let end = passed(value, range);
-            let value = end.unwrap_or(value);
+            let value = passed(value, range).unwrap_or(value);
             if value == last.value {
                 continue;
             }
             for reach in BEYOND.map(|own| own * step) {
-                let Some(node) = path.at_value(&way.at(reach), (value, direction))? else { continue };
-                let moved = way.moved(path, &node);
-                let middle: Vec<f64> =
-                    way.from.iter().zip(&moved).map(|(from, own)| from + 0.5 * own).collect();
-                let half = (0.5 * (last.value + value), direction);
-                let Some(half) = path.at_value(&middle, half)? else { continue };
-                let [jump, jump_half] = [&node, &half].map(|own| apart(own, last));
-                let has_jumped = jump > LEAST_JUMP && jump_half > JUMPED * jump;
-                if has_jumped && norm(&way.moved(path, &half)) < NEARER * norm(&moved) {
-                    return Ok(Some((node, end.is_some())));
+                let Some(node) = path.at_value(&way.at(reach), (value, direction))? else {
+                    continue;
+                };
+                if let Some(node) = out_of_corner(path, last, way, (node, direction))? {
+                    return Ok(Some(node));
                 }
             }
         }
     }
     Ok(None)
+}
+
+/// A point nearer to a corner on the branch of one, if that branch begins at the corner.
+fn out_of_corner(
+    path: &mut Path,
+    last: &Node,
+    way: &Way,
+    (mut node, direction): (Node, f64),
+) -> Result<Option<Node>, Error> {
+    let jump = apart(&node, last);
+    let mut moved = way.moved(path, &node);
+    let far = norm(&moved);
+    for _ in 0..HALVINGS {
+        let middle: Vec<f64> =
+            way.from.iter().zip(&moved).map(|(from, own)| from + 0.5 * own).collect();
+        let value = 0.5 * (last.value + node.value);
+        let Some(half) = path.at_value(&middle, (value, direction))? else { break };
+        let nearer = way.moved(path, &half);
+        if apart(&half, last) < JUMPED * jump || norm(&nearer) > norm(&moved) {
+            break;
+        }
+        (node, moved) = (half, nearer);
+    }
+    let begins_there = jump > LEAST_JUMP && norm(&moved) < NEARER * far;
+    Ok(begins_there.then_some(node))
 }

@@ -200,7 +200,8 @@ pub(super) fn corner(
         if size < LOCATED || ahead.abs().max(back.abs()) > size * FARTHEST {
             break;
         }
-        let near_a = nearer(path, &from, (&a, ahead))?.filter(|own| apart(own, &a) < apart(own, &b));
+        let near_a =
+            nearer(path, &from, (&a, ahead))?.filter(|own| apart(own, &a) < apart(own, &b));
         let near_b = nearer(path, &to, (&b, back))?.filter(|own| apart(own, &b) < apart(own, &a));
         if near_a.is_none() && near_b.is_none() {
             break;

@@ -76,3 +76,62 @@ fn bodies_of_a_train_keep_their_ratios_whichever_is_asked_for() {
         }
     }
 }
+
+/// Two discs on a thin shaft, and a motor's curve that falls by 1 N·m per rad/s on the section of the small one: the couple follows the
+/// speed of that section, and damps the torsion as the same couple does that a law makes of the journal's speed there. Of two discs on
+/// a spring, 2ζ/ω of the mode follows from s³ I₁I₂ + s² c I₂ + s k (I₁ + I₂) + c k = 0, with the inertias and the frequency of the
+/// modes without it.
+#[test]
+fn the_curve_of_a_motor_follows_the_speed_of_its_section() {
+    let case = |drive: &str| {
+        format!(
+            "title = \"two discs\"\n[material.steel]\nyoungs_modulus = \"200 GPa\"\npoissons_ratio = 0.3\n\
+             density = \"7860 kg/m^3\"\n[body.r]\nturns = \"free\"\ninitial_speed = \"3000 rpm\"\nmaterial = \"steel\"\n\
+             modes = 12\ndamping = \"0 s\"\naxial_restraint = \"JOURNAL1_MIDDLE\"\n\
+             disc.a = {{ mass = \"2 kg\", polar_inertia = \"0.01 kg*m^2\", transverse_inertia = \"0.006 kg*m^2\", z = \"20 mm\" }}\n\
+             disc.b = {{ mass = \"8 kg\", polar_inertia = \"0.1 kg*m^2\", transverse_inertia = \"0.06 kg*m^2\", z = \"480 mm\" }}\n\
+             [body.r.dimensions]\nlength = \"500 mm\"\ndiameter = \"16 mm\"\nsupports = [\"100 mm\", \"400 mm\"]\n\
+             support_length = \"16 mm\"\n[body.r.sets.AA]\nradius = \"8 mm\"\nz = [\"15 mm\", \"25 mm\"]\n\
+             [joint.n]\nkind = \"bushing\"\nfirst = {{ body = \"r\", sets = \"JOURNAL1_MIDDLE\" }}\n\
+             stiffness = {{ xx = \"1e7 N/m\", yy = \"1e7 N/m\" }}\n\
+             [joint.f]\nkind = \"bushing\"\nfirst = {{ body = \"r\", sets = \"JOURNAL2_MIDDLE\" }}\n\
+             stiffness = {{ xx = \"1e7 N/m\", yy = \"1e7 N/m\" }}\n{drive}"
+        )
+    };
+    let motor = "[drives.m]\nbody = \"r\"\nsection = \"AA\"\ntable = \"motor.csv\"\n";
+    let bench = Workbench::new()
+        .file("without.toml", &case(""))
+        .file("with.toml", &case(motor))
+        .file("motor.csv", "speed [rpm], couple [N*m]\n0, 314.159265\n6000, -314.159265\n");
+    let torsion = |name: &str| -> Vec<[f64; 2]> {
+        ran(&bench, &["modes", name, "--speeds", "3000 rpm", "--out", "out", "--no-figures"]);
+        let [frequency, damping] = ["frequency_hz", "damping_ratio"]
+            .map(|column| numbers(&bench, "out/modes.csv", column));
+        let whirl = super::column(&bench, "out/modes.csv", "whirl");
+        let all = frequency.iter().zip(&damping).zip(&whirl);
+        let own = all.filter(|((f, _), whirl)| !whirl.contains("ward") && **f < 200.0);
+        own.map(|((f, damping), _)| [*f, *damping]).collect()
+    };
+    let [without, with] = ["without.toml", "with.toml"].map(torsion);
+    let (&[[own, none]], &[[found, damping]]) = (&without[..], &with[..]) else {
+        panic!("{without:?} {with:?}");
+    };
+    assert!(none.abs() < 1e-9, "{none}");
+    let [first, second, motor] = [0.01, 0.1, 1.0];
+    let stiffness = (TAU * own).powi(2) * first * second / (first + second);
+    // Newton's method from the mode without the motor.
+    let mut s = Complex64::new(-motor / (2.0 * first), TAU * own);
+    for _ in 0..40 {
+        let value = s * s * s * first * second
+            + s * s * motor * second
+            + s * stiffness * (first + second)
+            + motor * stiffness;
+        let slope =
+            3.0 * s * s * first * second + 2.0 * s * motor * second + stiffness * (first + second);
+        s -= value / slope;
+    }
+    let exact = -s.re / s.norm();
+    // The shaft itself has some inertia between the discs.
+    assert!((damping / exact - 1.0).abs() < 0.02, "ζ = {damping} for {exact}");
+    assert!((found / own - s.norm() / (TAU * own)).abs() < 0.02, "{found} of {own}");
+}

@@ -1,6 +1,6 @@
 //! Marching: predict, solve, record, step after step.
 
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 
 use super::accelerate::accelerate;
 use super::checkpoint::{Checkpoint, Clock, Tally};
@@ -67,6 +67,8 @@ pub struct March<'m> {
     usual: usize,
     /// From when on nothing changes that is told over time (s).
     settled: f64,
+    /// Coordinates of bodies that no joint sees.
+    alone: Vec<Range<usize>>,
     /// When loads begin and told accelerations jump (s), ascending.
     pub(super) jumps: Vec<f64>,
     /// Curves by which loads vary.
@@ -75,6 +77,13 @@ pub struct March<'m> {
     pub(super) integrator: Integrator,
     /// What becomes of small changes, where that is wanted.
     pub(in crate::dynamics) linear: Option<Box<LinearSteps>>,
+}
+
+/// Of bodies on which no spring acts, by the places of their coordinates in q: their motion is told steady by these.
+fn alone(machine: &Machine) -> Vec<Range<usize>> {
+    let reach = &machine.springs.reach;
+    let own = machine.places().iter().map(|place| place.flexible.clone());
+    own.filter(|own| reach[own.clone()].iter().all(|reach| *reach == 0.0)).collect()
 }
 
 impl<'m> March<'m> {
@@ -130,10 +139,13 @@ impl<'m> March<'m> {
         }
         let length = (options.time_step, options.automatic);
         let meters = Meters::new(&mut equations, options.integrator, length, &state)?;
-        let signals = [machine.springs.forces(), 2 * machine.monitors.len()];
+        let alone = alone(machine);
+        let moved = alone.iter().map(Range::len).sum::<usize>();
+        let signals = [machine.springs.forces(), 2 * machine.monitors.len() + moved];
         let rule = options.steady_rule;
         let test = |cycle| SteadyTest::new(rule, signals, cycle, options.time_step);
-        let steady = options.cycle.map(test);
+        // Where nothing is seen, nothing is known.
+        let steady = options.cycle.filter(|_| signals != [0, 0]).map(test);
         let halvings = Halvings::new(size, machine.springs.bearings);
         let tally = Tally { step: 0, iterations: 0, halvings, steady };
         // Of parts that may be long or short, or end at rows of tables, factors are kept for the lengths of which there are most.
@@ -144,6 +156,7 @@ impl<'m> March<'m> {
         let columns = History::for_machine(machine).names().len();
         let asked: usize = machine.outputs.iter().map(|own| own.columns().len()).sum();
         Ok(March {
+            alone,
             machine,
             newton: Newton::new(options.newton, &equations, (spare, options.automatic.is_some())),
             meters,
@@ -249,7 +262,9 @@ impl<'m> March<'m> {
         let settled = time >= self.settled && self.is_released();
         if let Some(test) = self.tally.steady.as_mut().filter(|_| settled) {
             let displacements = &self.row[displacements(self.machine.monitors.len())];
-            test.add(time, self.equations.springs.forces.iter().chain(displacements));
+            let alone = self.alone.iter().flat_map(|own| &self.state.q[own.clone()]);
+            let signals = self.equations.springs.forces.iter().chain(displacements).chain(alone);
+            test.add(time, signals);
         }
         Ok(())
     }

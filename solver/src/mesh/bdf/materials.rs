@@ -93,10 +93,12 @@ fn material(
                 false => report.error(*place, what, format!("write MAT1, {or_case}")),
             }
         }
-        None if open => {}
         None => {
             let what = format!("PSOLID {property} has material {label}, which is not defined");
-            report.error(own.place, what, format!("add MAT1,{label}, {or_case}"));
+            match open {
+                true => report.warn(own.place, what, "the material of the case holds"),
+                false => report.error(own.place, what, format!("add MAT1,{label}, {or_case}")),
+            }
         }
     }
     None

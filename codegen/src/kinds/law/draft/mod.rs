@@ -134,7 +134,12 @@ fn draft<'d>(
     let mut outputs = names.named(table_of_outputs, output::read);
     let acts = acts(document, &inputs, &outputs);
     let is_free = |name: &str| !names.taken.contains_key(name);
-    outputs.extend(state::rates(root.optional_table("rates"), (&states, &declared), is_free, &root));
+    outputs.extend(state::rates(
+        root.optional_table("rates"),
+        (&states, &declared),
+        is_free,
+        &root,
+    ));
     let stored = root.optional_string("stored").and_then(|text| parse(document, &text));
     // Nothing refers to measures, so that one may have the name of an input. The ends of tables are measures, too.
     let taken = tables.iter().map(|table: &TableDraft| (table.name.clone(), table.key.span()));
