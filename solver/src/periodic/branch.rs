@@ -256,9 +256,9 @@ fn is_closed(path: &Path, first: &BranchPoint, [a, b]: &[Node; 2], points: usize
     (0.0..=1.0).contains(&share) && norm(&off) < 0.1 * norm(&way)
 }
 
-/// A point beyond a corner: at values of the parameter ahead and back, from states that the
-/// branch was going to. The derivative of its cycle has jumped, and half way to it there are others that are nearer: it lies on a branch
-/// that begins at the corner, and not on that which ends there, nor on a third one.
+/// A point beyond a corner: at values of the parameter ahead and back, from states that the branch was going to. The derivative of its
+/// cycle has jumped, and half way to it there are others that are nearer: it lies on a branch that begins at the corner, and not on
+/// that which ends there, nor on a third one.
 fn beyond(
     path: &mut Path,
     last: &Node,
