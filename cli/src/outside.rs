@@ -24,23 +24,28 @@ pub(crate) fn outer_places(mesh: &Mesh) -> impl Iterator<Item = (Cell, usize)> {
         .collect();
     let count =
         mesh.blocks().iter().zip(&corners).map(|(own, faces)| own.cells().len() * faces.len());
+    let count = count.sum();
+    let mut all: Vec<(Cell, usize)> = Vec::with_capacity(count);
     // The corners of a face name it: two cells that share them share the face.
-    let mut all: Vec<([usize; 4], (Cell, usize))> = Vec::with_capacity(count.sum());
+    let mut names: Vec<(u128, usize)> = Vec::with_capacity(count);
     for (block, own) in mesh.blocks().iter().enumerate() {
         for (cell, nodes) in own.cells().enumerate() {
             for (face, places) in corners[block].iter().enumerate() {
-                let mut key = [usize::MAX; 4];
-                key.iter_mut().zip(places).for_each(|(key, &place)| *key = nodes[place]);
-                key.sort_unstable();
-                all.push((key, (Cell { block, cell }, face)));
+                let mut own = [u32::MAX; 4];
+                // Nodes that fit into memory are fewer.
+                own.iter_mut().zip(places).for_each(|(own, &place)| *own = nodes[place] as u32);
+                own.sort_unstable();
+                let name = own.into_iter().fold(0, |name, own| name << 32 | u128::from(own));
+                names.push((name, all.len()));
+                all.push((Cell { block, cell }, face));
             }
         }
     }
-    all.sort_unstable_by_key(|own| own.0);
-    let single = all.chunk_by(|a, b| a.0 == b.0).filter(|own| own.len() == 1);
-    let mut outer: Vec<(Cell, usize)> = single.map(|own| own[0].1).collect();
-    outer.sort_unstable_by_key(|(own, face)| (own.block, own.cell, *face));
-    outer.into_iter()
+    names.sort_unstable();
+    let single = names.chunk_by(|a, b| a.0 == b.0).filter(|own| own.len() == 1);
+    let mut outer: Vec<usize> = single.map(|own| own[0].1).collect();
+    outer.sort_unstable();
+    outer.into_iter().map(move |place| all[place])
 }
 
 /// The places of the corners of a face among the nodes of its element, around it.

@@ -5,13 +5,14 @@
 //! work, go in a straight line from one end of the step to the other.
 
 use serde::{Deserialize, Serialize};
+use whirl_specs::registers::{Register, Registers, Task};
 
 use super::law_memory::LawMemory;
 use super::placed_law::PlacedLaw;
 use super::spin::Spin;
 use super::springs::Springs;
 use super::state::{LawState, SpringState};
-use crate::linalg::{sum_of, widely};
+use crate::linalg::{sum_of, sum_over};
 
 /// Nodes in (0, 1) of Lobatto's rule of five points, exact for polynomials of degree 7, and their weights.
 const NODES: [(f64, f64); 3] = [
@@ -127,6 +128,46 @@ struct LawStart {
     inputs: Vec<f64>,
     forces: Vec<f64>,
     states: Vec<f64>,
+}
+
+/// What a force of the springs of a plane does along a step, spring by spring.
+struct Ways<'a> {
+    /// The measures on which it works, and the forces, at both ends.
+    measures: [&'a [f64]; 2],
+    ends: [&'a [f64]; 2],
+    /// Its means along the way, and along the way at rest.
+    along: &'a [f64],
+    at_rest: &'a [f64],
+    /// Takes the energy that the step makes, by spring.
+    made: &'a mut [f64],
+    /// Room for |Δh| of springs that push.
+    moved: &'a mut [f64],
+}
+
+impl Task for Ways<'_> {
+    /// Work along the way, along the way at rest (J), and Σ |Δh| of springs that push.
+    type Output = [f64; 3];
+
+    #[inline(always)]
+    fn run<L: Register>(self) -> [f64; 3] {
+        // Of one length, so that no bound is checked on the way.
+        let n = self.made.len();
+        let [from, to] = self.measures.map(|own| &own[..n]);
+        let [before, after] = self.ends.map(|own| &own[..n]);
+        let [along, at_rest] = [self.along, self.at_rest].map(|own| &own[..n]);
+        let (made, moved) = (&mut self.made[..n], &mut self.moved[..n]);
+        for j in 0..n {
+            let way = to[j] - from[j];
+            let both = before[j] + after[j];
+            made[j] += 0.5 * both * way - along[j] * way;
+            moved[j] = if both == 0.0 { 0.0 } else { way.abs() };
+        }
+        [
+            sum_of(n, |j| along[j] * (to[j] - from[j])),
+            sum_of(n, |j| at_rest[j] * (to[j] - from[j])),
+            sum_of(n, |j| moved[j]),
+        ]
+    }
 }
 
 impl WorkAlong {
@@ -292,30 +333,15 @@ impl WorkAlong {
                 let [from, to] = [&start.inputs, moved_to].map(|own| &own[place(row)]);
                 let ends = [&start.forces, &end.forces].map(|own| &own[place(force)]);
                 let [along, at_rest] = [&self.along, &self.at_rest].map(|own| &own[place(k)]);
-                let moved = &mut moved[..count];
-                widely(|| {
-                    // Of one length, so that no bound is checked on the way.
-                    let [from, to, before, after, along, at_rest] =
-                        [from, to, ends[0], ends[1], along, at_rest].map(|own| &own[..count]);
-                    for j in 0..count {
-                        let way = to[j] - from[j];
-                        let both = before[j] + after[j];
-                        made[j] += 0.5 * both * way - along[j] * way;
-                        moved[j] = if both == 0.0 { 0.0 } else { way.abs() };
-                    }
-                    let along = sum_of(count, |j| along[j] * (to[j] - from[j]));
-                    let at_rest = sum_of(count, |j| at_rest[j] * (to[j] - from[j]));
-                    flow.flowed += along;
-                    flow.moved += sum_of(count, |j| moved[j]);
-                    work.add(along, at_rest);
-                });
+                let ways = Ways { measures: [from, to], ends, along, at_rest, made, moved };
+                let [along, at_rest, moved] = Registers::current().run(ways);
+                flow.flowed += along;
+                flow.moved += moved;
+                work.add(along, at_rest);
             }
             let (made, others_made) = (&made[..count], &made_in_others[..count]);
-            let mut made_in_all = 0.0;
-            widely(|| {
-                taken.made = sum_of(count, |j| made[j].abs());
-                made_in_all = sum_of(count, |j| (made[j] + others_made[j]).abs());
-            });
+            taken.made = sum_over([made], |[made]| made.abs());
+            let made_in_all = sum_over([made, others_made], |[a, b]| (a + b).abs());
             let all = Flow {
                 made: made_in_all,
                 flowed: taken.flowed + others.flowed,

@@ -41,7 +41,7 @@ pub use product::{
 pub(crate) use quadratic::{FirstOrder, QuadraticPair, quadratic_eigen, quadratic_eigen_with};
 pub(crate) use rough_inverse::RoughInverse;
 pub use sparse::{Inertia, SparseCholesky, SparseLdlt};
-pub(crate) use sums::{largest_and_sum, sum_of};
+pub(crate) use sums::{largest_and_sum, sum_of, sum_over};
 
 use faer::{MatMut, MatRef};
 

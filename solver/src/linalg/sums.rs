@@ -1,5 +1,7 @@
 //! Sums in parts: terms that wait for the sum before them take four times as long as those that do not.
 
+use whirl_specs::registers::{Register, Registers, Task};
+
 /// Terms side by side.
 const PARTS: usize = 8;
 
@@ -17,6 +19,26 @@ pub(crate) fn sum_of(n: usize, term: impl Fn(usize) -> f64) -> f64 {
         *part += term(i);
     }
     together(parts)
+}
+
+/// Σ term(a[i], b[i], …) over slices that are as long as the first, on the widest registers.
+#[inline(always)]
+pub(crate) fn sum_over<const K: usize>(slices: [&[f64]; K], term: impl Fn([f64; K]) -> f64) -> f64 {
+    Registers::current().run(SumOver(slices, term))
+}
+
+struct SumOver<'a, F, const K: usize>([&'a [f64]; K], F);
+
+impl<F: Fn([f64; K]) -> f64, const K: usize> Task for SumOver<'_, F, K> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<L: Register>(self) -> f64 {
+        let n = self.0[0].len();
+        // Of one length, so that no bound is checked on the way.
+        let slices = self.0.map(|own| &own[..n]);
+        sum_of(n, |i| self.1(slices.map(|own| own[i])))
+    }
 }
 
 /// The sum of all, in pairs: few wait for one before them.

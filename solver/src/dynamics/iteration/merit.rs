@@ -2,7 +2,7 @@
 
 use super::newmark::Coefficients;
 use crate::equations::Equations;
-use crate::linalg::{sum_of, widely};
+use crate::linalg::sum_over;
 
 /// The weights of φ, for the coordinates that are unknown: all from `first` on.
 pub(super) struct Merit {
@@ -36,16 +36,12 @@ impl Merit {
     /// √(2φ) = √(Σ r_i²/s_i) of the state that was last evaluated.
     pub(super) fn norm(&self, equations: &Equations) -> f64 {
         let residual = &equations.residual[self.first..];
-        let (weights, mut sum) = (&self.weights[..residual.len()], 0.0);
-        widely(|| sum = sum_of(residual.len(), |i| residual[i] * residual[i] * weights[i]));
-        sum.sqrt()
+        sum_over([residual, &self.weights], |[r, weight]| r * r * weight).sqrt()
     }
 
     /// √(Σ s_i Δq_i²).
     pub(super) fn length(&self, moved: &[f64]) -> f64 {
-        let (weights, mut sum) = (&self.weights[..moved.len()], 0.0);
-        widely(|| sum = sum_of(moved.len(), |i| moved[i] * moved[i] / weights[i]));
-        sum.sqrt()
+        sum_over([moved, &self.weights], |[moved, weight]| moved * moved / weight).sqrt()
     }
 
     /// The coordinate that contributes most to φ.

@@ -2,7 +2,7 @@
 
 use super::newton::{CONTRACTION, NewtonOptions, UNSQUARED};
 use crate::equations::{Equations, State, TurningBody, instant};
-use crate::linalg::{largest_and_sum, sum_of, widely};
+use crate::linalg::{largest_and_sum, sum_of, sum_over, widely};
 
 /// Share of the largest force projected on a row that counts as nothing, beside that of the row's terms: where
 /// forces cancel, what is left of them is rounding of the state.
@@ -27,13 +27,9 @@ struct RowBounds {
 
 impl RowBounds {
     fn of(equations: &Equations, state: &State, predicted: &State) -> Self {
-        let norm = |x: &[f64]| {
-            let mut squares = 0.0;
-            widely(|| squares = sum_of(x.len(), |i| x[i] * x[i]));
-            match squares.sqrt() {
-                tiny if tiny < UNSQUARED => largest_and_sum(x.len(), |i| x[i]).1,
-                norm => norm,
-            }
+        let norm = |x: &[f64]| match sum_over([x], |[x]| x * x).sqrt() {
+            tiny if tiny < UNSQUARED => largest_and_sum(x.len(), |i| x[i]).1,
+            norm => norm,
         };
         let forces = &equations.springs.forces;
         let mut force = 0.0;

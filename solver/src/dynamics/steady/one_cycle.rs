@@ -103,7 +103,11 @@ impl OneCycle {
 }
 
 fn raise<'a>(peaks: &mut [f64], signals: impl Iterator<Item = &'a f64>) {
-    for (peak, signal) in peaks.iter_mut().zip(signals) {
-        *peak = peak.max(signal.abs());
-    }
+    let mut peaks = peaks.iter_mut();
+    // From within: signals are chains of slices.
+    signals.for_each(|signal| {
+        if let Some(peak) = peaks.next() {
+            *peak = peak.max(signal.abs());
+        }
+    });
 }

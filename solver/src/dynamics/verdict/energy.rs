@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::windows::Windows;
 use crate::bearing::work::{Flow, MOTIONS, SpringWork, WorkAlong};
 use crate::equations::{Equations, State};
+use crate::linalg::sum_over;
 
 /// The energy balance of a march, in J: work in = kinetic + strain + stored + lost + dissipated + error, each
 /// counted from the start.
@@ -155,8 +156,7 @@ impl EnergyMeter {
     /// Adds a step that ends at a state just evaluated.
     pub(crate) fn add(&mut self, equations: &Equations, start: &State, end: &State) {
         let moved = |before: &[f64], after: &[f64]| -> f64 {
-            let forces = before.iter().zip(after).map(|(a, b)| 0.5 * (a + b));
-            forces.zip(start.q.iter().zip(&end.q)).map(|(force, (a, b))| force * (b - a)).sum()
+            sum_over([before, after, &start.q, &end.q], |[f, g, a, b]| 0.5 * (f + g) * (b - a))
         };
         let driven = moved(&self.drive, drives(equations));
         let work_in = moved(&self.load, &equations.load) - driven;
