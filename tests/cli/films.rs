@@ -414,9 +414,13 @@ fn films_are_refused_where_they_cannot_be() {
         &["the joint `b` has a film, which goes with Newmark's method", "leave `integrator` out"],
     );
     refused(
-        "[analysis.p]\nkind = \"periodic\"\n",
+        "[analysis.p]\nkind = \"periodic\"\nmethod = \"harmonic\"\n",
         &["analyse", "case.toml"],
-        &["has the law jfo", "which has states: a cycle closes motions only", "march it"],
+        &[
+            "has the law jfo",
+            "which has states: harmonics are balanced of motions only",
+            "`method = ",
+        ],
     );
 }
 

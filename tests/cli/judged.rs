@@ -233,6 +233,30 @@ fn false_inertia_of_fast_rotors_is_not_sound() {
     }
 }
 
+/// A ring floats in equilibrium between two films, whose forces on it cancel: its inertia is held against what flows through it, or
+/// against what is not there.
+#[test]
+fn a_ring_between_two_films_is_judged_by_what_flows_through_it() {
+    let film = |name: &str, bodies: &str, clearance: f64, radius: f64| {
+        format!(
+            "[joint.{name}]\nkind = \"bearing\"\n{bodies}\nlaw = \"ocvirk\"\nradial_clearance = \"{clearance} um\"\n\
+             journal_radius = \"{radius} mm\"\nlength = \"20 mm\"\n"
+        )
+    };
+    let case = format!(
+        "title = \"a floating ring\"\n[body.rotor]\nturns = \"prescribed\"\nspeed = \"7500 rpm\"\nmass = \"10 kg\"\n\
+         polar_inertia = \"0.02 kg*m^2\"\n[body.ring]\nturns = \"free\"\nmass = \"0.4 kg\"\npolar_inertia = \"3e-4 kg*m^2\"\n{}{}\
+         [loads.w]\nbody = \"rotor\"\nforce = [\"-98.1 N\", \"30 N\", \"0 N\"]\n[start]\nkind = \"equilibrium\"\n\
+         [march]\ntime_step = \"2e-5 s\"\nduration = \"0.05 s\"\n",
+        film("inner", "journal = { body = \"rotor\" }\nbore = { body = \"ring\" }", 50.0, 25.0),
+        film("outer", "journal = { body = \"ring\" }", 80.0, 32.0),
+    );
+    let summary = run(&case, "");
+    assert_eq!(summary["verdict"]["sound"], true, "{summary:#}");
+    let error = measure(&summary, "inertia_error");
+    assert!(error > 0.0 && error < 1e-3, "{error}");
+}
+
 /// 300 of 1000 steps are far too long for what begins there.
 #[test]
 fn what_begins_late_is_judged() {

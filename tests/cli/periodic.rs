@@ -3,6 +3,7 @@
 //! Numbers without another source are those of an independent program on the same equations (harmonic balance and shooting).
 
 mod harmonic;
+mod states;
 
 use std::f64::consts::TAU;
 

@@ -24,16 +24,20 @@ pub(super) struct Known {
 }
 
 impl Known {
-    fn of(journal: &Journal, first: usize) -> Self {
+    pub(super) fn of(journal: &Journal, first: usize) -> Self {
         let film = &journal.film;
         Known { first, oil: 2 * film.grid.nodes(), shown: film.openings.len() + film.outputs() }
     }
 
-    fn count(&self) -> usize {
+    pub(super) fn count(&self) -> usize {
         self.oil + INPUTS + self.shown
     }
 
-    fn oil<'a>(&self, all: &'a [f64]) -> &'a [f64] {
+    pub(super) fn nodes(&self) -> usize {
+        self.oil / 2
+    }
+
+    pub(super) fn oil<'a>(&self, all: &'a [f64]) -> &'a [f64] {
         &all[self.first..][..self.oil]
     }
 

@@ -3,7 +3,7 @@
 //! ```text
 //! places     place ─▶ springs: planes (plane, placed_planes, section, on_section, other, gear), bores (bore, apart, spline, mirrors),
 //!            placed_law: a law in all its planes
-//! laws       law, over_frequency (frequency_law), film_law (films, filmed, film_shown); states (hold, remembered)
+//! laws       law, over_frequency (frequency_law), film_law (films, filmed, film_shown); states (hold, remembered, memory)
 //! instant    state: measured ─▶ laws ─▶ projected; its rounding
 //! besides    work along a step, valid and observed for the verdict, beside for linear analyses, tied and spin for rotations
 //! ```
@@ -24,6 +24,7 @@ pub mod law;
 mod law_memory;
 mod mark;
 mod measured;
+mod memory;
 mod mirrors;
 mod observed;
 mod on_section;
@@ -63,6 +64,7 @@ pub use valid::{Measure, Worst};
 pub(crate) use beside::Poses;
 pub(crate) use bore::axis_motion;
 pub(crate) use bores::Bores;
+pub(crate) use memory::Alike;
 pub(crate) use mirrors::BlockMemory;
 pub(crate) use on_section::OnJournal;
 pub(crate) use plane::Plane;

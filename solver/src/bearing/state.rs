@@ -371,6 +371,11 @@ impl SpringState {
                 row.iter().for_each(|&(j, coefficient)| out[j] += coefficient * value);
             }
         }
+        self.add_bore_forces(springs, out);
+    }
+
+    /// Adds those on bores alone.
+    pub(crate) fn add_bore_forces(&mut self, springs: &Springs, out: &mut [f64]) {
         for (bores, own) in springs.bores.iter().zip(&mut self.bores) {
             bores.add_force(&own.force, &mut out[bores.place.clone()], &mut own.memory);
             bores.given.iter().for_each(|&(row, place, part)| out[place] += part * own.force[row]);

@@ -31,13 +31,25 @@ pub enum PeriodicError {
         /// Its name.
         load: String,
     },
-    /// A law with states, which a cycle would have to close as well.
-    #[error("{joint} has the law {law}, which has states: a cycle closes motions only")]
+    /// A law with states, or a film, of which harmonics know nothing.
+    #[error("{joint} has the law {law}, which has states: harmonics are balanced of motions only")]
     Remembers {
         /// The joint.
         joint: String,
         /// The law.
         law: String,
+    },
+    /// A film in a branch, which would take a cycle for each of its values at every point.
+    #[error(
+        "{joint} has the film {law} of {values} values, each of which takes a cycle at every point of a branch"
+    )]
+    ManyValues {
+        /// The joint.
+        joint: String,
+        /// The law.
+        law: String,
+        /// Values that it remembers.
+        values: usize,
     },
     /// Nothing turns, and no load changes.
     #[error("nothing turns and no load repeats: there is no cycle")]

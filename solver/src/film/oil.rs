@@ -44,6 +44,16 @@ impl Oil {
         }
     }
 
+    /// Takes a value a node: the first unknown, or the second with the sign changed. What openings give is left as they give it.
+    pub fn take_values(&mut self, film: &OilFilm, values: &[f64]) {
+        for (a, value) in values.iter().enumerate() {
+            self.second[a] = value.is_sign_negative();
+            self.unknowns[0][a] = value.max(0.0);
+            self.unknowns[1][a] = (-value).max(0.0);
+        }
+        self.supply(film);
+    }
+
     /// Both unknowns, for checkpoints: the second is kept where it is not zero.
     pub fn write(&self, out: &mut [f64]) {
         let nodes = self.second.len();

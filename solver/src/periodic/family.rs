@@ -50,8 +50,9 @@ impl<'f> Family<'f> {
         x: &[f64],
     ) -> Result<Self, Error> {
         let (machine, cycle) = at(from)?;
-        let map = CycleMap::new(&machine, cycle, newton)?;
-        let metric = Arc::new(Metric::new(&map, x)?);
+        let mut map = CycleMap::new(&machine, cycle, newton)?;
+        map.suits_branches()?;
+        let metric = Arc::new(Metric::new(&mut map, x)?);
         let change = CHANGE * (to - from).abs();
         Ok(Family { at, newton, metric, change, most: from.max(to), cycles: 0 })
     }

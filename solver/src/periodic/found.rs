@@ -24,7 +24,7 @@ pub fn periodic(
     observe: Observe,
 ) -> Result<Periodic, Error> {
     let mut map = CycleMap::new(machine, options.cycle, options.newton)?;
-    let x = map.beginning(start);
+    let x = map.beginning(start, false);
     periodic_from(&mut map, options, &x, observe)
 }
 

@@ -1,20 +1,27 @@
 //! The cycle map: what a march over a cycle makes of the state with which it begins.
 //!
-//! The state x has the positions and rates of all unknowns; accelerations follow from r = 0 at the start. What turns by whole
-//! turns is turned back by them, so that a periodic motion is a fixed point.
+//! The state x has the positions and rates of all unknowns, and what laws and films remember; accelerations follow from r = 0 at the
+//! start. What turns by whole turns is turned back by them, so that a periodic motion is a fixed point.
 
 use super::common::speeds;
 use super::cycle::Cycle;
 use super::in_space::InSpace;
+use crate::bearing::{Alike, Hold};
 use crate::dynamics::{
     BodyStart, Changes, Integrator, LinearStep, LinearSteps, March, MarchOptions, NewtonOptions,
     Outcome, SteadyRule,
 };
-use crate::equations::State;
+use crate::equations::{Equations, State};
 use crate::error::{Error, PeriodicError};
 use crate::history::History;
 use crate::linalg::Matrix;
 use crate::machine::Machine;
+
+/// Values of a state of which the whole derivative is found: by the steps' own tangents, and by differences, where laws remember.
+const WHOLE: [usize; 2] = [120, 60];
+
+/// Values that films may remember in a branch.
+const BRANCHED: usize = 200;
 
 /// The cycle map of a machine.
 pub struct CycleMap<'m> {
@@ -26,6 +33,8 @@ pub struct CycleMap<'m> {
     turns: Vec<f64>,
     /// How bodies are turned back whose rotation does not repeat with the cycle.
     back: Option<InSpace>,
+    /// What laws and films remember: alike values side by side, behind positions and rates.
+    remembered: Vec<Alike>,
     cycles: usize,
 }
 
@@ -37,6 +46,11 @@ pub(super) struct Orbit {
     pub(super) outcome: Outcome,
     /// Forces of all springs, step by step (N).
     pub(super) forces: Matrix,
+}
+
+/// A state in which nothing moves, with laws as they begin.
+fn resting(machine: &Machine) -> State {
+    State { laws: machine.springs.beginning(), ..State::new(machine.size()) }
 }
 
 impl<'m> CycleMap<'m> {
@@ -73,11 +87,6 @@ impl<'m> CycleMap<'m> {
         newton: NewtonOptions,
         (turns, back): (Vec<f64>, Option<InSpace>),
     ) -> Result<Self, Error> {
-        let springs = &machine.springs;
-        if let Some(plane) = springs.remembering(|_| true).or_else(|| springs.with_film(|_| true)) {
-            let (joint, law) = machine.names_of(plane);
-            return Err(PeriodicError::Remembers { joint, law }.into());
-        }
         let options = MarchOptions {
             time_step: cycle.time_step(),
             automatic: None,
@@ -94,8 +103,9 @@ impl<'m> CycleMap<'m> {
             laws_at_rest: false,
             initial: Vec::new(),
         };
-        let march = March::at(machine, &options, State::new(machine.size()), cycle.start)?;
-        Ok(CycleMap { machine, cycle, options, march, turns, back, cycles: 0 })
+        let remembered = machine.springs.remembered();
+        let march = March::at(machine, &options, resting(machine), cycle.start)?;
+        Ok(CycleMap { machine, cycle, options, march, turns, back, remembered, cycles: 0 })
     }
 
     /// The same in twice as many steps.
@@ -122,9 +132,65 @@ impl<'m> CycleMap<'m> {
         self.cycle
     }
 
-    /// Number of unknowns; a state has twice as many values.
+    /// Number of unknowns; a state has twice as many values, and those that laws remember.
     pub fn unknowns(&self) -> usize {
         self.machine.active()
+    }
+
+    /// Number of values of a state.
+    pub fn size(&self) -> usize {
+        2 * self.unknowns() + self.memory()
+    }
+
+    /// That laws and films remember so few values that a branch may take a cycle for each of them at every point.
+    ///
+    /// # Errors
+    /// A film has more.
+    pub fn suits_branches(&self) -> Result<(), PeriodicError> {
+        let most = self.machine.springs.with_film(|_| true).filter(|_| self.memory() > BRANCHED);
+        match most {
+            Some(plane) => {
+                let (joint, law) = self.machine.names_of(plane);
+                Err(PeriodicError::ManyValues { joint, law, values: self.memory() })
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Whether a state has so few values that the whole derivative is found.
+    pub(super) fn is_small(&self) -> bool {
+        self.size() <= WHOLE[usize::from(self.memory() > 0)]
+    }
+
+    /// Number of values that laws and films remember.
+    pub(super) fn memory(&self) -> usize {
+        self.remembered.last().map_or(0, |own| own.place.end)
+    }
+
+    /// Those of them that are alike.
+    pub(super) fn remembered(&self) -> &[Alike] {
+        &self.remembered
+    }
+
+    /// The largest values that laws and films remember on the way from a state x, which is replaced by the one at the end: of each the
+    /// largest above zero, and the largest below. Steps that are not solved end the way.
+    pub(super) fn reach(&mut self, x: &mut [f64]) -> Result<Vec<[f64; 2]>, Error> {
+        self.begin(x)?;
+        self.cycles += 1;
+        let mut now = x[2 * self.unknowns()..].to_vec();
+        let mut largest = vec![[0.0; 2]; now.len()];
+        for step in 0..=self.cycle.steps {
+            for ([above, below], value) in largest.iter_mut().zip(&now) {
+                *above = f64::max(*above, *value);
+                *below = f64::max(*below, -value);
+            }
+            if step == self.cycle.steps || self.march.advance().is_err() {
+                break;
+            }
+            self.machine.springs.read_memory(&self.march.state().laws, &mut now);
+        }
+        self.end(x);
+        Ok(largest)
     }
 
     /// Cycles marched so far.
@@ -140,7 +206,8 @@ impl<'m> CycleMap<'m> {
     /// Turns changes of a state at the end of the cycle back, as the state is.
     pub(super) fn turn_back(&self, change: &mut [f64]) {
         if let Some(space) = &self.back {
-            let (q, v) = change.split_at_mut(self.unknowns());
+            let n = self.unknowns();
+            let (q, v) = change[..2 * n].split_at_mut(n);
             space.positions(q, self.cycle.period);
             space.positions(v, self.cycle.period);
         }
@@ -182,7 +249,7 @@ impl<'m> CycleMap<'m> {
         Ok(())
     }
 
-    /// As [`CycleMap::apply`], with its derivative: 2n × 2n, by the state at the start.
+    /// As [`CycleMap::apply`], with its derivative: 2n × 2n, by the state at the start, where no law remembers anything.
     ///
     /// # Errors
     /// As there.
@@ -229,46 +296,74 @@ impl<'m> CycleMap<'m> {
         }
         let rows = self.march.forces().len();
         let forces = Matrix { rows, cols: self.cycle.steps, data: forces };
-        let state = State::new(self.machine.size());
-        let next = March::at(self.machine, &self.options, state, self.cycle.start)?;
+        let next = March::at(self.machine, &self.options, resting(self.machine), self.cycle.start)?;
         let outcome = std::mem::replace(&mut self.march, next).outcome();
         Ok(Orbit { history, outcome, forces })
     }
 
-    /// x of bodies that begin somewhere.
-    pub fn beginning(&self, bodies: &[BodyStart]) -> Vec<f64> {
+    /// x of bodies that begin somewhere, with laws as they begin, or as they are where they have been there for long.
+    pub fn beginning(&self, bodies: &[BodyStart], laws_at_rest: bool) -> Vec<f64> {
         let mut state = State::new(self.machine.size());
         for (own, place) in bodies.iter().zip(self.machine.places()) {
             own.write(place, &mut state);
         }
         let first = self.machine.first_unknown();
-        [&state.q[first..], &state.v[first..]].concat()
+        let mut x = [&state.q[first..], &state.v[first..]].concat();
+        if self.memory() > 0 {
+            let springs = &self.machine.springs;
+            let start = self.cycle.start;
+            self.machine.set_given(start, false, [&mut state.q, &mut state.v, &mut state.a]);
+            state.laws = springs.beginning();
+            if laws_at_rest {
+                state.laws.hold = Hold::Settled;
+            }
+            let mut equations = Equations::new(self.machine);
+            equations.evaluate(start, &state);
+            equations.springs.keep_states(&mut state.laws);
+            let mut memory = vec![0.0; self.memory()];
+            springs.read_memory(&state.laws, &mut memory);
+            // Where no state was found, the march finds one.
+            x.extend(memory.iter().map(|own| if own.is_finite() { *own } else { 0.0 }));
+        }
+        x
     }
 
     /// The state of the machine with x.
     pub(super) fn state(&self, x: &[f64]) -> State {
         let first = self.machine.first_unknown();
-        let (q, v) = x.split_at(self.unknowns());
+        let ([q, v], memory) = self.parts(x);
         let mut state = State::new(self.machine.size());
         state.q[first..].copy_from_slice(q);
         state.v[first..].copy_from_slice(v);
+        state.laws = self.machine.springs.with_memory(memory);
         let start = self.cycle.start;
         self.machine.set_given(start, false, [&mut state.q, &mut state.v, &mut state.a]);
         state
     }
 
+    /// Positions and rates, and what laws and films remember.
+    fn parts<'x>(&self, x: &'x [f64]) -> ([&'x [f64]; 2], &'x [f64]) {
+        let n = self.unknowns();
+        ([&x[..n], &x[n..2 * n]], &x[2 * n..])
+    }
+
     fn begin(&mut self, x: &[f64]) -> Result<(), Error> {
-        let (q, v) = x.split_at(self.unknowns());
-        self.march.go_back(self.cycle.start, [q, v])
+        let (moved, memory) = self.parts(x);
+        let laws = self.machine.springs.with_memory(memory);
+        self.march.go_back(self.cycle.start, moved, laws)
     }
 
     fn end(&self, x: &mut [f64]) {
-        let first = self.machine.first_unknown();
-        let (q, v) = x.split_at_mut(self.unknowns());
+        let (first, n) = (self.machine.first_unknown(), self.unknowns());
         let state = self.march.state();
+        let (moved, memory) = x.split_at_mut(2 * n);
+        let (q, v) = moved.split_at_mut(n);
         q.copy_from_slice(&state.q[first..]);
         v.copy_from_slice(&state.v[first..]);
         q.iter_mut().zip(&self.turns).for_each(|(q, turn)| *q -= turn);
+        if !memory.is_empty() {
+            self.machine.springs.read_memory(&state.laws, memory);
+        }
         self.turn_back(x);
     }
 }

@@ -37,7 +37,7 @@ pub use doubled::StepError;
 pub use events::{BranchEvent, EventKind};
 pub use family::At;
 pub use found::{periodic, periodic_from};
-pub use harmonic::{least_harmonics, self_excited, undriven};
+pub use harmonic::{least_harmonics, remembers_nothing, self_excited, undriven};
 pub use map::CycleMap;
 pub use motion::{Harmonics, Periodic};
 pub use multipliers::{Multiplier, MultiplierKind, Stability};

@@ -7,7 +7,6 @@
 use num_complex::Complex64;
 
 use super::krylov::Krylov;
-use super::shooting::WHOLE;
 use super::weighed::Weighed;
 use crate::error::Error;
 use crate::linalg::{eigenvalues, ritz_pairs};
@@ -15,8 +14,8 @@ use crate::linalg::{eigenvalues, ritz_pairs};
 /// Products with the derivative at most, where states are many, and how often Ritz values are looked at.
 const PRODUCTS: usize = 160;
 const LOOKED_AT: usize = 8;
-/// What may be left of a Ritz pair.
-const LEFT: f64 = 1e-7;
+/// What may be left of a Ritz pair: by the steps' own tangents, and by differences.
+const LEFT: [f64; 2] = [1e-7, 1e-5];
 /// Moduli below which a multiplier is rounding.
 const NOTHING: f64 = 1e-12;
 
@@ -66,7 +65,7 @@ pub(super) fn largest(
     y: &[f64],
     wanted: usize,
 ) -> Result<Vec<Complex64>, Error> {
-    let mut values: Vec<Complex64> = if y.len() <= WHOLE {
+    let mut values: Vec<Complex64> = if map.map.is_small() {
         let (_, monodromy) = map.monodromy(y)?;
         eigenvalues(&monodromy)?.into_iter().map(|[re, im]| Complex64::new(re, im)).collect()
     } else {
@@ -80,10 +79,11 @@ pub(super) fn largest(
 /// Those that Arnoldi's process finds first: the largest.
 fn of_many(map: &mut Weighed, y: &[f64], wanted: usize) -> Result<Vec<Complex64>, Error> {
     let (_, mut cycle) = map.linearised(y)?;
+    let left = LEFT[usize::from(map.map.memory() > 0)];
     let mut krylov = Krylov::new(&first(y.len()));
     loop {
         if let Some(next) = krylov.next() {
-            let image = map.change(&mut cycle, next);
+            let image = map.change(&mut cycle, next)?;
             krylov.take(image);
         }
         let complete = krylov.next().is_none() || krylov.size() >= PRODUCTS;
@@ -93,7 +93,7 @@ fn of_many(map: &mut Weighed, y: &[f64], wanted: usize) -> Result<Vec<Complex64>
         let mut pairs = ritz_pairs(&krylov.matrix())?;
         pairs.sort_by(|a, b| b.0.norm().total_cmp(&a.0.norm()));
         let beyond = krylov.beyond();
-        let exact = |own: &&(Complex64, f64)| beyond * own.1 <= LEFT;
+        let exact = |own: &&(Complex64, f64)| beyond * own.1 <= left;
         let leading = pairs.iter().take_while(exact).count();
         if complete || leading >= wanted {
             // Those behind one that is not known may have others before them.

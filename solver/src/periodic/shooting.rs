@@ -10,9 +10,6 @@ use super::weighed::{LinearCycle, Weighed};
 use crate::error::Error;
 use crate::linalg::{Lu, Matrix};
 
-/// States of which the whole derivative is found.
-pub(super) const WHOLE: usize = 120;
-
 /// Products for a correction at most, and what may be left of the equations that they solve.
 const PRODUCTS: usize = 120;
 const LEFT: f64 = 1e-3;
@@ -36,7 +33,7 @@ impl Shot {
     /// # Errors
     /// A step that does not converge.
     pub(super) fn new(map: &mut Weighed, y: Vec<f64>) -> Result<Option<Shot>, Error> {
-        if y.len() > WHOLE {
+        if !map.map.is_small() {
             let (image, steps) = map.linearised(&y)?;
             return Ok(Some(Shot { y, image, derivative: Derivative::Steps(steps) }));
         }
@@ -54,27 +51,30 @@ impl Shot {
     }
 
     /// δ of (Φ − 1) δ = f.
-    fn solve(&mut self, map: &Weighed, f: &[f64]) -> Vec<f64> {
+    ///
+    /// # Errors
+    /// A step that does not converge.
+    fn solve(&mut self, map: &mut Weighed, f: &[f64]) -> Result<Vec<f64>, Error> {
         match &mut self.derivative {
             Derivative::Whole(lu) => {
                 let mut solved = f.to_vec();
                 lu.solve_in_place(&mut solved);
-                solved
+                Ok(solved)
             }
             Derivative::Steps(steps) => {
                 let size = norm(f);
                 if size == 0.0 {
-                    return f.to_vec();
+                    return Ok(f.to_vec());
                 }
                 let mut krylov = Krylov::new(f);
                 while let Some(next) = krylov.next() {
-                    let image = map.change(steps, next);
+                    let image = map.change(steps, next)?;
                     krylov.take(image);
                     if krylov.size() == PRODUCTS || krylov.least(size).1 <= LEFT * size {
                         break;
                     }
                 }
-                krylov.least(size).0
+                Ok(krylov.least(size).0)
             }
         }
     }
@@ -82,13 +82,15 @@ impl Shot {
     /// The state after a correction, or after a part of it that brings it nearer; none where there is none.
     pub(super) fn next(&mut self, map: &mut Weighed) -> Option<Shot> {
         let residual = self.residual();
-        let correction = self.solve(map, &residual);
+        let correction = self.solve(map, &residual).ok()?;
         let size = norm(&correction);
         let mut length = 1.0;
         while length >= 1.0 / 64.0 {
             let moved = self.y.iter().zip(&correction).map(|(y, own)| y - length * own);
-            if let Ok(Some(tried)) = Shot::new(map, moved.collect()) {
-                let after = norm(&self.solve(map, &tried.residual()));
+            if let Ok(Some(tried)) = Shot::new(map, moved.collect())
+                && let Ok(next) = self.solve(map, &tried.residual())
+            {
+                let after = norm(&next);
                 // At rounding it falls no more.
                 if after <= (1.0 - 0.25 * length) * size || size <= 1e-10 * norm(&self.y) {
                     return Some(tried);

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use super::anderson::Anderson;
 use super::options::{CycleProgress, Method, PeriodicOptions};
-use super::shooting::{Shot, WHOLE};
+use super::shooting::Shot;
 use super::weighed::{Weighed, miss};
 use crate::error::{Error, PeriodicError};
 
@@ -61,7 +61,7 @@ pub(super) fn solve(
     options: &PeriodicOptions,
     observe: Observe,
 ) -> Result<Solved, Error> {
-    let few = y.len() <= WHOLE;
+    let few = map.map.is_small();
     let usual = if few { Method::Shooting } else { Method::Accelerated };
     let method = options.method.filter(|own| *own != Method::Harmonic).unwrap_or(usual);
     let marched = options.marched.unwrap_or(MARCHED[usize::from(method != Method::Shooting)]);

@@ -14,11 +14,17 @@ pub(super) struct Weighed<'a, 'm> {
     metric: Arc<Metric>,
 }
 
-/// The derivative of the map about a cycle that was kept, step by step.
-pub(super) struct LinearCycle {
-    steps: Vec<LinearStep>,
-    memory: Vec<f64>,
+/// The derivative of the map about a cycle.
+pub(super) enum LinearCycle {
+    /// Step by step, as it was kept.
+    Steps { steps: Vec<LinearStep>, memory: Vec<f64> },
+    /// By differences about y, where laws remember.
+    Differences { y: Vec<f64> },
 }
+
+/// Change of a state for a difference, of its size; and of one of nothing. Central differences are right to the square of it.
+const CHANGE: f64 = 1e-6;
+const FROM_NOTHING: f64 = 1e-9;
 
 impl<'a, 'm> Weighed<'a, 'm> {
     /// With the metric at a state.
@@ -58,11 +64,20 @@ impl<'a, 'm> Weighed<'a, 'm> {
     /// # Errors
     /// A step that does not converge.
     pub(super) fn monodromy(&mut self, y: &[f64]) -> Result<(Vec<f64>, Matrix), Error> {
-        let mut x = self.state(y);
-        let of_states = self.map.monodromy(&mut x)?;
         let size = y.len();
         let mut columns = Vec::with_capacity(size * size);
         let mut unit = vec![0.0; size];
+        if self.map.memory() > 0 {
+            let image = self.apply(y)?;
+            for j in 0..size {
+                unit[j] = 1.0;
+                columns.extend(self.difference(y, &unit)?);
+                unit[j] = 0.0;
+            }
+            return Ok((image, Matrix { rows: size, cols: size, data: columns }));
+        }
+        let mut x = self.state(y);
+        let of_states = self.map.monodromy(&mut x)?;
         for j in 0..size {
             unit[j] = 1.0;
             let change = of_states.apply(&self.state(&unit));
@@ -77,19 +92,46 @@ impl<'a, 'm> Weighed<'a, 'm> {
     /// # Errors
     /// A step that does not converge.
     pub(super) fn linearised(&mut self, y: &[f64]) -> Result<(Vec<f64>, LinearCycle), Error> {
+        if self.map.memory() > 0 {
+            return Ok((self.apply(y)?, LinearCycle::Differences { y: y.to_vec() }));
+        }
         let mut x = self.state(y);
         let steps = self.map.steps(&mut x)?;
-        Ok((self.weighed(&x), LinearCycle { steps, memory: Vec::new() }))
+        Ok((self.weighed(&x), LinearCycle::Steps { steps, memory: Vec::new() }))
     }
 
     /// What the derivative makes of a change.
-    pub(super) fn change(&self, cycle: &mut LinearCycle, y: &[f64]) -> Vec<f64> {
-        let x = self.state(y);
-        let mut changes = Changes::new(x.len() / 2, 1, |i, _| x[i]);
-        cycle.steps.iter_mut().for_each(|own| own.apply(&mut changes, &mut cycle.memory));
-        let mut changed: Vec<f64> = (0..x.len()).map(|i| changes.value(i, 0)).collect();
-        self.map.turn_back(&mut changed);
-        self.weighed(&changed)
+    ///
+    /// # Errors
+    /// A step that does not converge.
+    pub(super) fn change(
+        &mut self,
+        cycle: &mut LinearCycle,
+        change: &[f64],
+    ) -> Result<Vec<f64>, Error> {
+        match cycle {
+            LinearCycle::Steps { steps, memory } => {
+                let x = self.state(change);
+                let mut changes = Changes::new(x.len() / 2, 1, |i, _| x[i]);
+                steps.iter_mut().for_each(|own| own.apply(&mut changes, memory));
+                let mut changed: Vec<f64> = (0..x.len()).map(|i| changes.value(i, 0)).collect();
+                self.map.turn_back(&mut changed);
+                Ok(self.weighed(&changed))
+            }
+            LinearCycle::Differences { y } => self.difference(y, change),
+        }
+    }
+
+    /// What the derivative at y makes of a change, by a central difference.
+    fn difference(&mut self, y: &[f64], change: &[f64]) -> Result<Vec<f64>, Error> {
+        let own = norm(y);
+        let step = if own > 0.0 { CHANGE * own } else { FROM_NOTHING } / norm(change);
+        let mut at = |step: f64| {
+            let moved: Vec<f64> = y.iter().zip(change).map(|(y, own)| y + step * own).collect();
+            self.apply(&moved)
+        };
+        let (after, before) = (at(step)?, at(-step)?);
+        Ok(after.iter().zip(&before).map(|(a, b)| (a - b) / (2.0 * step)).collect())
     }
 }
 

@@ -90,8 +90,8 @@ pub(super) fn found(
     let options = sought.options(cycle);
     let map = CycleMap::new(&built.machine, cycle, options.newton);
     let map = map.map_err(|error| of(&first, error))?;
-    let begin = sought.beginning(cycle).map_err(|error| of(&first, error))?;
-    let x = map.beginning(&begin);
+    let (bodies, laws_at_rest) = sought.beginning(cycle).map_err(|error| of(&first, error))?;
+    let x = map.beginning(&bodies, laws_at_rest);
     drop(map);
     // An error that is not one of the solver is kept beside it.
     let mut failure: Option<Failure> = None;

@@ -54,7 +54,12 @@ pub(super) fn of(case: &Case, error: Error) -> Failure {
         }
         PeriodicError::Remembers { .. } => at(
             None,
-            "march it until it repeats itself (`whirl run`, `stop_when_steady`), or give the joint a law without states",
+            "with loads or an unbalance: `method = \"accelerated\"` or `\"shooting\"`, which close states as well; a motion of the \
+             machine itself: march it until it repeats itself (`whirl run`, `stop_when_steady`)",
+        ),
+        PeriodicError::ManyValues { .. } => at(
+            None,
+            "ask for single motions (`speeds`, or `whirl sweep --vary`) in place of `vary`, or give the film a coarser `grid`",
         ),
         PeriodicError::NoFrequency => {
             at(None, "say about which frequency the motion has: `near = \"24 Hz\"`")

@@ -6,8 +6,8 @@ use whirl_solver::Error;
 use whirl_solver::dynamics::{BodyStart, equilibrium};
 use whirl_solver::error::PeriodicError;
 use whirl_solver::periodic::{
-    Cycle, CycleMap, CycleProgress, Periodic, PeriodicOptions, Repeating, common_period,
-    least_harmonics, periodic_from, repeating, self_excited, start, undriven,
+    Cycle, CycleMap, CycleProgress, Method, Periodic, PeriodicOptions, Repeating, common_period,
+    least_harmonics, periodic_from, remembers_nothing, repeating, self_excited, start, undriven,
 };
 
 use super::motions::Motion;
@@ -50,13 +50,14 @@ impl Sought<'_> {
             true => ControlFlow::Break(()),
             false => ControlFlow::Continue(()),
         };
-        let from_near = near.filter(|x| x.len() == 2 * map.unknowns());
+        let from_near = near.filter(|x| x.len() == map.size());
         let followed = from_near.map(|x| periodic_from(&mut map, &options, x, &mut observe));
         let periodic = match followed {
             Some(Ok(found)) => found,
             Some(Err(error)) if !not_there(&error) => return Err(error),
             _ => {
-                let x = map.beginning(&self.beginning(cycle)?);
+                let (bodies, laws_at_rest) = self.beginning(cycle)?;
+                let x = map.beginning(&bodies, laws_at_rest);
                 periodic_from(&mut map, &options, &x, &mut observe)?
             }
         };
@@ -70,7 +71,7 @@ impl Sought<'_> {
             false => ControlFlow::Continue(()),
         };
         let cycle = self.own_cycle()?;
-        let start = self.beginning(cycle)?;
+        let (start, _) = self.beginning(cycle)?;
         let machine = &self.built.machine;
         let periodic = self_excited(machine, &self.options(cycle), &start, &mut observe)?;
         let hertz = 1.0 / periodic.cycle.period;
@@ -101,7 +102,14 @@ impl Sought<'_> {
         }
         let (_, cycle) = self.cycle(None)?;
         least_harmonics(machine, cycle.period, self.analysis.periodic.harmonics)?;
-        CycleMap::new(machine, cycle, self.options(cycle).newton).map(|_| ())
+        if self.analysis.periodic.method == Some(Method::Harmonic) {
+            remembers_nothing(machine)?;
+        }
+        let map = CycleMap::new(machine, cycle, self.options(cycle).newton)?;
+        match self.analysis.periodic.vary {
+            Some(_) => Ok(map.suits_branches()?),
+            None => Ok(()),
+        }
     }
 
     fn motion(&self, repeating: Vec<Repeating>, periodic: Periodic) -> Motion {
@@ -149,16 +157,19 @@ impl Sought<'_> {
         self.analysis.periodic.steps.or(of_march).unwrap_or(enough)
     }
 
-    /// Where the search begins.
-    pub(super) fn beginning(&self, cycle: Cycle) -> Result<Vec<BodyStart>, Error> {
+    /// Where the search begins, and whether laws have been there for long.
+    pub(super) fn beginning(&self, cycle: Cycle) -> Result<(Vec<BodyStart>, bool), Error> {
         let speeds: Vec<Option<f64>> =
             self.case.machine.bodies.iter().map(|body| body.initial_speed).collect();
-        let balanced =
-            || Ok(equilibrium(&self.built.machine, &speeds, Some(cycle.time_step()))?.bodies);
+        let balanced = || {
+            let found = equilibrium(&self.built.machine, &speeds, Some(cycle.time_step()))?;
+            Ok((found.bodies, true))
+        };
+        let at_rest = || (self.built.initial.clone(), false);
         match self.analysis.periodic.begin {
-            Some(Beginning::Rest) => Ok(self.built.initial.clone()),
+            Some(Beginning::Rest) => Ok(at_rest()),
             Some(Beginning::Equilibrium) => balanced(),
-            None => balanced().or_else(|_: Error| Ok(self.built.initial.clone())),
+            None => balanced().or_else(|_: Error| Ok(at_rest())),
         }
     }
 }

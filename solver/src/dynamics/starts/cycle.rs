@@ -1,5 +1,6 @@
 //! A march over one stretch of time again and again, each time from another state: the cycle of periodic motions.
 
+use crate::bearing::LawStates;
 use crate::dynamics::marching::{Clock, LinearSteps, March, MarchOptions, accelerate};
 use crate::equations::State;
 use crate::error::Error;
@@ -24,13 +25,20 @@ impl<'m> March<'m> {
         Ok(march)
     }
 
-    /// Goes back to time `t` (s), to other positions and rates of the unknowns. What was measured of steps and laws goes on.
+    /// Goes back to time `t` (s), to other positions and rates of the unknowns, and to what laws remember there. What was measured of
+    /// steps and laws goes on.
     ///
     /// # Errors
     /// A mass matrix that cannot be inverted.
-    pub(crate) fn go_back(&mut self, t: f64, [q, v]: [&[f64]; 2]) -> Result<(), Error> {
+    pub(crate) fn go_back(
+        &mut self,
+        t: f64,
+        [q, v]: [&[f64]; 2],
+        laws: LawStates,
+    ) -> Result<(), Error> {
         let first = self.machine.first_unknown();
         let state = &mut self.state;
+        state.laws = laws;
         state.q[first..].copy_from_slice(q);
         state.v[first..].copy_from_slice(v);
         self.machine.set_given(t, false, [&mut state.q, &mut state.v, &mut state.a]);

@@ -41,7 +41,7 @@ const LOCAL_ERROR: f64 = 3.5e-3;
 /// Motion in a step in modes with ωΔt ≥ 1, as a fraction of the largest displacement of the body. A mode that rings with the
 /// fraction s of it moves by 0.9 s and more a step; one that follows a load of 23 steps a period by 0.27 s at most.
 const UNRESOLVED_MOTION: f64 = 0.3;
-/// False inertia forces of bodies that turn, as a fraction of their largest elastic force. In motion at ω of a body that does not
+/// False inertia forces of bodies that turn, as a fraction of their largest force. In motion at ω of a body that does not
 /// turn they are (ωΔt)²/6 of it: 2 % where the period is wrong by 1 %.
 const INERTIA_ERROR: f64 = 0.02;
 /// Error that steps add up to in a state of a law, as a fraction of its range. In motion at ω it is (ωΔt)²/12 of the amplitude, as
@@ -102,7 +102,7 @@ pub fn findings(
         ),
         (
             "false inertia forces of a body that turns, whose motion is constant or slow in space, that one step in \
-             twenty exceeds, as a fraction of its largest elastic force",
+             twenty exceeds, as a fraction of the largest force that holds it",
             (None, quality.inertia_error_of),
             quality.inertia_error,
             INERTIA_ERROR,

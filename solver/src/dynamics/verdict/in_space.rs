@@ -28,7 +28,8 @@ pub(super) struct InSpace {
     states: Vec<State>,
     filled: usize,
     dt: f64,
-    /// By parts of the machine what was false, and the largest elastic force, both as accelerations (m/s²).
+    /// By parts of the machine what was false, and the largest force of those that hold it, or of those that its bores take, both
+    /// as accelerations (m/s²).
     errors: Vec<Histogram>,
     forces: Vec<f64>,
 }
@@ -45,7 +46,7 @@ impl InSpace {
         }
     }
 
-    /// What 95 % of the steps stay below of a part, as a fraction of its largest elastic force.
+    /// What 95 % of the steps stay below of a part, as a fraction of its largest force.
     pub(super) fn error(&self, part: usize) -> f64 {
         ratio(self.errors[part].below(0.95), self.forces[part])
     }
@@ -60,9 +61,14 @@ impl InSpace {
         self.filled = 0;
     }
 
-    /// Adds what was false of a part, and its elastic force, as accelerations (m/s²), for so many steps.
+    /// Adds what was false of a part, and what holds it, as accelerations (m/s²), for so many steps.
     pub(super) fn add(&mut self, part: usize, [error, force]: [f64; 2], stands_for: u64) {
         self.errors[part].add_times(error, stands_for);
+        self.add_force(part, force);
+    }
+
+    /// Adds a force of a part, as an acceleration (m/s²).
+    pub(super) fn add_force(&mut self, part: usize, force: f64) {
         self.forces[part] = larger(self.forces[part], force);
     }
 

@@ -53,7 +53,7 @@ pub struct Quality {
     /// The part where it is that.
     pub unresolved_motion_of: Option<MovingPart>,
     /// False inertia forces of motion that stands or is slow in space, of a body that turns, that 95 % of the steps stay below,
-    /// as a fraction of its largest elastic force.
+    /// as a fraction of the largest force that holds it.
     pub inertia_error: f64,
     /// The part where it is that.
     pub inertia_error_of: Option<MovingPart>,

@@ -201,16 +201,34 @@ impl QualityMeter {
         let judged = self.steps.most();
         linearised.driven(judged, &self.inertia[first..], &mut self.within);
         linearised.driven(judged, &self.held, &mut self.before);
-        for (number, part) in self.parts.all.iter().enumerate() {
-            let body = &equations.machine.bodies[part.moving().body];
-            // A frame that never turns makes no such forces.
-            let turns = body
-                .rotation()
-                .is_some_and(|own| !matches!(own, Rotation::Held | Rotation::Spinning { .. }));
-            if turns && !part.turns() {
-                let measured = [&self.within, &self.before].map(|own| part.measure(own));
-                self.sums.in_space.add(number, measured, weight);
-            }
+        let machine = equations.machine;
+        let judged_parts = || {
+            self.parts.all.iter().enumerate().filter(|(_, part)| {
+                // A frame that never turns makes no such forces.
+                let rotation = machine.bodies[part.moving().body].rotation();
+                let turns = rotation
+                    .is_some_and(|own| !matches!(own, Rotation::Held | Rotation::Spinning { .. }));
+                turns && !part.turns()
+            })
+        };
+        for (number, part) in judged_parts() {
+            let measured = [&self.within, &self.before].map(|own| part.measure(own));
+            self.sums.in_space.add(number, measured, weight);
+        }
+        // What holds a ring between two films cancels: what flows through it is what its bores take.
+        let in_bores = |part: &Part| {
+            let (start, end) = (first + part.place.start, first + part.place.end);
+            let springs = &machine.springs;
+            springs.bores.iter().any(|own| own.place.start < end && start < own.place.end)
+        };
+        if !judged_parts().any(|(_, part)| in_bores(part)) {
+            return;
+        }
+        self.inertia.fill(0.0);
+        equations.springs.add_bore_forces(&machine.springs, &mut self.inertia);
+        linearised.driven(judged, &self.inertia[first..], &mut self.before);
+        for (number, part) in judged_parts() {
+            self.sums.in_space.add_force(number, part.measure(&self.before));
         }
     }
 }

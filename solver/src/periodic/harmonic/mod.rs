@@ -27,7 +27,6 @@ use super::metric::Metric;
 use super::motion::{Harmonics, Periodic};
 use super::multipliers::{largest, name_phase, paired, stability};
 use super::options::{Method, PeriodicOptions};
-use super::shooting::WHOLE;
 use super::solve::Observe;
 use super::weighed::Weighed;
 use crate::dynamics::{BodyStart, write_row};
@@ -56,6 +55,7 @@ pub(super) fn balanced(
     x: &[f64],
     observe: Observe,
 ) -> Result<Periodic, Error> {
+    remembers_nothing(map.machine())?;
     let before = map.cycles();
     let least = least_harmonics(map.machine(), map.cycle().period, options.harmonics)?;
     let count = options.harmonics.unwrap_or(HARMONICS + least);
@@ -87,14 +87,30 @@ pub fn least_harmonics(machine: &Machine, time: f64, given: Option<usize>) -> Re
     }
 }
 
+/// That no law of a machine has states, and none of its joints a film, of which harmonics know nothing.
+///
+/// # Errors
+/// One does.
+pub fn remembers_nothing(machine: &Machine) -> Result<(), PeriodicError> {
+    let springs = &machine.springs;
+    match springs.remembering(|_| true).or_else(|| springs.with_film(|_| true)) {
+        Some(plane) => {
+            let (joint, law) = machine.names_of(plane);
+            Err(PeriodicError::Remembers { joint, law })
+        }
+        None => Ok(()),
+    }
+}
+
 /// What marches a machine on which nothing acts that changes.
 ///
 /// # Errors
-/// Something does; a speed that is not known; a mass matrix that cannot be inverted.
+/// Something does; a law that remembers; a speed that is not known; a mass matrix that cannot be inverted.
 pub fn undriven<'m>(
     machine: &'m Machine,
     options: &PeriodicOptions,
 ) -> Result<CycleMap<'m>, Error> {
+    remembers_nothing(machine)?;
     match driven(machine)? {
         Some(what) => Err(PeriodicError::Driven { what }.into()),
         None => CycleMap::free(machine, options.cycle, options.newton),
@@ -114,8 +130,8 @@ pub fn self_excited(
 ) -> Result<Periodic, Error> {
     let mut map = undriven(machine, options)?;
     let space = InSpace::new(machine, &speeds(machine)?)?;
-    let x = map.beginning(start);
-    let metric = Metric::new(&map, &x)?;
+    let x = map.beginning(start, false);
+    let metric = Metric::new(&mut map, &x)?;
     let grown = own::grown(&mut map, (&metric, &space), options, &x, observe)?;
     let count = options.harmonics.unwrap_or(HARMONICS);
     let few = count.min(FEW);
@@ -140,7 +156,7 @@ fn beginning(
     x: &[f64],
     space: &InSpace,
 ) -> Result<Matrix, Error> {
-    let few = x.len() <= WHOLE;
+    let few = map.is_small();
     let marched = options.marched.unwrap_or(MARCHED[usize::from(!few)]);
     let mut moved = x.to_vec();
     let n = map.unknowns();

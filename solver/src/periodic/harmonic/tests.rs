@@ -73,8 +73,8 @@ fn steps_are_harmonics_with_rates_of_their_own() {
     let options = PeriodicOptions { judged: false, ..PeriodicOptions::of(cycle) };
     let found = periodic(&machine, &options, &start(&machine), &mut goes_on).expect("a motion");
     let mut map = CycleMap::new(&machine, cycle, NewtonOptions::default()).expect("a cycle");
-    let x = map.beginning(&start(&machine));
-    let metric = Metric::new(&map, &x).expect("a metric");
+    let x = map.beginning(&start(&machine), false);
+    let metric = Metric::new(&mut map, &x).expect("a metric");
     let own = InSpace::none();
     let from = resized(&beginning(&mut map, &options, &x, &own).expect("a beginning"), 15);
     let mut balance = Balance::new(&machine, cycle, (map.speeds(), own));
@@ -110,7 +110,7 @@ fn the_march_approaches_the_harmonics() {
     let harmonics = exact.harmonics.expect("harmonics");
     assert_eq!((harmonics.count, harmonics.instants), (21, 168));
     let mut map = CycleMap::new(&machine, exact.cycle, NewtonOptions::default()).expect("a cycle");
-    let metric = Metric::new(&map, &exact.state).expect("a metric");
+    let metric = Metric::new(&mut map, &exact.state).expect("a metric");
     let apart = [96, 192, 384].map(|steps| {
         let own = with(steps, Method::Shooting).state;
         let [own, exact] = [&own, &exact.state].map(|own| metric.weighed(own));
