@@ -2,6 +2,7 @@
 //! that are damaged.
 
 mod calculix;
+mod continued;
 mod corpus;
 mod damaged;
 mod forms;

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use super::super::raw::LinePosition;
+use super::continuations::{Ordered, asks_for, ordered};
 use super::files::{Line, Sources};
 
 /// A field with its place.
@@ -51,15 +52,16 @@ pub(super) enum Entry<'c, 'a> {
     Card(&'c Card<'a>),
     /// A comment, without the sign before it.
     Comment(&'a str),
-    /// A continuation of nothing.
-    Orphan(LinePosition),
+    /// A continuation of nothing, or of more than one line: the other line with its mark.
+    Orphan(LinePosition, Option<LinePosition>),
 }
 
 /// Goes over the cards and comments of lines of bulk data. A comment between the lines of a card comes behind it.
 pub(super) fn each<'a>(sources: &'a Sources, lines: &[Line], mut take: impl FnMut(Entry<'_, 'a>)) {
     let mut open: Option<Card<'a>> = None;
     let mut comments: Vec<&'a str> = Vec::new();
-    for line in lines {
+    let Ordered { lines, unclear } = ordered(sources, lines);
+    for line in lines.iter() {
         let text = sources.text(line);
         let (text, comment) = match text.split_once('$') {
             Some((text, comment)) => (text, Some(comment)),
@@ -71,9 +73,10 @@ pub(super) fn each<'a>(sources: &'a Sources, lines: &[Line], mut take: impl FnMu
         }
         let cut = Cut::new(text);
         if cut.continues() {
+            let other = unclear.get(&(line.file, line.number));
             match &mut open {
-                Some(card) => card.extend(&cut, line),
-                None => take(Entry::Orphan(line.place())),
+                Some(card) if other.is_none() => card.extend(&cut, line),
+                _ => take(Entry::Orphan(line.place(), other.map(Line::place))),
             }
             continue;
         }
@@ -104,9 +107,10 @@ pub(super) fn each<'a>(sources: &'a Sources, lines: &[Line], mut take: impl FnMu
 
 impl<'a> Card<'a> {
     fn extend(&mut self, cut: &Cut<'a>, line: &Line) {
-        let marker = |text: &'a str| text.trim_start_matches(['+', '*']).trim();
-        let (wanted, found) = (self.marker, marker(cut.name));
-        if cut.continues() && !wanted.is_empty() && !found.is_empty() && wanted != found {
+        let bare = |text: &'a str| text.trim_start_matches(['+', '*']).trim();
+        let (wanted, found) = (bare(self.marker), bare(cut.name));
+        let both = cut.continues() && !wanted.is_empty() && !found.is_empty();
+        if both && !asks_for(self.marker, found) {
             let what = format!(
                 "this continuation is marked {found}, but the line above asks for {wanted}"
             );
@@ -130,7 +134,7 @@ impl<'a> Card<'a> {
                 let number = first + taken;
                 self.fields.push(Field { text: piece, place: place(column), number });
             } else if taken == width && (piece.starts_with(['+', '*']) || !cut.free) {
-                self.marker = marker(piece);
+                self.marker = piece;
             } else if cut.free && !piece.is_empty() {
                 let what = format!("{} has more than {width} values in a line", self.name);
                 let help = match cut.wide {
@@ -147,8 +151,8 @@ impl<'a> Card<'a> {
 }
 
 /// A line with its name cut off.
-struct Cut<'a> {
-    name: &'a str,
+pub(super) struct Cut<'a> {
+    pub(super) name: &'a str,
     /// Of the name.
     column: usize,
     text: &'a str,
@@ -157,7 +161,7 @@ struct Cut<'a> {
 }
 
 impl<'a> Cut<'a> {
-    fn new(text: &'a str) -> Cut<'a> {
+    pub(super) fn new(text: &'a str) -> Cut<'a> {
         let free = text.contains(',');
         let (name, column) = match free {
             true => trimmed(text.split(',').next().unwrap_or_default(), 1),
@@ -167,8 +171,15 @@ impl<'a> Cut<'a> {
         Cut { name, column, text, free, wide }
     }
 
-    fn continues(&self) -> bool {
+    pub(super) fn continues(&self) -> bool {
         self.name.is_empty() || self.name.starts_with(['+', '*'])
+    }
+
+    /// The mark of the continuation that the line asks for, in its last field.
+    pub(super) fn asks(&self) -> &'a str {
+        let width = if self.wide { 4 } else { 8 };
+        let mark = self.pieces().nth(width).map_or("", |(piece, _)| piece);
+        if self.free && !mark.starts_with(['+', '*']) { "" } else { mark }
     }
 
     /// What stands behind the name, with columns.

@@ -9,6 +9,7 @@
 mod bulk;
 mod cells;
 mod components;
+mod continuations;
 mod dmig;
 mod edges;
 mod fields;
