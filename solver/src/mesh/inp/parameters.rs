@@ -19,7 +19,7 @@ pub(super) const KNOWN: [Known; 21] = [
     (
         "SURFACE",
         &["NAME"],
-        &["TYPE"],
+        &["TYPE", "COMBINE"],
         &["INTERNAL", "NO OFFSET", "NO THICK", "REGION TYPE", "TRIM"],
     ),
     ("MATERIAL", &["NAME"], &[], &["DESCRIPTION", "RTOL", "SRATE FACTOR"]),
@@ -40,14 +40,14 @@ pub(super) const KNOWN: [Known; 21] = [
     (
         "TIE",
         &[],
-        &["POSITION TOLERANCE", "ADJUST"],
+        &["POSITION TOLERANCE", "ADJUST", "TIED NSET"],
         &["NAME", "TYPE", "NO ROTATION", "NO THICKNESS"],
     ),
     (
         "RIGID BODY",
         &[],
         &["REF NODE", "ROT NODE", "NSET", "ELSET", "PIN NSET", "TIE NSET"],
-        &["NAME"],
+        &["NAME", "ANALYTICAL SURFACE", "ISOTHERMAL", "POSITION"],
     ),
     (
         "COUPLING",
@@ -80,8 +80,12 @@ pub(super) fn check(card: &Card, report: &mut MeshReport) {
         }
         // One of none, where values do not depend on anything but temperature.
         let none = name == "DEPENDENCIES" && parameter.value.is_some_and(|value| value.text == "0");
+        // All nodes weigh the same in the mean motion that is read.
+        let even = name == "WEIGHTING METHOD"
+            && parameter.value.is_some_and(|value| value.text.eq_ignore_ascii_case("UNIFORM"));
+        let idle = none || even;
         // The lines of any card may be in another file.
-        if name.is_empty() || name == "INPUT" || none || known().any(|known| known == name) {
+        if name.is_empty() || name == "INPUT" || idle || known().any(|known| known == name) {
             continue;
         }
         let help = match nearest_in_any_case(name, known()) {
