@@ -214,7 +214,7 @@ fn what_is_no_label_and_what_is_far_away_has_a_place_and_a_remedy() {
         (
             "2, 1, 0, 0",
             "two, 1, 0, 0",
-            "cube.inp:3:1: label of a node must be a whole number from 1, found `two`\n  help: number it",
+            "cube.inp:3:1: label of a node must be a whole number from 1, found `two`\n  help: write a label such as `17`, or see",
         ),
         (
             "2, 1, 0, 0",
@@ -224,12 +224,12 @@ fn what_is_no_label_and_what_is_far_away_has_a_place_and_a_remedy() {
         (
             "2, 1, 0, 0",
             ", 1, 0, 0",
-            "cube.inp:3:1: label of a node must be a whole number from 1, found ``\n  help: a value is missing",
+            "cube.inp:3:1: label of a node must be a whole number from 1, found ``\n  help: write the label there",
         ),
         (
             "1, 1, 2, 3",
             "1, 1, 2.5, 3",
-            "cube.inp:11:7: label of a node must be a whole number from 1, found `2.5`\n  help: write it without",
+            "cube.inp:11:7: label of a node must be a whole number from 1, found `2.5`\n  help: write a label such as `17`, without",
         ),
         (
             "7, 1, 1, 1",

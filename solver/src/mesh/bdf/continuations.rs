@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-use super::fields::Cut;
+use super::cut::Cut;
 use super::files::{Line, Sources};
 
 /// Lines in the order in which they continue one another, and those of which it cannot be said, with the line that has the same

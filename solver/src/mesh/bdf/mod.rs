@@ -10,6 +10,7 @@ mod bulk;
 mod cells;
 mod components;
 mod continuations;
+mod cut;
 mod dmig;
 mod edges;
 mod fields;

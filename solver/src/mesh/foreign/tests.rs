@@ -92,7 +92,7 @@ fn files_that_are_read_are_not_foreign() {
         (b"TITLE = VARIABLES OF A ZONE\nSOL 103\nCEND\n", "a.dat"),
         (b"$ a\nGRID,1\n", "a.vol"),
         (b"    -1\n  2411\n", "mesh.nodes"),
-        (b"** FLAC\n*NODE\n1, 0, 0, 0\n", "a.f3grid"),
+        (b"** from a FLAC3D grid\n*NODE\n1, 0, 0, 0\n", "a.f3grid"),
         (b"GRID,1", "a"),
         (b"1, 0., 0., 0.\n", "nodes.txt"),
         (b"1 2 3\n4 5 6\n", "sets.txt"),

@@ -88,7 +88,8 @@ const FIRST: [(&str, &str, Remedy); 74] = [
         "netcdf ",
         "a netCDF file in text, as of Exodus",
         Remedy::Other(
-            "make it a netCDF file, `ncgen -o {stem}.e {}`, and convert that, `pip install meshio netCDF4` and `meshio convert {stem}.e {stem}.inp`",
+            "make it a netCDF file, `ncgen -o {stem}.e {}`, and convert that, `pip install meshio netCDF4` and \
+             `meshio convert {stem}.e {stem}.inp`",
         ),
     ),
     ("(----tochnog", "an input of Tochnog", AGAIN),
@@ -171,8 +172,9 @@ fn by_keywords(words: &str) -> Option<Named> {
         let mut own = own.split_whitespace();
         let point =
             own.next() == Some("g") && own.filter(|own| own.parse::<f64>().is_ok()).count() == 4;
-        return (point || words.lines().next().is_some_and(|line| line.contains("flac3d grid")))
-            .then_some(("a grid of FLAC3D", Remedy::Meshio(Some("flac3d"), "")));
+        return (point
+            || words.lines().next().is_some_and(|line| line.starts_with("* flac3d grid")))
+        .then_some(("a grid of FLAC3D", Remedy::Meshio(Some("flac3d"), "")));
     }
     if words.starts_with('$') {
         return None;
@@ -258,7 +260,7 @@ fn is_plot3d(head: &[i64], second: &[&str]) -> bool {
     let sizes = second.iter().all(|own| own.parse().is_ok_and(|own: u32| own > 0));
     let a_coordinate = second.iter().any(|own| own.contains('.'));
     let are_numbers = second.iter().all(|own| own.parse::<f64>().is_ok());
-    let blocks = head.len() == 1 && second.len() % 3 == 0 && sizes;
+    let blocks = head.len() == 1 && second.len().is_multiple_of(3) && sizes;
     let block = head.len() == 3 && a_coordinate && are_numbers;
     head.iter().all(|own| *own > 0) && (blocks || block)
 }

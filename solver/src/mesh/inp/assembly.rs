@@ -103,12 +103,12 @@ pub(super) fn read<'a>(all: Vec<Card<'a>>, report: &mut MeshReport) -> Option<As
             Place::Instance(k) => vec![owner(k)],
             Place::Part(k) => of_part(k),
         };
-        for owner in owners {
-            let of_points = ["NODE", "NSET", "ELEMENT", "ELSET"].contains(&card.keyword.as_str());
-            if !matches!(owner, Owner::Points(_)) || of_points {
-                cards.push(Card { owner, ..card.clone() });
-            }
-        }
+        let of_points = ["NODE", "NSET", "ELEMENT", "ELSET"].contains(&card.keyword.as_str());
+        let mut owners =
+            owners.into_iter().filter(|owner| of_points || !matches!(owner, Owner::Points(_)));
+        let Some(last) = owners.next_back() else { continue };
+        cards.extend(owners.map(|owner| Card { owner, ..card.clone() }));
+        cards.push(Card { owner: last, ..card });
     }
     let instances = found.into_iter().enumerate();
     let instances = instances

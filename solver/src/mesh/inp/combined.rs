@@ -1,10 +1,12 @@
 //! `*SURFACE, COMBINE=…`: a surface of others.
 
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 
 use super::super::raw::{FaceOfCell, MeshReport, NodeTable, did_you_mean};
 use super::cards::{Card, Token};
-use super::surfaces::Surfaces;
+
+/// Faces of cells by the names of surfaces, in capitals.
+pub(super) type Surfaces = BTreeMap<String, Vec<FaceOfCell>>;
 
 /// Nodes and faces.
 type Members = (Vec<usize>, Vec<FaceOfCell>);

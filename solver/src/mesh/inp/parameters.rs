@@ -47,7 +47,7 @@ pub(super) const KNOWN: [Known; 21] = [
         "RIGID BODY",
         &[],
         &["REF NODE", "ROT NODE", "NSET", "ELSET", "PIN NSET", "TIE NSET"],
-        &["NAME", "ANALYTICAL SURFACE", "ISOTHERMAL", "POSITION"],
+        &["NAME", "ANALYTICAL SURFACE", "ISOTHERMAL"],
     ),
     (
         "COUPLING",
@@ -59,6 +59,10 @@ pub(super) const KNOWN: [Known; 21] = [
     ("DISTRIBUTING", &[], &[], &["COUPLING"]),
     ("KINEMATIC COUPLING", &[], &["REF NODE"], &[]),
 ];
+
+/// Values that say what holds without them.
+const USUAL: [(&str, &str); 3] =
+    [("DEPENDENCIES", "0"), ("WEIGHTING METHOD", "UNIFORM"), ("POSITION", "INPUT")];
 
 /// Notes the parameters of a card that are not read. Where one is missing that the card needs, that is the error.
 pub(super) fn check(card: &Card, report: &mut MeshReport) {
@@ -78,14 +82,14 @@ pub(super) fn check(card: &Card, report: &mut MeshReport) {
             report.error(parameter.place, what, "leave one of them");
             continue;
         }
-        // One of none, where values do not depend on anything but temperature.
-        let none = name == "DEPENDENCIES" && parameter.value.is_some_and(|value| value.text == "0");
-        // All nodes weigh the same in the mean motion that is read.
-        let even = name == "WEIGHTING METHOD"
-            && parameter.value.is_some_and(|value| value.text.eq_ignore_ascii_case("UNIFORM"));
-        let idle = none || even;
+        let usual = parameter.value.is_some_and(|value| {
+            let is = |(own, usual): &(&str, &str)| {
+                *own == name && value.text.eq_ignore_ascii_case(usual)
+            };
+            USUAL.iter().any(is)
+        });
         // The lines of any card may be in another file.
-        if name.is_empty() || name == "INPUT" || idle || known().any(|known| known == name) {
+        if name.is_empty() || name == "INPUT" || usual || known().any(|known| known == name) {
             continue;
         }
         let help = match nearest_in_any_case(name, known()) {

@@ -220,7 +220,7 @@ fn data<'c, 'a>(card: &'c Card<'a>) -> impl Iterator<Item = Named<'c, 'a>> {
         "SURFACE" if at == 0 && of_nodes => label,
         "SURFACE" if at == 0 => cell_label,
         // The number of terms stands by itself.
-        "EQUATION" if line.len() >= 3 && at % 3 == 0 => label,
+        "EQUATION" if line.len() >= 3 && at.is_multiple_of(3) => label,
         "MPC" if at > 0 => label,
         "TIE" => name,
         _ if ties::is_refused(keyword) => name,

@@ -1,12 +1,12 @@
 //! `*SURFACE`: node sets of the nodes of faces, or of nodes.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 
 use whirl_specs::{Element, Face};
 
 use super::super::raw::{Cells, FaceOfCell, MeshReport, NodeTable, did_you_mean};
 use super::cards::{Card, Token};
-use super::combined;
+use super::combined::{self, Surfaces};
 use super::others::OtherElements;
 use super::values::{label, required};
 
@@ -16,9 +16,6 @@ const PYRAMID: &[&[usize]] = &[&[0, 1, 2, 3], &[0, 4, 1], &[1, 4, 2], &[2, 4, 3]
 const WEDGE: &[&[usize]] = &[&[0, 1, 2], &[3, 5, 4], &[0, 3, 4, 1], &[1, 4, 5, 2], &[2, 5, 3, 0]];
 const HEXAHEDRON: &[&[usize]] =
     &[&[0, 1, 2, 3], &[4, 7, 6, 5], &[0, 4, 5, 1], &[1, 5, 6, 2], &[2, 6, 7, 3], &[3, 7, 4, 0]];
-
-/// Faces of cells by the names of surfaces, in capitals.
-pub(super) type Surfaces = BTreeMap<String, Vec<FaceOfCell>>;
 
 /// Corners of all faces of an element, by their places in a line of the file.
 fn corners(element: &Element) -> &'static [&'static [usize]] {

@@ -33,16 +33,15 @@ pub(super) fn label(token: &Token, of: &str, report: &mut MeshReport) -> Option<
 }
 
 /// What to write in place of what is no label.
-pub(super) fn label_help(found: &str) -> String {
-    let next = match found {
-        "" => "a value is missing between two commas, or before the first one",
+pub(super) fn label_help(found: &str) -> &'static str {
+    match found {
+        "" => "write the label there, such as `17`, or take out the comma too many",
         _ if found.split_whitespace().count() > 1 => "put commas between the values",
-        _ if read_number(found).is_some() => "write it without a sign and without decimals",
-        _ => {
-            "number it, or see that the line belongs to this card and that its values are in order"
+        _ if read_number(found).is_some() => {
+            "write a label such as `17`, without a sign or decimals"
         }
-    };
-    format!("{next}, such as `17`")
+        _ => "write a label such as `17`, or see that the line belongs to the card above it",
+    }
 }
 
 /// A finite number; Fortran's D may stand for the exponent.
