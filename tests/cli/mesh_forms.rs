@@ -180,7 +180,7 @@ fn files_of_other_formats_and_encodings_are_named() {
             ["mesh", "part.su2"],
             [
                 "this is a mesh of SU2, which is not read",
-                "`gmsh part.su2 -save -format msh41 -o part.msh`",
+                "`meshio convert --input-format su2 part.su2 part.inp`",
             ],
         ),
         (["mesh", "part.cdb"], ["this is an archive of ANSYS (CDB)", "mapdl-archive"]),

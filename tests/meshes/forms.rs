@@ -183,7 +183,7 @@ fn errors_that_follow_from_others_are_not_given() {
     assert!(first(types).starts_with("14: no element is known"));
     let parts =
         format!("*PART, NAME=A\n{NODES}{cells}*END PART\n*PART, NAME=B\n{NODES}{cells}*END PART\n");
-    assert_eq!(first(parts), "21: a second *PART is not read");
+    assert_eq!(first(parts), "21: a second *PART is not read: both have solid elements");
     let label = format!("{}{cells}", NODES.replace("\n5, ", "\nfive, "));
     assert!(first(label).starts_with("6: label of a node must be"));
 }

@@ -82,7 +82,10 @@ fn surfaces_that_are_wrong_are_refused() {
             "*SURFACE, NAME=A\nALL, S7\n",
             "cube.inp:13:6: hex8i has no face S7\n  help: its faces are S1 to S6",
         ),
-        ("*SURFACE, NAME=A\nALL\n", "cube.inp:13:1: a surface of cells needs their faces"),
+        (
+            "*SURFACE, NAME=A\nALL, TOP\n",
+            "cube.inp:13:6: a face of cells is S1, S2, …, found `TOP`\n  help: write its number",
+        ),
         ("*SURFACE, NAME=A, TYPE=NODE\n12\n", "cube.inp:13:1: node 12 is not defined"),
         ("*SURFACE, TYPE=NODE\n1\n", "cube.inp:12:1: *SURFACE needs NAME="),
     ] {
@@ -203,4 +206,101 @@ fn of_very_many_errors_the_first_are_listed() {
     assert_eq!(errors.0.len(), 101);
     assert_eq!(errors.0[100].what, "and 99900 more");
     assert!(start.elapsed() < std::time::Duration::from_secs(20), "{:?}", start.elapsed());
+}
+
+#[test]
+fn what_is_no_label_and_what_is_far_away_has_a_place_and_a_remedy() {
+    for (passage, by, known) in [
+        (
+            "2, 1, 0, 0",
+            "two, 1, 0, 0",
+            "cube.inp:3:1: label of a node must be a whole number from 1, found `two`\n  help: write a label such as `17`, or see",
+        ),
+        (
+            "2, 1, 0, 0",
+            "2 1 0 0",
+            "cube.inp:3:1: label of a node must be a whole number from 1, found `2 1 0 0`\n  help: put commas",
+        ),
+        (
+            "2, 1, 0, 0",
+            ", 1, 0, 0",
+            "cube.inp:3:1: label of a node must be a whole number from 1, found ``\n  help: write the label there",
+        ),
+        (
+            "1, 1, 2, 3",
+            "1, 1, 2.5, 3",
+            "cube.inp:11:7: label of a node must be a whole number from 1, found `2.5`\n  help: write a label such as `17`, without",
+        ),
+        (
+            "7, 1, 1, 1",
+            "7, 1, 2e7, 1",
+            "cube.inp:8:1: node 7 has y = 2e7 m, farther than 1000 km from the origin\n  help: correct the number, or write the units",
+        ),
+    ] {
+        let text = format!("{NODES}{CELLS}");
+        assert_eq!(text.matches(passage).count(), 1, "{passage}");
+        let found = refused(&text.replace(passage, by), "cube.inp");
+        assert!(found.contains(known), "{found}");
+    }
+}
+
+#[test]
+fn surfaces_are_made_of_others() {
+    let mesh = cube(
+        "*SURFACE, NAME=LOW\nALL, S1\n*SURFACE, NAME=HIGH\n1, S2\n*SURFACE, NAME=ENDS, COMBINE=UNION\nLOW, HIGH\n\
+         *SURFACE, NAME=OUTER\nALL\n*SURFACE, NAME=ONE, COMBINE=INTERSECTION\nENDS, HIGH\n\
+         *SURFACE, NAME=REST, COMBINE=DIFFERENCE\nENDS, LOW\n*SURFACE, TYPE=NODE, NAME=N\n5\n7\n\
+         *SURFACE, TYPE=NODE, NAME=M\n5\n*SURFACE, TYPE=NODE, NAME=K, COMBINE=DIFFERENCE\nN, M\n",
+    );
+    assert_eq!(labels(&mesh, "ENDS"), (1..9).collect::<Vec<_>>());
+    assert_eq!([labels(&mesh, "ONE"), labels(&mesh, "REST")], [[5, 6, 7, 8], [5, 6, 7, 8]]);
+    assert_eq!(labels(&mesh, "K"), [7]);
+    for (card, known) in [
+        ("COMBINE=UNION\nLOWER", "no surface called LOWER stands above this line"),
+        (
+            "COMBINE=UNITE\n",
+            "COMBINE of *SURFACE is UNION, INTERSECTION or DIFFERENCE, found UNITE",
+        ),
+        ("CROP\nA\n0, 0, 0, 1, 1, 1", "CROP of *SURFACE is not read"),
+    ] {
+        let errors = refused(&format!("{NODES}{CELLS}*SURFACE, NAME=A, {card}\n"), "cube.inp");
+        assert!(errors.contains(known) && errors.matches("cube.inp").count() == 1, "{errors}");
+    }
+}
+
+#[test]
+fn lines_of_any_system_and_blanks_for_zero_are_read() {
+    let text = format!("{NODES}{CELLS}").replace('\n', "\r");
+    let read = open(text.as_bytes(), "cube.inp").unwrap_or_else(|errors| panic!("{errors}"));
+    assert_eq!((read.mesh.nodes().len(), read.mesh.cell_count()), (8, 1));
+    let text = format!(
+        "*PART, NAME=P\n{NODES}{CELLS}*END PART\n*ASSEMBLY, NAME=A\n*INSTANCE, NAME=P-1, PART=P\n 3., ,\n*END INSTANCE\n\
+         *END ASSEMBLY\n"
+    );
+    let mesh = open(text.as_bytes(), "part.inp").unwrap_or_else(|errors| panic!("{errors}")).mesh;
+    assert_eq!(mesh.nodes()[0], [3.0, 0.0, 0.0]);
+    let text = text.replace("PART=P\n", "LIBRARY=old\n");
+    assert!(
+        refused(&text, "part.inp").contains("part.inp:15:22: an *INSTANCE of another analysis")
+    );
+}
+
+#[test]
+fn couplings_and_ties_as_other_programs_write_them_are_read() {
+    let mesh = |more: &str| {
+        cube(&format!(
+            "*NODE, NSET=RP\n90, .5, .5, 9\n*SURFACE, NAME=T\nALL, S2\n*SURFACE, TYPE=NODE, NAME=V\n1\n2\n*NSET, NSET=TN\n1\n{more}"
+        ))
+    };
+    let coupling =
+        "*COUPLING, CONSTRAINT NAME=C, REF NODE=RP, SURFACE=T\n*DISTRIBUTING, WEIGHTING METHOD=";
+    assert_eq!(mesh(&format!("{coupling}UNIFORM\n")).ties().len(), 0);
+    let text = format!(
+        "{NODES}90, .5, .5, 9\n{CELLS}*SURFACE, NAME=T\nALL, S2\n{}LINEAR\n",
+        coupling.replace("RP", "90")
+    );
+    assert!(refused(&text, "cube.inp").contains("WEIGHTING METHOD of *DISTRIBUTING is not read"));
+    let tied = mesh("*TIE, NAME=B, TIED NSET=TN\nV, T\n");
+    // Three displacements of one node.
+    assert_eq!(tied.ties()[0].rows.len(), 3);
 }

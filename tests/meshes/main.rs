@@ -1,7 +1,9 @@
 //! Files of meshes in every format: what other programs wrote, the reference bodies through each format, and files
 //! that are damaged.
 
+mod assemblies;
 mod calculix;
+mod continued;
 mod corpus;
 mod damaged;
 mod forms;
@@ -9,6 +11,7 @@ mod gmsh;
 mod input;
 mod packed;
 mod seams;
+mod temperatures;
 mod through;
 mod ties;
 mod universal;

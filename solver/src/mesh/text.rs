@@ -6,6 +6,10 @@ pub fn decode(mut bytes: Vec<u8>) -> String {
     if bytes.starts_with(b"\xef\xbb\xbf") {
         bytes.drain(..3);
     }
+    // Lines of old Macintosh computers.
+    if bytes.contains(&b'\r') && !bytes.contains(&b'\n') {
+        bytes.iter_mut().filter(|byte| **byte == b'\r').for_each(|byte| *byte = b'\n');
+    }
     match String::from_utf8(bytes) {
         Ok(text) => text,
         // Latin-1 is the first 256 characters of Unicode.

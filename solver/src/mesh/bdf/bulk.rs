@@ -112,13 +112,20 @@ pub(super) fn read(
     fields::each(sources, lines, |entry| match entry {
         Entry::Card(card) => bulk.card(card, report),
         Entry::Comment(text) => bulk.names.comment(text),
-        Entry::Orphan(place) => {
+        Entry::Orphan(place, None) => {
             let what = "this line continues no card";
             report.error(
                 place,
                 what,
                 "begin it with the name of a card, or put it below the card that it continues",
             );
+        }
+        Entry::Orphan(place, Some(other)) => {
+            let what = format!(
+                "the mark of this continuation is not the only one: {} has it, too",
+                report.line(other, place)
+            );
+            report.error(place, what, "give each continuation a mark of its own");
         }
     });
     bulk.warn(report);
@@ -137,6 +144,7 @@ impl Bulk {
                 let name = self.names.take_material();
                 self.properties.read_material(card, name, report);
             }
+            "MATT1" => self.properties.read_temperatures(card, report),
             "MAT2" | "MAT3" | "MAT9" | "MAT10" | "MAT11" | "MATHP" | "MATHE" => {
                 self.properties.read_other_material(card, report);
             }
@@ -189,6 +197,12 @@ impl Bulk {
     }
 
     fn other(&mut self, card: &Card, report: &mut MeshReport) {
+        if card.name.starts_with('=') {
+            let what = "a line that begins with = repeats the card above, which is not read";
+            report.error(card.place, what, "write the cards out in full");
+            self.grids.lost = true;
+            return;
+        }
         let word = card.name.split_whitespace().next().unwrap_or_default();
         if word != card.name && (READ.contains(&word) || self.cells.are(word)) {
             let what = format!("`{}` is no card", card.name);

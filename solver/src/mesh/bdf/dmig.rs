@@ -153,7 +153,7 @@ pub(in crate::mesh) fn grid_points(
         let card = match entry {
             Entry::Card(card) => card,
             Entry::Comment(text) => return names.comment(text),
-            Entry::Orphan(_) => return,
+            Entry::Orphan(..) => return,
         };
         match card.name.as_ref() {
             "GRID" => {

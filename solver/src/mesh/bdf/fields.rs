@@ -3,6 +3,8 @@
 use std::borrow::Cow;
 
 use super::super::raw::LinePosition;
+use super::continuations::{Ordered, asks_for, ordered};
+use super::cut::Cut;
 use super::files::{Line, Sources};
 
 /// A field with its place.
@@ -51,15 +53,16 @@ pub(super) enum Entry<'c, 'a> {
     Card(&'c Card<'a>),
     /// A comment, without the sign before it.
     Comment(&'a str),
-    /// A continuation of nothing.
-    Orphan(LinePosition),
+    /// A continuation of nothing, or of more than one line: the other line with its mark.
+    Orphan(LinePosition, Option<LinePosition>),
 }
 
 /// Goes over the cards and comments of lines of bulk data. A comment between the lines of a card comes behind it.
 pub(super) fn each<'a>(sources: &'a Sources, lines: &[Line], mut take: impl FnMut(Entry<'_, 'a>)) {
     let mut open: Option<Card<'a>> = None;
     let mut comments: Vec<&'a str> = Vec::new();
-    for line in lines {
+    let Ordered { lines, unclear } = ordered(sources, lines);
+    for line in lines.iter() {
         let text = sources.text(line);
         let (text, comment) = match text.split_once('$') {
             Some((text, comment)) => (text, Some(comment)),
@@ -71,9 +74,10 @@ pub(super) fn each<'a>(sources: &'a Sources, lines: &[Line], mut take: impl FnMu
         }
         let cut = Cut::new(text);
         if cut.continues() {
+            let other = unclear.get(&(line.file, line.number));
             match &mut open {
-                Some(card) => card.extend(&cut, line),
-                None => take(Entry::Orphan(line.place())),
+                Some(card) if other.is_none() => card.extend(&cut, line),
+                _ => take(Entry::Orphan(line.place(), other.map(Line::place))),
             }
             continue;
         }
@@ -104,9 +108,10 @@ pub(super) fn each<'a>(sources: &'a Sources, lines: &[Line], mut take: impl FnMu
 
 impl<'a> Card<'a> {
     fn extend(&mut self, cut: &Cut<'a>, line: &Line) {
-        let marker = |text: &'a str| text.trim_start_matches(['+', '*']).trim();
-        let (wanted, found) = (self.marker, marker(cut.name));
-        if cut.continues() && !wanted.is_empty() && !found.is_empty() && wanted != found {
+        let bare = |text: &'a str| text.trim_start_matches(['+', '*']).trim();
+        let (wanted, found) = (bare(self.marker), bare(cut.name));
+        let both = cut.continues() && !wanted.is_empty() && !found.is_empty();
+        if both && !asks_for(self.marker, found) {
             let what = format!(
                 "this continuation is marked {found}, but the line above asks for {wanted}"
             );
@@ -130,7 +135,7 @@ impl<'a> Card<'a> {
                 let number = first + taken;
                 self.fields.push(Field { text: piece, place: place(column), number });
             } else if taken == width && (piece.starts_with(['+', '*']) || !cut.free) {
-                self.marker = marker(piece);
+                self.marker = piece;
             } else if cut.free && !piece.is_empty() {
                 let what = format!("{} has more than {width} values in a line", self.name);
                 let help = match cut.wide {
@@ -143,98 +148,5 @@ impl<'a> Card<'a> {
             taken += 1;
         }
         (taken..width).for_each(|at| self.fields.push(blank(first + at)));
-    }
-}
-
-/// A line with its name cut off.
-struct Cut<'a> {
-    name: &'a str,
-    /// Of the name.
-    column: usize,
-    text: &'a str,
-    free: bool,
-    wide: bool,
-}
-
-impl<'a> Cut<'a> {
-    fn new(text: &'a str) -> Cut<'a> {
-        let free = text.contains(',');
-        let (name, column) = match free {
-            true => trimmed(text.split(',').next().unwrap_or_default(), 1),
-            false => Columns::new(text, 8, 8).next().unwrap_or(("", 1)),
-        };
-        let wide = name.starts_with('*') || name.ends_with('*');
-        Cut { name, column, text, free, wide }
-    }
-
-    fn continues(&self) -> bool {
-        self.name.is_empty() || self.name.starts_with(['+', '*'])
-    }
-
-    /// What stands behind the name, with columns.
-    fn pieces(&self) -> Box<dyn Iterator<Item = (&'a str, usize)> + 'a> {
-        if self.free {
-            let mut column = 1;
-            return Box::new(
-                self.text
-                    .split(',')
-                    .map(move |piece| {
-                        let own = trimmed(piece, column);
-                        column += piece.chars().count() + 1;
-                        own
-                    })
-                    .skip(1),
-            );
-        }
-        let width = if self.wide { 16 } else { 8 };
-        let most = if self.wide { 6 } else { 10 };
-        Box::new(Columns::new(self.text, 8, width).take(most).skip(1))
-    }
-}
-
-/// Without blanks around it, and the column of the rest.
-fn trimmed(piece: &str, column: usize) -> (&str, usize) {
-    let start = piece.trim_start();
-    let blanks = piece[..piece.len() - start.len()].chars().count();
-    (start.trim_end(), column + blanks)
-}
-
-/// Pieces of so many columns; a tab goes to the next multiple of eight.
-struct Columns<'a> {
-    text: &'a str,
-    width: usize,
-    next_width: usize,
-    at: usize,
-    /// In characters from 0, and as printed.
-    character: usize,
-    column: usize,
-    end: usize,
-}
-
-impl<'a> Columns<'a> {
-    fn new(text: &'a str, width: usize, next_width: usize) -> Columns<'a> {
-        Columns { text, width, next_width, at: 0, character: 0, column: 0, end: 0 }
-    }
-}
-
-impl<'a> Iterator for Columns<'a> {
-    type Item = (&'a str, usize);
-
-    fn next(&mut self) -> Option<(&'a str, usize)> {
-        if self.at >= self.text.len() {
-            return None;
-        }
-        self.end += self.width;
-        self.width = self.next_width;
-        let (from, first) = (self.at, self.character);
-        for c in self.text[from..].chars() {
-            if self.column >= self.end {
-                break;
-            }
-            self.column = if c == '\t' { (self.column / 8 + 1) * 8 } else { self.column + 1 };
-            self.at += c.len_utf8();
-            self.character += 1;
-        }
-        Some(trimmed(&self.text[from..self.at], first + 1))
     }
 }

@@ -19,7 +19,8 @@ const CONTROL: &[&str] = &[
     "FREQ4", "FREQ5", "TSTEP", "TSTEPNL", "NLPARM", "NLPCI", "NLSTEP", "NXSTRAT", "TABLED1",
     "TABLED2", "TABLED3", "TABLED4", "TABLEM1", "TABLES1", "TABDMP1", "TABRND1", "RANDPS",
     "ECHOON", "ECHOOFF", "DOPTPRM", "DTI", "ITER", "OMIT", "ASET", "ASET1", "QSET", "QSET1",
-    "SPOINT",
+    "SPOINT", "MATS1", "MATT2", "MATT3", "MATT8", "MATT9", "MAT4", "MAT5", "MATEP", "CREEP",
+    "TABLEST",
 ];
 
 /// Names, or with an asterisk their beginnings.

@@ -42,6 +42,13 @@ pub(super) fn regions(bulk: &Bulk, open: bool, report: &mut MeshReport) -> Regio
             let factor = if symbol == "rho" { bulk.mass_factor() } else { 1.0 };
             own.values.insert(symbol, (value * factor, place));
         }
+        if let Some(place) = bulk.properties.temperatures.get(label) {
+            let what = format!(
+                "MAT1 {label} depends on temperature (MATT1): read are its own values, as they are without a temperature"
+            );
+            let help = "if the machine runs at another temperature, write the values there into MAT1";
+            own.remarks.push((*place, what, help.to_owned()));
+        }
         own
     });
     let materials = materials.collect();

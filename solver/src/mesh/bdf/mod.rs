@@ -9,6 +9,8 @@
 mod bulk;
 mod cells;
 mod components;
+mod continuations;
+mod cut;
 mod dmig;
 mod edges;
 mod fields;

@@ -36,6 +36,8 @@ pub(super) struct Properties {
     /// Materials of other kinds, by their cards.
     pub(super) other_materials: HashMap<u64, (String, LinePosition)>,
     pub(super) properties: BTreeMap<u64, RawProperty>,
+    /// Where materials depend on temperature, by their labels.
+    pub(super) temperatures: BTreeMap<u64, LinePosition>,
 }
 
 impl Properties {
@@ -110,6 +112,13 @@ impl Properties {
         }
         values.extend(rho.map(|rho| ("rho", rho)));
         self.materials.insert(label, RawMaterial { name, place: card.place, values, broken });
+    }
+
+    /// Notes that a material depends on temperature.
+    pub(super) fn read_temperatures(&mut self, card: &Card, report: &mut MeshReport) {
+        if let Some(label) = report.label(card, 0, "label of the material") {
+            self.temperatures.entry(label).or_insert(card.place);
+        }
     }
 
     /// Notes a material that is not isotropic.

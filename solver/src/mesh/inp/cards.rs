@@ -40,12 +40,35 @@ pub(super) struct Card<'a> {
     pub(super) lines: Vec<Vec<Token<'a>>>,
     /// Which of these lines end with a comma.
     pub(super) open: Vec<bool>,
+    /// Whose nodes and sets it names.
+    pub(super) owner: Owner,
+}
+
+/// Whose labels a card has: those of nodes of the assembly are not those of a part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) enum Owner {
+    /// The part that is read, or a file without parts.
+    Part,
+    /// The assembly, beside its instances.
+    Assembly,
+    /// An instance without solid elements, by its number.
+    Points(usize),
 }
 
 impl<'a> Card<'a> {
+    fn new(keyword: String, place: Token<'a>, parameters: Vec<Parameter<'a>>) -> Card<'a> {
+        let (lines, open) = (Vec::new(), Vec::new());
+        Card { keyword, place, parameters, lines, open, owner: Owner::Part }
+    }
+
     /// The parameter called `name` (in capitals).
     pub(super) fn parameter(&self, name: &str) -> Option<&Parameter<'a>> {
         self.parameters.iter().find(|parameter| parameter.name == name)
+    }
+
+    /// The value of a parameter.
+    pub(super) fn value(&self, name: &str) -> Option<Token<'a>> {
+        self.parameter(name)?.value
     }
 }
 
@@ -77,27 +100,16 @@ pub(super) fn cards(pieces: &[Piece]) -> Vec<Card<'_>> {
             let mut tokens = tokens.into_iter();
             let place = tokens.next().unwrap_or(Token { text: "*", file, line: number, column: 1 });
             let words = place.text.trim_start_matches('*').to_uppercase();
-            cards.push(Card {
-                keyword: words.split_whitespace().collect::<Vec<_>>().join(" "),
-                place,
-                parameters: tokens.map(parameter).collect(),
-                lines: Vec::new(),
-                open: Vec::new(),
-            });
+            let keyword = words.split_whitespace().collect::<Vec<_>>().join(" ");
+            cards.push(Card::new(keyword, place, tokens.map(parameter).collect()));
             continued = open;
         } else {
             if cards.is_empty() {
                 let place = Token { text: "", file, line: number, column: 1 };
-                cards.push(Card {
-                    keyword: String::new(),
-                    place,
-                    parameters: Vec::new(),
-                    lines: Vec::new(),
-                    open: Vec::new(),
-                });
+                cards.push(Card::new(String::new(), place, Vec::new()));
             }
             if let Some(card) = cards.last_mut() {
-                card.lines.push(tokens);
+                card.lines.push(tokens.into_iter().map(unquoted).collect());
                 card.open.push(open);
             }
         }
@@ -132,19 +144,24 @@ pub(super) fn tokens(line: &str, file: usize, number: usize) -> Vec<Token<'_>> {
 
 pub(super) fn parameter(token: Token<'_>) -> Parameter<'_> {
     let Some((name, value)) = token.text.split_once('=') else {
-        return Parameter { name: token.text.to_uppercase(), place: token, value: None };
+        let words: Vec<&str> = token.text.split_whitespace().collect();
+        return Parameter { name: words.join(" ").to_uppercase(), place: token, value: None };
     };
     let blanks = value.chars().take_while(|c| c.is_whitespace()).count();
     let column = token.column + name.chars().count() + 1 + blanks;
-    let mut text = value.trim();
-    if let Some(inner) = text.strip_prefix('"').and_then(|text| text.strip_suffix('"')) {
-        text = inner.trim();
-    }
+    let words: Vec<&str> = name.split_whitespace().collect();
     Parameter {
-        name: name.trim().to_uppercase(),
+        name: words.join(" ").to_uppercase(),
         place: token,
-        value: Some(Token { text, file: token.file, line: token.line, column }),
+        value: Some(unquoted(Token { text: value.trim(), column, ..token })),
     }
+}
+
+/// Without the quotation marks around a name; a name of an instance and one of a set may have their own.
+fn unquoted(token: Token<'_>) -> Token<'_> {
+    let inner = token.text.strip_prefix('"').and_then(|text| text.strip_suffix('"'));
+    let inner = inner.filter(|inner| !inner.contains('"'));
+    Token { text: inner.map_or(token.text, str::trim), ..token }
 }
 
 #[cfg(test)]

@@ -8,14 +8,20 @@ use super::super::raw::{
     Cells, LinePosition, MeshReport, NodeTable, RawCell, RawMaterial, count, did_you_mean,
     in_own_order, list,
 };
+use super::assembly::Assembly;
 use super::cards::{Card, Token};
 use super::others::OtherElements;
 use super::types::{self, Kind, Remark};
 use super::values::{label, number, required};
 
-pub(super) fn read_nodes(cards: &[&Card], report: &mut MeshReport) -> NodeTable {
+pub(super) fn read_nodes(
+    cards: &[&Card],
+    assembly: &Assembly,
+    report: &mut MeshReport,
+) -> NodeTable {
     let mut nodes = NodeTable::new();
     for card in cards.iter().filter(|card| card.keyword == "NODE") {
+        let motion = assembly.motion(card.owner);
         if let Some(system) = card.parameter("SYSTEM")
             && !system.value.is_some_and(|value| value.text.eq_ignore_ascii_case("R"))
         {
@@ -39,7 +45,7 @@ pub(super) fn read_nodes(cards: &[&Card], report: &mut MeshReport) -> NodeTable 
                 report.error(*token, what, "write label, x, y, z");
             }
             if let Some(index) = nodes.named.add(label, *token, report) {
-                nodes.positions.push(position);
+                nodes.positions.push(motion.place(position));
                 members.push(index);
             }
         }

@@ -107,7 +107,11 @@ fn include(
             }
             Err(error) => {
                 let at: LinePosition = name.into();
-                report.error(at, format!("cannot read `{shown}`: {error}"), "");
+                report.error(
+                    at,
+                    format!("cannot read `{shown}`: {error}"),
+                    "see that the file may be read",
+                );
             }
         }
     }

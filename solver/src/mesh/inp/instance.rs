@@ -1,76 +1,69 @@
-//! Parts and instances: one of each, which may be moved and turned.
+//! How an instance is moved and turned.
 
-use super::super::raw::{MeshReport, NodeTable};
+use super::super::raw::MeshReport;
 use super::cards::Card;
-use super::values::{number, read_number};
+use super::values::number;
 
-/// Keywords around parts and their instances.
-pub(super) const PARTS: [&str; 6] =
-    ["PART", "END PART", "ASSEMBLY", "END ASSEMBLY", "INSTANCE", "END INSTANCE"];
+/// A displacement, and behind it a turn about an axis by an angle (rad).
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Motion {
+    by: [f64; 3],
+    /// A point of the axis, its direction and the angle.
+    turn: Option<([f64; 3], [f64; 3], f64)>,
+}
 
-/// Whether there is one part and one instance at most. Of more the labels stand twice: nothing else can be said of
-/// the file.
-pub(super) fn is_one(cards: &[Card], report: &mut MeshReport) -> bool {
-    let before = report.error_count();
-    for keyword in ["PART", "INSTANCE"] {
-        if let Some(second) = cards.iter().filter(|card| card.keyword == keyword).nth(1) {
-            let help = "merge them into one part, or write a file for each body";
-            report.error(second.place, format!("a second *{keyword} is not read"), help);
+impl Motion {
+    /// Where a point of the part is in the assembly.
+    pub(super) fn place(&self, position: [f64; 3]) -> [f64; 3] {
+        let moved = [0, 1, 2].map(|i| position[i] + self.by[i]);
+        match self.turn {
+            Some((from, axis, angle)) => turned(moved, from, axis, angle),
+            None => moved,
         }
     }
-    report.error_count() == before
-}
 
-/// Puts the nodes where the instance has them.
-pub(super) fn place(cards: &[Card], nodes: &mut NodeTable, report: &mut MeshReport) {
-    if let Some(card) = cards.iter().find(|card| card.keyword == "INSTANCE") {
-        move_and_turn(card, nodes, report);
+    /// Where x, y and z of the part point in the assembly.
+    pub(super) fn axes(&self) -> [[f64; 3]; 3] {
+        let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        match self.turn {
+            Some((_, axis, angle)) => axes.map(|own| turned(own, [0.0; 3], axis, angle)),
+            None => axes,
+        }
     }
 }
 
-/// Where x, y and z of the part point in the instance.
-pub(super) fn axes(cards: &[Card]) -> [[f64; 3]; 3] {
-    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    let turn = cards.iter().find(|card| card.keyword == "INSTANCE").and_then(|card| {
-        let values = card.lines.get(1)?.iter().map(|token| read_number(token.text));
-        let values: Vec<f64> = values.collect::<Option<_>>()?;
-        <[f64; 7]>::try_from(values).ok()
-    });
-    let Some([ax, ay, az, bx, by, bz, angle]) = turn else { return axes };
-    axes.map(|own| turned(own, [0.0; 3], [bx - ax, by - ay, bz - az], angle.to_radians()))
-}
-
-/// The first line moves, and the second one turns about the line from a to b, by an angle in degrees.
-fn move_and_turn(card: &Card, nodes: &mut NodeTable, report: &mut MeshReport) {
+/// The motion of an `*INSTANCE`: the first line moves, and the second one turns about the line from a to b, by an angle in degrees.
+pub(super) fn motion(card: &Card, report: &mut MeshReport) -> Motion {
     let mut values: [Vec<f64>; 2] = [Vec::new(), Vec::new()];
     for (line, values) in card.lines.iter().zip(&mut values) {
-        values.extend(line.iter().filter_map(|token| number(token, "a coordinate", report)));
+        values.extend(line.iter().filter_map(|token| match token.text {
+            "" => Some(0.0),
+            _ => number(token, "a coordinate", report),
+        }));
+    }
+    // What is left blank behind the last comma is 0.
+    if let (Some(true), [_, _]) = (card.open.first(), &values[0][..]) {
+        values[0].push(0.0);
     }
     let [by, turn] = values;
-    let (by, turn) = match (&by[..], &turn[..], card.lines.len()) {
-        ([], [], 0) => return,
-        (&[x, y, z], [], 1) => ([x, y, z], None),
+    match (&by[..], &turn[..], card.lines.len()) {
+        ([], [], 0) => Motion::default(),
+        (&[x, y, z], [], 1) => Motion { by: [x, y, z], turn: None },
         (&[x, y, z], &[ax, ay, az, bx, by, bz, angle], 2) => {
-            ([x, y, z], Some(([ax, ay, az], [bx - ax, by - ay, bz - az], angle)))
+            let axis = [bx - ax, by - ay, bz - az];
+            if axis == [0.0; 3] {
+                let what = "the two points of the axis are one";
+                report.error(card.lines[1][0], what, "write two points");
+                return Motion::default();
+            }
+            Motion { by: [x, y, z], turn: Some(([ax, ay, az], axis, angle.to_radians())) }
         }
         _ => {
             let help = "write x, y, z, and below them two points and an angle: ax, ay, az, bx, by, bz, angle";
-            report.error(
-                card.lines[0][0],
-                "an *INSTANCE is moved by other numbers than these",
-                help,
-            );
-            return;
+            let at = card.lines[0].first().copied().unwrap_or(card.place);
+            report.error(at, "an *INSTANCE is moved by other numbers than these", help);
+            Motion::default()
         }
-    };
-    for position in &mut nodes.positions {
-        *position = [0, 1, 2].map(|i| position[i] + by[i]);
-        if let Some((from, axis, angle)) = turn {
-            *position = turned(*position, from, axis, angle.to_radians());
-        }
-    }
-    if turn.is_some_and(|(_, axis, _)| axis == [0.0; 3]) {
-        report.error(card.lines[1][0], "the two points of the axis are one", "write two points");
     }
 }
 

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use super::super::raw::{Cells, FileDof, MeshReport, NodeTable, TiePoint, count, did_you_mean};
 use super::cards::Token;
+use super::combined::Surfaces;
 use super::others::OtherElements;
-use super::surfaces::Surfaces;
 use super::values::whole;
 
 /// What else to do where a tie cannot be read.

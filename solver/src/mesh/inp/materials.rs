@@ -1,7 +1,10 @@
 //! Materials: linear elastic, isotropic, with a density.
 
+use whirl_text::shown;
+
 use super::super::raw::{MeshReport, RawMaterial, count};
 use super::cards::{Card, Token};
+use super::temperatures::at_room;
 use super::values::{number, required};
 
 pub(super) fn read_materials(cards: &[&Card], report: &mut MeshReport) -> Vec<RawMaterial> {
@@ -55,9 +58,34 @@ fn property(card: &Card, material: &mut RawMaterial, report: &mut MeshReport) {
         _ => &[("rho", "density")],
     };
     if card.lines.len() > 1 {
-        let what = format!("*{} has {}", card.keyword, count(card.lines.len(), "line"));
-        let help = "properties that depend on temperature are not read: keep one line".to_owned();
-        material.unread.push((card.lines[1][0].into(), what, help));
+        let titles: Vec<&str> = wanted.iter().map(|(_, title)| *title).collect();
+        if let Some((values, temperature, range)) = at_room(card, &titles, report) {
+            let own = wanted.iter().zip(&values);
+            let shown: Vec<String> =
+                own.clone().map(|((symbol, _), value)| said(symbol, *value)).collect();
+            for (&(symbol, title), value) in own {
+                material.set(symbol, title, *value, card.lines[0][0].into(), report);
+            }
+            let what = format!(
+                "*{} of {name} depends on temperature: read is {} at a temperature of {temperature}, of {} from {} to {}",
+                card.keyword,
+                shown.join(", "),
+                count(card.lines.len(), "line"),
+                range[0],
+                range[1]
+            );
+            let help = "if the machine runs at another temperature, keep the line of that temperature alone";
+            material.remarks.push((card.place.into(), what, help.to_owned()));
+        } else if report.error_count() == before {
+            let what = format!("*{} has {}", card.keyword, count(card.lines.len(), "line"));
+            let help = format!(
+                "keep one line, or write the temperature of each behind its {}",
+                titles.last().copied().unwrap_or_default()
+            );
+            material.unread.push((card.lines[1][0].into(), what, help));
+        }
+        material.broken |= report.error_count() > before;
+        return;
     }
     let line: &[Token] = card.lines.first().map_or(&[], Vec::as_slice);
     for (place, &(symbol, title)) in wanted.iter().enumerate() {
@@ -74,4 +102,14 @@ fn property(card: &Card, material: &mut RawMaterial, report: &mut MeshReport) {
         material.set(symbol, title, value, (*token).into(), report);
     }
     material.broken |= report.error_count() > before;
+}
+
+/// A value with its symbol, for people.
+fn said(symbol: &str, value: f64) -> String {
+    let symbol = match symbol {
+        "nu" => "ν",
+        "rho" => "ρ",
+        other => other,
+    };
+    format!("{symbol} = {}", shown(value, 6, 1e-3..1e6))
 }

@@ -5,8 +5,10 @@
 //! instance is put in its place. Other keywords are left out with a warning, but for those that would change the mesh, which are errors, and those that say nothing of it. A file's errors are all given
 //! at once.
 
+mod assembly;
 mod cards;
 mod cells;
+mod combined;
 mod couplings;
 mod equations;
 mod include;
@@ -16,8 +18,10 @@ mod materials;
 mod others;
 mod parameters;
 mod piece;
+mod renames;
 mod sets;
 mod surfaces;
+mod temperatures;
 mod ties;
 mod types;
 mod values;
@@ -27,12 +31,13 @@ use std::collections::BTreeSet;
 use whirl_specs::Element;
 use whirl_text::nearest_in_any_case;
 
-use self::cards::{Card, cards};
+use self::assembly::{Assembly, PARTS};
+use self::cards::{Card, Owner, Token, cards};
 use self::cells::{assign_sections, read_elements, read_nodes};
 use self::include::pieces;
-use self::instance::PARTS;
 use self::joining::Joining;
 use self::materials::read_materials;
+use self::renames::Renames;
 use super::placed_nodes::PlacedNodes;
 use super::raw::{MeshReport, RawMesh, Remedies};
 pub use super::reading::ReadMesh;
@@ -79,25 +84,31 @@ const REMEDIES: Remedies = Remedies {
 pub fn read_with(text: &str, path: &str, options: &ReadOptions) -> Result<ReadMesh, InputErrors> {
     let mut report = MeshReport::new(path);
     let pieces = pieces(text, path, &mut report);
-    let all = cards(&pieces);
-    let cards = readable(&all, &mut report);
+    let Some(mut assembly) = assembly::read(cards(&pieces), &mut report) else {
+        return Err(report.into_errors());
+    };
+    let renames = renames::find(&assembly, &mut report);
+    let all = renames.apply(std::mem::take(&mut assembly.cards));
+    let cards = readable(&all, (&assembly, &renames), &mut report);
     // What a file lacks that is not there, or a card that is not read, follows from that error.
     let lost = report.error_count() > 0;
-    if !instance::is_one(&all, &mut report) {
-        return Err(report.into_errors());
-    }
-    let mut nodes = read_nodes(&cards, &mut report);
+    let mut nodes = read_nodes(&cards, &assembly, &mut report);
     nodes.named.lost |= lost;
-    instance::place(&all, &mut nodes, &mut report);
     let (mut cells, mut others) = read_elements(&cards, options.elements, &nodes, &mut report);
     cells.named.lost |= lost;
     sets::read_of_elements(&cards, &mut cells, &mut others, &mut report);
     sets::read_of_nodes(&cards, &mut nodes, Some((&cells, &others)), &mut report);
     let surfaces = surfaces::read(&cards, &mut nodes, (&cells, &others), &mut report);
     let all_others = &others;
-    let joining = Joining::new((&nodes, &cells), all_others, &surfaces, instance::axes(&all));
-    let (ties, named_by_ties) = ties::read((&all, &cards), &joining, &mut report);
+    let axes = assembly.motion(Owner::Part).axes();
+    let joining = Joining::new((&nodes, &cells), all_others, &surfaces, axes);
+    let (ties, mut named_by_ties) = ties::read((&all, &cards), &joining, &mut report);
+    // Points of an assembly need no cell.
+    let points = nodes.named.labels.iter().filter(|&&label| renames.is_beside(label));
+    named_by_ties.extend(points);
     others.into_node_sets(&mut nodes, &cells);
+    let labels = &nodes.named.labels;
+    nodes.named.sets.drop_those_of(|node| renames.is_beside(labels[node]));
     let materials = read_materials(&cards, &mut report);
     let (sections, sections_complete) = assign_sections(&cards, &cells, &materials, &mut report);
     // Sets of elements that are left out have sections, too.
@@ -110,14 +121,14 @@ pub fn read_with(text: &str, path: &str, options: &ReadOptions) -> Result<ReadMe
 /// Other cards are left out.
 pub(super) fn placed_nodes(text: &str, path: &str, report: &mut MeshReport) -> PlacedNodes {
     let pieces = pieces(text, path, report);
-    let all = cards(&pieces);
+    let Some(mut assembly) = assembly::read(cards(&pieces), report) else {
+        return PlacedNodes::default();
+    };
+    let renames = renames::find(&assembly, report);
+    let all = renames.apply(std::mem::take(&mut assembly.cards));
     let kept: Vec<&Card> =
         all.iter().filter(|card| ["NODE", "NSET"].contains(&card.keyword.as_str())).collect();
-    if !instance::is_one(&all, report) {
-        return PlacedNodes::default();
-    }
-    let mut nodes = read_nodes(&kept, report);
-    instance::place(&all, &mut nodes, report);
+    let mut nodes = read_nodes(&kept, &assembly, report);
     if let Some(card) =
         all.iter().find(|card| ["TRANSFORM", "SYSTEM"].contains(&card.keyword.as_str()))
     {
@@ -146,32 +157,36 @@ const READ: [&str; 9] = [
 /// Keywords for people and printers: nothing of the mesh is lost without them.
 const SAYS_NOTHING: [&str; 2] = ["HEADING", "PREPRINT"];
 
+/// Keywords of Abaqus that look like those that are read.
+const OTHERS: [&str; 2] = ["PLASTIC", "SHELL SECTION"];
+
 /// Keywords that add or move nodes, cells or their matrices: a mesh without them would be another mesh.
 const CHANGES_THE_MESH: [&str; 7] = ["NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM"];
 
 /// The cards that this reader knows; warns of the others.
-fn readable<'c, 'a>(cards: &'c [Card<'a>], report: &mut MeshReport) -> Vec<&'c Card<'a>> {
+fn readable<'c, 'a>(
+    cards: &'c [Card<'a>],
+    (assembly, renames): (&Assembly, &Renames),
+    report: &mut MeshReport,
+) -> Vec<&'c Card<'a>> {
     let mut kept = Vec::new();
     let mut in_step = false;
     let mut skipped: BTreeSet<&str> = BTreeSet::new();
-    let (mut in_assembly, mut in_instance) = (false, false);
-    let has_instance = cards.iter().any(|card| card.keyword == "INSTANCE");
     for card in cards {
         let keyword = card.keyword.as_str();
-        match keyword {
-            "ASSEMBLY" | "END ASSEMBLY" => in_assembly = keyword == "ASSEMBLY",
-            "INSTANCE" | "END INSTANCE" => in_instance = keyword == "INSTANCE",
-            _ => {}
-        }
-        let beside = has_instance && in_assembly && !in_instance;
+        let beside = card.owner == Owner::Assembly && !assembly.instances.is_empty();
         if keyword == "END STEP" {
             in_step = false;
         } else if in_step || SAYS_NOTHING.contains(&keyword) {
             continue;
-        } else if beside && is_of_assembly(card) {
+        } else if beside && is_of_assembly(card, assembly.tied, renames) {
             if skipped.insert("ASSEMBLY") {
-                let what = "nodes of the assembly, and what stands on them, are left out";
-                report.warn(card.place, what, "");
+                let what = match assembly.tied {
+                    true => "what stands on nodes of the assembly is left out",
+                    false => "nodes of the assembly, and what stands on them, are left out",
+                };
+                let help = "bodies of other kinds and masses are written in the case";
+                report.warn(card.place, what, help);
             }
         } else if READ.contains(&keyword) || PARTS.contains(&keyword) || ties::is_tie(keyword) {
             parameters::check(card, report);
@@ -184,8 +199,9 @@ fn readable<'c, 'a>(cards: &'c [Card<'a>], report: &mut MeshReport) -> Vec<&'c C
         } else {
             in_step = keyword == "STEP";
             if skipped.insert(keyword) {
-                let close =
-                    nearest_in_any_case(keyword, READ).map(|close| format!("is *{close} meant?"));
+                let close = nearest_in_any_case(keyword, READ)
+                    .filter(|_| !OTHERS.contains(&keyword))
+                    .map(|close| format!("is *{close} meant?"));
                 let what = format!("*{keyword} is left out");
                 report.warn(card.place, what, close.unwrap_or_default());
             }
@@ -194,16 +210,28 @@ fn readable<'c, 'a>(cards: &'c [Card<'a>], report: &mut MeshReport) -> Vec<&'c C
     kept
 }
 
-/// Whether a card beside the instance has nodes of the assembly, such as reference points. Their labels are not those of
-/// the part.
-fn is_of_assembly(card: &Card) -> bool {
+/// Whether a card beside the instances has nodes of the assembly, such as reference points, that nothing needs, or elements on
+/// them. Their labels are not those of the part.
+fn is_of_assembly(card: &Card, tied: bool, renames: &Renames) -> bool {
+    let has_only_own = || {
+        let is_own = |label: &Token| {
+            let label = values::whole(label.text).and_then(|label| u64::try_from(label).ok());
+            label.is_some_and(|label| renames.is_beside(label))
+        };
+        let ranges = card.parameter("GENERATE").is_some();
+        let mut labels = card.lines.iter().flat_map(|line| match ranges {
+            true => &line[..line.len().min(2)],
+            false => &line[..],
+        });
+        card.parameter("INSTANCE").is_none()
+            && card.lines.iter().any(|line| !line.is_empty())
+            && labels.all(is_own)
+    };
     match card.keyword.as_str() {
-        "NODE" | "ELEMENT" => true,
-        "NSET" | "ELSET" => {
-            let first = card.lines.iter().flatten().next();
-            card.parameter("INSTANCE").is_none()
-                && first.is_some_and(|label| values::whole(label.text).is_some())
-        }
+        "NODE" => !tied,
+        "ELEMENT" => true,
+        "NSET" => !tied && has_only_own(),
+        "ELSET" => has_only_own(),
         _ => false,
     }
 }

@@ -19,7 +19,7 @@ pub(super) const KNOWN: [Known; 21] = [
     (
         "SURFACE",
         &["NAME"],
-        &["TYPE"],
+        &["TYPE", "COMBINE"],
         &["INTERNAL", "NO OFFSET", "NO THICK", "REGION TYPE", "TRIM"],
     ),
     ("MATERIAL", &["NAME"], &[], &["DESCRIPTION", "RTOL", "SRATE FACTOR"]),
@@ -40,14 +40,14 @@ pub(super) const KNOWN: [Known; 21] = [
     (
         "TIE",
         &[],
-        &["POSITION TOLERANCE", "ADJUST"],
+        &["POSITION TOLERANCE", "ADJUST", "TIED NSET"],
         &["NAME", "TYPE", "NO ROTATION", "NO THICKNESS"],
     ),
     (
         "RIGID BODY",
         &[],
         &["REF NODE", "ROT NODE", "NSET", "ELSET", "PIN NSET", "TIE NSET"],
-        &["NAME"],
+        &["NAME", "ANALYTICAL SURFACE", "ISOTHERMAL"],
     ),
     (
         "COUPLING",
@@ -59,6 +59,10 @@ pub(super) const KNOWN: [Known; 21] = [
     ("DISTRIBUTING", &[], &[], &["COUPLING"]),
     ("KINEMATIC COUPLING", &[], &["REF NODE"], &[]),
 ];
+
+/// Values that say what holds without them.
+const USUAL: [(&str, &str); 3] =
+    [("DEPENDENCIES", "0"), ("WEIGHTING METHOD", "UNIFORM"), ("POSITION", "INPUT")];
 
 /// Notes the parameters of a card that are not read. Where one is missing that the card needs, that is the error.
 pub(super) fn check(card: &Card, report: &mut MeshReport) {
@@ -78,10 +82,14 @@ pub(super) fn check(card: &Card, report: &mut MeshReport) {
             report.error(parameter.place, what, "leave one of them");
             continue;
         }
-        // One of none, where values do not depend on anything but temperature.
-        let none = name == "DEPENDENCIES" && parameter.value.is_some_and(|value| value.text == "0");
+        let usual = parameter.value.is_some_and(|value| {
+            let is = |(own, usual): &(&str, &str)| {
+                *own == name && value.text.eq_ignore_ascii_case(usual)
+            };
+            USUAL.iter().any(is)
+        });
         // The lines of any card may be in another file.
-        if name.is_empty() || name == "INPUT" || none || known().any(|known| known == name) {
+        if name.is_empty() || name == "INPUT" || usual || known().any(|known| known == name) {
             continue;
         }
         let help = match nearest_in_any_case(name, known()) {

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::super::raw::{Cells, Labelled, MeshReport, NodeTable, count, did_you_mean};
 use super::cards::{Card, Token};
 use super::others::OtherElements;
-use super::values::{label, required, whole};
+use super::values::{label, label_help, required, whole};
 
 /// Reads `*ELSET`; labels of elements that are left out go to sets of these.
 pub(super) fn read_of_elements(
@@ -64,7 +64,15 @@ fn read(
                 name.text,
                 named.noun
             );
-            report.warn(name, what, "");
+            let help = match members.first_missing {
+                Some(label) => {
+                    format!("the first is {label}: take it out, or add the {}", named.noun)
+                }
+                None => {
+                    format!("ranges may have gaps; if this one has none, add the {}s", named.noun)
+                }
+            };
+            report.warn(name, what, help);
         }
         named.sets.add(name.text, members.own);
         if keyword == "ELSET" && !members.others.is_empty() {
@@ -80,8 +88,9 @@ struct Members {
     own: Vec<usize>,
     /// Elements that are left out.
     others: Vec<usize>,
-    /// Labels that nothing has.
+    /// Labels that nothing has, and the first that is not of a range.
     missing: usize,
+    first_missing: Option<u64>,
 }
 
 /// The nodes of a set of elements.
@@ -117,14 +126,17 @@ fn member(
     if token.text.starts_with(|c: char| c.is_ascii_digit() || c == '-' || c == '+') {
         let Some(label) = whole(token.text) else {
             let what = format!("label of a {noun} must be a whole number, found `{}`", token.text);
-            report.error(*token, what, "");
+            report.error(*token, what, label_help(token.text));
             return;
         };
         let label = u64::try_from(label).unwrap_or(0);
         match (named.index.get(&label), others.index.get(&label)) {
             (Some(&index), _) => members.own.push(index),
             (None, Some(&index)) => members.others.push(index),
-            (None, None) => members.missing += 1,
+            (None, None) => {
+                members.missing += 1;
+                members.first_missing.get_or_insert(label);
+            }
         }
         return;
     }

@@ -34,7 +34,12 @@ const REFUSED: [&str; 5] = [
 
 /// Whether a card ties nodes.
 pub(super) fn is_tie(keyword: &str) -> bool {
-    READ.contains(&keyword) || REFUSED.contains(&keyword)
+    READ.contains(&keyword) || is_refused(keyword)
+}
+
+/// Whether a card ties nodes in a way that is not read.
+pub(super) fn is_refused(keyword: &str) -> bool {
+    REFUSED.contains(&keyword)
 }
 
 /// Reads the ties of all cards, with the labels of the nodes beside the cells that they name.
@@ -171,6 +176,10 @@ fn onto_surface(
     let value = |name: &str| card.parameter(name).and_then(|parameter| parameter.value);
     let most =
         value("POSITION TOLERANCE").and_then(|token| number(&token, "POSITION TOLERANCE", report));
+    // Nodes of a set that is named are tied however far away they are.
+    let within: Option<BTreeSet<usize>> =
+        value("TIED NSET").map(|token| joining.named(&token, report).into_iter().collect());
+    let most = most.or(within.as_ref().map(|_| f64::INFINITY));
     let mut rows = Vec::new();
     for line in &card.lines {
         let [follower, master, ..] = line[..] else {
@@ -185,7 +194,9 @@ fn onto_surface(
         let followers: Vec<usize> = joining
             .named(&follower, report)
             .into_iter()
-            .filter(|&node| joining.of_cells[node])
+            .filter(|node| {
+                joining.of_cells[*node] && within.as_ref().is_none_or(|own| own.contains(node))
+            })
             .collect();
         let text = master.text.trim_matches('"').to_uppercase();
         let bare = text.rsplit_once('.').map_or(text.as_str(), |(_, name)| name);

@@ -80,8 +80,7 @@ pub(super) fn of_card(card: &Card, elements: &[&'static Element], report: &mut M
             .then(|| Remark { what: "without incompatible modes".to_owned(), difference: STIFF.1 });
         return Kind::Solid(element, stiff);
     }
-    let letters = capitals.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(capitals.len());
-    if NO_SOLIDS.contains(&&capitals[..letters]) {
+    if !may_be_solid(&capitals) {
         return Kind::LeftOut;
     }
     if let Some((element, known, behind)) = alike(&capitals, elements)
@@ -103,6 +102,12 @@ pub(super) fn of_card(card: &Card, elements: &[&'static Element], report: &mut M
     let help = if close.starts_with("did") { format!("{close} {listed}") } else { listed };
     report.error(name, format!("no element is known for type {}", name.text), help);
     Kind::Refused
+}
+
+/// Whether a type is none of those that are known not to be solids.
+pub(super) fn may_be_solid(name: &str) -> bool {
+    let letters = name.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(name.len());
+    !NO_SOLIDS.contains(&name[..letters].to_uppercase().as_str())
 }
 
 /// The element that has the nodes of a type such as `C3D20RH`, which differs in its integration (R), is hybrid (H),

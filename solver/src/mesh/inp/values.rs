@@ -26,9 +26,21 @@ pub(super) fn label(token: &Token, of: &str, report: &mut MeshReport) -> Option<
         Some(label) if label > 0 => Some(label),
         _ => {
             let what = format!("{of} must be a whole number from 1, found `{}`", token.text);
-            report.error(*token, what, "");
+            report.error(*token, what, label_help(token.text));
             None
         }
+    }
+}
+
+/// What to write in place of what is no label.
+pub(super) fn label_help(found: &str) -> &'static str {
+    match found {
+        "" => "write the label there, such as `17`, or take out the comma too many",
+        _ if found.split_whitespace().count() > 1 => "put commas between the values",
+        _ if read_number(found).is_some() => {
+            "write a label such as `17`, without a sign or decimals"
+        }
+        _ => "write a label such as `17`, or see that the line belongs to the card above it",
     }
 }
 
@@ -42,7 +54,11 @@ pub(super) fn number(token: &Token, of: &str, report: &mut MeshReport) -> Option
     let value = read_number(token.text);
     if value.is_none() {
         let what = format!("{of} must be a number, found `{}`", token.text);
-        report.error(*token, what, "write it as 0.0115 or 1.15e-2");
+        let help = match token.text.starts_with('<') {
+            true => "*PARAMETER is not read: write the number itself",
+            false => "write it as 0.0115 or 1.15e-2",
+        };
+        report.error(*token, what, help);
     }
     value
 }

@@ -156,7 +156,10 @@ impl RawMatrices {
         match Mesh::new(parts) {
             Ok(mesh) => Ok((mesh, report)),
             Err(error) => {
-                report.error_in_file(error.to_string(), "");
+                report.error_in_file(
+                    error.to_string(),
+                    "correct it in the file, or write the file anew",
+                );
                 Err(report.into_errors())
             }
         }

@@ -3,8 +3,9 @@
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
-use whirl_text::rounded;
+use whirl_text::{rounded, shown};
 
+use super::super::FARTHEST;
 use super::super::material::NEEDED;
 use super::super::reading::ReadOptions;
 use super::super::units::MeshUnits;
@@ -65,6 +66,9 @@ impl RawMesh {
         for (index, material) in self.materials.iter().enumerate() {
             if !self.sections.contains(&Some(index)) {
                 continue;
+            }
+            for (place, what, help) in &material.remarks {
+                report.warn(*place, what.clone(), help.clone());
             }
             for (place, what, help) in &material.unread {
                 match options.open {
@@ -141,6 +145,24 @@ impl RawMesh {
             tie.rows.retain(|row| row.iter().all(|(dof, _)| place[dof / 3] != usize::MAX));
             let terms = tie.rows.iter_mut().flatten();
             terms.for_each(|(dof, _)| *dof = 3 * place[*dof / 3] + *dof % 3);
+        }
+    }
+
+    /// Notes the first node that is too far away to compute with.
+    pub(super) fn are_near(&self, report: &mut MeshReport) {
+        let positions = self.nodes.positions.iter();
+        let mut far = positions.zip(&self.nodes.named.labels).zip(&self.nodes.named.places);
+        let found = far.find_map(|((position, label), place)| {
+            let along = (0..3).find(|&k| position[k].abs() > FARTHEST)?;
+            Some((position[along], ["x", "y", "z"][along], label, *place))
+        });
+        if let Some((value, along, label, place)) = found {
+            let what = format!(
+                "node {label} has {along} = {} m, farther than 1000 km from the origin",
+                shown(value, 4, 1e-3..1e4)
+            );
+            let help = "correct the number, or write the units of the file beside `mesh` in the case, such as `units = \"mm, N, t\"`";
+            report.error(place, what, help);
         }
     }
 

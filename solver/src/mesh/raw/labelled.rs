@@ -32,6 +32,12 @@ impl Sets {
         self.by_capitals.retain(|_, (_, members)| !members.is_empty());
     }
 
+    /// Takes out the sets all of whose members are such.
+    pub(crate) fn drop_those_of(&mut self, such: impl Fn(usize) -> bool) {
+        let kept = |members: &[usize]| members.is_empty() || !members.iter().all(|&own| such(own));
+        self.by_capitals.retain(|_, (_, members)| kept(members));
+    }
+
     /// The sets by name, with members as often as they were added.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (&str, &[usize])> {
         self.by_capitals.values().map(|(name, members)| (name.as_str(), members.as_slice()))

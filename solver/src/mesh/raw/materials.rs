@@ -19,12 +19,15 @@ pub(crate) struct RawMaterial {
     pub(crate) broken: bool,
     /// What in it is not read, with the remedy: an error where cells need it.
     pub(crate) unread: Vec<(LinePosition, String, String)>,
+    /// What is to be said of its values where cells have them.
+    pub(crate) remarks: Vec<(LinePosition, String, String)>,
 }
 
 impl RawMaterial {
     pub(crate) fn new(name: String, place: LinePosition) -> RawMaterial {
-        let (values, unread) = (BTreeMap::new(), Vec::new());
-        RawMaterial { name, place, values, broken: false, unread }
+        let values = BTreeMap::new();
+        let (unread, remarks) = (Vec::new(), Vec::new());
+        RawMaterial { name, place, values, broken: false, unread, remarks }
     }
 
     /// Without places.

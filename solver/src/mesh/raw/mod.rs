@@ -122,6 +122,7 @@ impl RawMesh {
         }
         self.drop_unused_nodes(&mut report);
         self.extent(&options.units, &mut report);
+        self.are_near(&mut report);
         let units = &options.units;
         self.materials.iter().for_each(|material| material.judge(units, &mut report));
         if report.error_count() > 0 {
@@ -132,7 +133,10 @@ impl RawMesh {
         match self.build(&report.files[0]) {
             Ok(mesh) => Ok(ReadMesh { mesh, masses: Vec::new(), warnings: report.into_warnings() }),
             Err(error) => {
-                report.error_in_file(error.to_string(), "");
+                report.error_in_file(
+                    error.to_string(),
+                    "correct it in the file, or write the file anew",
+                );
                 Err(report.into_errors())
             }
         }
