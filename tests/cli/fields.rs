@@ -234,3 +234,115 @@ fn fields_stand_about_the_axis_of_the_body() {
         }
     }
 }
+
+/// A rotor in a film that carries its fill, and on a pad of one that does not.
+const FILMS: &str = r#"
+title = "films"
+[body.r]
+turns = "prescribed"
+speed = "3000 rpm"
+mass = "30 kg"
+polar_inertia = "0.1 kg*m^2"
+unbalance.u = { mass = "20 g", radius = "30 mm" }
+[loads.w]
+body = "r"
+force = ["-600 N", "90 N", "0 N"]
+[joint.oil]
+kind = "bearing"
+journal = { body = "r" }
+law = "jfo"
+radial_clearance = "60 um"
+journal_radius = "25 mm"
+length = "25 mm"
+film = { grid = [24, 5], left = "1 bar", right = "1 bar" }
+[joint.pad]
+kind = "bearing"
+journal = { body = "r" }
+law = "reynolds"
+radial_clearance = "70 um"
+journal_radius = "25 mm"
+length = "20 mm"
+film = { arc = ["150 deg", "210 deg"], grid = [13, 5] }
+[output.oil]
+joint = "oil"
+quantity = "film"
+[output.pad]
+joint = "pad"
+quantity = "film"
+[start]
+kind = "equilibrium"
+[march]
+time_step = "0.25 ms"
+steps = 80
+cycle_frequency = "50 Hz"
+"#;
+
+/// Maps have the extremes that the columns of the history have, at their places, and the least and most over the frames.
+#[test]
+fn maps_of_films_hold_what_their_columns_hold() {
+    let fields = "[fields]\nframes = 4\ntimes = [\"2 ms\"]\n";
+    let bench = Workbench::new().file("case.toml", &format!("{FILMS}{fields}"));
+    let outcome = bench.whirl(&["run", "case.toml", "--no-figures", "--out", "out"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    let folder = bench.path("out/fields");
+    let history = fs::read_to_string(bench.path("out/history.csv")).expect("a history");
+    let heads: Vec<&str> = history.lines().next().expect("a head").split(',').collect();
+    let cell = |row: usize, name: &str| -> f64 {
+        let place = heads.iter().position(|own| *own == name).expect("a column");
+        let line = history.lines().nth(row).expect("a row");
+        line.split(',').nth(place).expect("a cell").parse().expect("a number")
+    };
+    for (name, nodes, cells, filled) in [("oil", 120, 96, true), ("pad", 65, 48, false)] {
+        let frames = listed(&folder.join(format!("film_{name}.pvd")));
+        assert_eq!(frames.len(), 5, "{name}");
+        let (mut most, mut least) = (vec![f64::NEG_INFINITY; nodes], vec![f64::INFINITY; nodes]);
+        for (time, file) in &frames {
+            let row = (time / 0.25e-3).round() as usize;
+            let vtu = Vtu::read(&folder.join(file));
+            assert!(
+                vtu.head()
+                    .contains(&format!("NumberOfPoints=\"{nodes}\" NumberOfCells=\"{cells}\""))
+            );
+            assert_eq!(vtu.head().contains("\"fill\""), filled, "{name}");
+            let (pressure, gap) = (vtu.numbers("pressure_Pa"), vtu.numbers("gap_m"));
+            let points = vtu.vectors("points");
+            let largest = (0..nodes).max_by(|&a, &b| pressure[a].total_cmp(&pressure[b])).unwrap();
+            let smallest = (0..nodes).min_by(|&a, &b| gap[a].total_cmp(&gap[b])).unwrap();
+            let pairs = [
+                (1e-6 * pressure[largest], format!("pmax_{name}_MPa")),
+                (1e6 * gap[smallest], format!("hmin_{name}_um")),
+            ];
+            for (own, column) in pairs {
+                let shown = cell(row, &column);
+                assert!((own - shown).abs() < 1e-7 * shown, "{column} at {time}: {own}, {shown}");
+            }
+            let [x, y, z] = points[largest];
+            let angle = y.atan2(x).to_degrees().rem_euclid(360.0);
+            assert!((angle - cell(row, &format!("pmax_angle_{name}_deg"))).abs() < 1e-4, "{name}");
+            assert!((1e3 * z - cell(row, &format!("pmax_z_{name}_mm"))).abs() < 1e-6, "{name}");
+            assert!((x.hypot(y) - 25e-3).abs() < 2e-4, "{name}: {x} {y}");
+            if filled {
+                let fill = vtu.numbers("fill");
+                assert!(fill.iter().all(|own| (0.0..=1.0).contains(own)));
+                // Where the gap is part empty, the pressure is that of the cavity.
+                let parted = fill.iter().zip(&pressure).filter(|own| *own.0 < 1.0);
+                assert!(parted.clone().count() > 10 && parted.into_iter().all(|own| *own.1 == 0.0));
+            }
+            most.iter_mut().zip(&pressure).for_each(|(most, own)| *most = most.max(*own));
+            least.iter_mut().zip(&gap).for_each(|(least, own)| *least = least.min(*own));
+        }
+        let largest = Vtu::read(&folder.join(format!("film_{name}_largest.vtu")));
+        assert_eq!(largest.numbers("largest_pressure_Pa"), most, "{name}");
+        assert_eq!(largest.numbers("smallest_gap_m"), least, "{name}");
+    }
+    let one = FILMS.replace("[start]", "[fields]\nframes = 2\nfilms = [\"pad\"]\n[start]");
+    let bench = Workbench::new().file("case.toml", &one);
+    assert_eq!(bench.whirl(&["run", "case.toml", "--no-figures", "--out", "out"]).status, 0);
+    assert!(bench.path("out/fields/film_pad.pvd").exists());
+    assert!(!bench.path("out/fields/film_oil.pvd").exists());
+    let wrong = FILMS.replace("[start]", "[fields]\nfilms = [\"pat\"]\n[start]");
+    let bench = Workbench::new().file("case.toml", &wrong);
+    let outcome = bench.whirl(&["run", "case.toml"]);
+    assert_eq!(outcome.status, 2);
+    assert!(outcome.stderr.contains("there is no joint `pat` with a film"), "{}", outcome.stderr);
+}

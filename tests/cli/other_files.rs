@@ -231,9 +231,10 @@ fn rows_that_were_changed_are_not_resumed() {
     let bench = Workbench::new().file("case.toml", &case(MANY, ""));
     let usual = ["run", "case.toml", "--out", "cut", "--no-figures", "--parquet"];
     let running = begin(&bench, &usual);
+    let path = bench.path("cut/history.part");
+    wait_until("groups", || path.metadata().is_ok_and(|own| own.len() > 4));
     running.signal("TERM");
     assert_eq!(running.end().0, Some(1));
-    let path = bench.path("cut/history.part");
     let before = fs::read(&path).expect("rows");
     let mut changed = before.clone();
     // Of the second group.

@@ -62,7 +62,7 @@ const CASE: &[Key] = &[
     key("reduction", Table(&[REDUCTION]), "how bodies are reduced"),
     key("output", Named(&Table(&[OUTPUT])), "further columns of history.csv, by name"),
     key("analysis", Named(&Table(&[ANALYSIS])), "linear analyses at constant speeds, by name"),
-    key("fields", Table(&[FIELDS]), "motions of whole bodies as VTU files"),
+    key("fields", Table(&[FIELDS]), "motions of whole bodies, and films, as VTU files"),
     key("figures", Table(&[FIGURES]), "laws drawn, and numbers of the figures in the paper"),
 ];
 
@@ -481,6 +481,8 @@ const VARIANT: &[Key] = &[needed("set", NAMES, "keys of the case with their valu
 
 const FIELDS: &[Key] = &[
     key("bodies", NAMES, "those that have a mesh if left out").like("[\"shaft\"]"),
+    key("films", NAMES, "joints whose films are written; all that have one if left out")
+        .like("[\"front\"]"),
     key("frames", Count(1, 1000), "of the last cycle; 24 if neither they nor times are given")
         .like("24"),
     key("times", List(&DURATION), "of further frames").like("[\"10 ms\"]"),

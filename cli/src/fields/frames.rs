@@ -5,10 +5,16 @@ use std::fs::{File, OpenOptions};
 use std::io::{self, Cursor, Seek, SeekFrom, Write};
 use std::path::Path;
 
+use whirl_solver::dynamics::March;
+use whirl_solver::machine::Machine;
+
 use crate::case::Case;
 
 /// The file, while a run is at work.
 pub(crate) const FRAMES: &str = "frames.bin";
+
+/// Values of a film at each of its nodes: pressure, gap and fill.
+pub(super) const MAPS: usize = 3;
 
 /// The coordinates of a machine after a step.
 pub(crate) struct Frame {
@@ -16,6 +22,8 @@ pub(crate) struct Frame {
     /// s.
     pub(crate) time: f64,
     pub(crate) q: Vec<f64>,
+    /// Of films, where these are wanted: see [`March::write_films`].
+    pub(crate) films: Vec<f64>,
     /// Whether it is one of the last cycle.
     pub(crate) of_cycle: bool,
 }
@@ -31,6 +39,8 @@ pub(crate) struct Schedule {
     /// Given times (s), and from one step to the next.
     times: Vec<f64>,
     step: f64,
+    /// Whether films are kept, too.
+    films: bool,
 }
 
 impl Schedule {
@@ -42,7 +52,8 @@ impl Schedule {
         let frames = fields.frames as u64;
         let every = (frames > 0).then(|| (cycle / frames.max(1)).max(1));
         let slots = every.map_or(0, |every| cycle.div_ceil(every));
-        Some(Schedule { every, slots, cycle, times: fields.times.clone(), step: dt })
+        let (times, films) = (fields.times.clone(), !fields.films.is_empty());
+        Some(Schedule { every, slots, cycle, times, step: dt, films })
     }
 
     /// Records into which a step goes that ends at `time` (s).
@@ -98,13 +109,18 @@ impl<W: Write + Seek> FrameWriter<W> {
     ///
     /// # Errors
     /// It cannot be written.
-    pub(crate) fn record(&mut self, step: u64, time: f64, q: &[f64]) -> io::Result<()> {
+    pub(crate) fn record(&mut self, march: &March) -> io::Result<()> {
+        let (step, time) = (march.progress().step as u64, march.time());
         for record in self.schedule.records(step, time) {
-            let length = 16 + 8 * q.len() as u64;
+            let mut values = march.state().q.clone();
+            if self.schedule.films {
+                march.write_films(&mut values);
+            }
+            let length = 16 + 8 * values.len() as u64;
             let mut bytes = Vec::with_capacity(length as usize);
             bytes.extend(step.to_le_bytes());
             bytes.extend(time.to_le_bytes());
-            q.iter().for_each(|value| bytes.extend(value.to_le_bytes()));
+            values.iter().for_each(|value| bytes.extend(value.to_le_bytes()));
             self.to.seek(SeekFrom::Start(record * length))?;
             self.to.write_all(&bytes)?;
         }
@@ -112,9 +128,14 @@ impl<W: Write + Seek> FrameWriter<W> {
     }
 }
 
-/// The frames of the last cycle up to `last`, and those at given times, each step once and in order. `size`: coordinates of
-/// the machine.
-pub(crate) fn read(bytes: &[u8], schedule: &Schedule, (size, last): (usize, u64)) -> Vec<Frame> {
+/// The frames of a machine in the last cycle up to `last`, and those at given times, each step once and in order.
+pub(crate) fn read(
+    bytes: &[u8],
+    schedule: &Schedule,
+    (machine, last): (&Machine, u64),
+) -> Vec<Frame> {
+    let films = || machine.springs.films().iter().map(|own| MAPS * own.grid.nodes()).sum::<usize>();
+    let size = machine.size() + if schedule.films { films() } else { 0 };
     let number = |bytes: &[u8]| <[u8; 8]>::try_from(bytes).expect("eight bytes");
     let mut frames = Vec::new();
     for (place, record) in bytes.chunks_exact(16 + 8 * size).enumerate() {
@@ -128,8 +149,9 @@ pub(crate) fn read(bytes: &[u8], schedule: &Schedule, (size, last): (usize, u64)
         }
         let values = record[8..].chunks_exact(8).map(|own| f64::from_le_bytes(number(own)));
         let mut values = values.collect::<Vec<f64>>();
-        let q = values.split_off(1);
-        frames.push(Frame { step, time: values[0], q, of_cycle: of_cycle && in_cycle });
+        let mut q = values.split_off(1);
+        let films = q.split_off(machine.size());
+        frames.push(Frame { step, time: values[0], q, films, of_cycle: of_cycle && in_cycle });
     }
     // Of a step that is kept twice, the frame of the cycle.
     frames.sort_by_key(|frame| (frame.step, !frame.of_cycle));

@@ -1,5 +1,6 @@
-//! Motions of whole bodies for other programs: frames kept during the march, written as VTU files when it is over.
+//! Motions of whole bodies, and films, for other programs: frames kept during the march, written as VTU files when it is over.
 
+mod films;
 mod frames;
 mod motion;
 mod stresses;
@@ -18,6 +19,7 @@ use self::frames::{Frame, read};
 use self::motion::motion;
 use self::stresses::Envelope;
 pub(crate) use self::stresses::LargestStress;
+use self::vtu::Cells;
 use crate::case::Case;
 use crate::machine::Built;
 
@@ -62,6 +64,8 @@ pub(crate) struct PlayedFrame {
 /// The motions of whole bodies that a run has left.
 pub(crate) struct Motions<'a> {
     built: &'a Built,
+    /// Joints whose films are written, by their places and names.
+    films: Vec<(usize, String)>,
     frames: Vec<Frame>,
     /// The largest stresses of each body, where the case wants them.
     stresses: Vec<Option<Envelope>>,
@@ -79,7 +83,7 @@ impl<'a> Motions<'a> {
     ) -> Option<Result<Self, String>> {
         let (schedule, fields) = (Schedule::new(case)?, case.fields.as_ref()?);
         let motions = frames().and_then(|bytes| {
-            let frames = read(&bytes, &schedule, (built.machine.size(), step as u64));
+            let frames = read(&bytes, &schedule, (&built.machine, step as u64));
             let all = built.machine.fields.iter().zip(&built.fields);
             let stresses = all.map(|(field, own)| {
                 (fields.stresses && own.flexible)
@@ -88,7 +92,9 @@ impl<'a> Motions<'a> {
             });
             let stresses = stresses.collect::<Result<_, _>>();
             let stresses = stresses.map_err(|error| format!("no stresses: {error}"))?;
-            Ok(Motions { built, frames, stresses })
+            let name = |&joint: &usize| (joint, case.machine.joints[joint].name.text().to_owned());
+            let films = fields.films.iter().map(name).collect();
+            Ok(Motions { built, films, frames, stresses })
         });
         Some(motions)
     }
@@ -142,6 +148,7 @@ impl<'a> Motions<'a> {
         let all = machine.fields.iter().zip(&self.built.fields).zip(&self.stresses);
         for ((field, own), stresses) in all {
             let name = machine.bodies[field.body].name();
+            let cells = Cells::of(&own.mesh);
             let mut listed = Vec::with_capacity(self.frames.len());
             for (number, frame) in self.frames.iter().enumerate() {
                 let file = format!("{name}_{number:04}.vtu");
@@ -150,15 +157,15 @@ impl<'a> Motions<'a> {
                 if stresses.is_some() {
                     arrays.extend(motion.stresses(&own.mesh).map_err(io::Error::other)?);
                 }
-                vtu::write(&folder.join(&file), &own.mesh, &arrays)?;
+                vtu::write(&folder.join(&file), &cells, &arrays)?;
                 listed.push((frame.time, file));
             }
             vtu::collection(&folder.join(format!("{name}.pvd")), &listed)?;
             if let Some(stresses) = stresses {
                 let arrays = stresses.arrays(&own.mesh, own.axis);
-                vtu::write(&folder.join(format!("{name}_largest.vtu")), &own.mesh, &arrays)?;
+                vtu::write(&folder.join(format!("{name}_largest.vtu")), &cells, &arrays)?;
             }
         }
-        Ok(())
+        films::write(&folder, machine, (&self.films, &self.frames))
     }
 }

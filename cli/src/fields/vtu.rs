@@ -4,6 +4,7 @@ use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
+use whirl_solver::film::Grid;
 use whirl_solver::mesh::Mesh;
 
 /// Numbers at the nodes of a mesh.
@@ -75,37 +76,74 @@ impl Appended {
     }
 }
 
-/// Writes a mesh with numbers at its nodes, where these are among them.
+/// Cells between points.
+#[derive(Default)]
+pub(super) struct Cells {
+    points: usize,
+    /// The points of all cells, one after the other.
+    connectivity: Vec<i64>,
+    /// Where the points of each cell end, and its kind.
+    ends: Vec<i64>,
+    kinds: Vec<u8>,
+}
+
+/// VTK's number of a quadrilateral.
+const QUADRILATERAL: u8 = 9;
+
+impl Cells {
+    /// Of a mesh.
+    pub(super) fn of(mesh: &Mesh) -> Self {
+        let mut all = Cells { points: mesh.nodes().len(), ..Cells::default() };
+        for block in mesh.blocks() {
+            for cell in block.cells() {
+                let order = block.element.vtk_order.iter().map(|&place| cell[place]);
+                all.push(block.element.vtk, order);
+            }
+        }
+        all
+    }
+
+    /// Between the nodes of a film.
+    pub(super) fn between(grid: &Grid) -> Self {
+        let mut all = Cells { points: grid.nodes(), ..Cells::default() };
+        let cells = grid.around - usize::from(grid.arc.is_some());
+        for row in 0..grid.along - 1 {
+            for own in 0..cells {
+                let next = (own + 1) % grid.around;
+                let corners = [(own, row), (next, row), (next, row + 1), (own, row + 1)];
+                all.push(QUADRILATERAL, corners.map(|(i, j)| j * grid.around + i).into_iter());
+            }
+        }
+        all
+    }
+
+    fn push(&mut self, kind: u8, points: impl Iterator<Item = usize>) {
+        self.connectivity.extend(points.map(|own| own as i64));
+        self.ends.push(self.connectivity.len() as i64);
+        self.kinds.push(kind);
+    }
+}
+
+/// Writes cells with numbers at their points, where these are among them.
 ///
 /// # Errors
 /// It cannot be written.
-pub(super) fn write(path: &Path, mesh: &Mesh, arrays: &[Array]) -> io::Result<()> {
+pub(super) fn write(path: &Path, cells: &Cells, arrays: &[Array]) -> io::Result<()> {
     let mut data = Appended::default();
     let (mut points, mut at_nodes) = (String::new(), String::new());
     for array in arrays {
         let target = if array.name == POINTS { &mut points } else { &mut at_nodes };
         target.push_str(&data.numbers(array));
     }
-    let cells =
-        || mesh.blocks().iter().flat_map(|block| block.cells().map(move |own| (block, own)));
-    let connectivity = data.add(
-        ("Int64", "connectivity", 1),
-        cells().flat_map(|(block, cell)| {
-            let order = block.element.vtk_order.iter();
-            order.map(|&place| (cell[place] as i64).to_le_bytes()).collect::<Vec<_>>()
-        }),
-    );
-    let mut end = 0;
-    let ends = cells().map(|(block, _)| {
-        end += block.element.nodes as i64;
-        end.to_le_bytes()
-    });
-    let offsets = data.add(("Int64", "offsets", 1), ends);
-    let types = data.add(("UInt8", "types", 1), cells().map(|(block, _)| [block.element.vtk]));
+    let numbers = |own: &[i64]| own.iter().map(|own| own.to_le_bytes()).collect::<Vec<_>>();
+    let connectivity =
+        data.add(("Int64", "connectivity", 1), numbers(&cells.connectivity).into_iter());
+    let offsets = data.add(("Int64", "offsets", 1), numbers(&cells.ends).into_iter());
+    let types = data.add(("UInt8", "types", 1), cells.kinds.iter().map(|own| [*own]));
     let vectors =
         arrays.iter().find(|own| own.name != POINTS && matches!(own.values, Values::Vectors(_)));
     let shown = vectors.map_or(String::new(), |own| format!(" Vectors=\"{}\"", own.name));
-    let (nodes, cells) = (mesh.nodes().len(), mesh.cell_count());
+    let (nodes, cells) = (cells.points, cells.kinds.len());
     let mut file = BufWriter::new(File::create(path)?);
     write!(
         file,

@@ -123,8 +123,7 @@ impl Store for FolderStore<'_> {
     fn record(&mut self, march: &March, every: usize) -> Result<(), NotWritten> {
         self.writer()?;
         if let Some(frames) = &mut self.frames {
-            let step = march.progress().step as u64;
-            let written = frames.record(step, march.time(), &march.state().q);
+            let written = frames.record(march);
             written.map_err(|error| NotWritten(error.to_string()))?;
         }
         let writer = self.writer()?;

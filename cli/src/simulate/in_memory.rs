@@ -155,7 +155,7 @@ impl Store for TableStore {
         self.begun = true;
         let step = march.progress().step;
         if let Some(frames) = &mut self.frames {
-            let written = frames.record(step as u64, march.time(), &march.state().q);
+            let written = frames.record(march);
             written.map_err(|error| NotWritten(error.to_string()))?;
         }
         if step.is_multiple_of(every) {

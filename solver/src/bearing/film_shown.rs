@@ -1,9 +1,10 @@
 //! What results show of a film.
 
 use super::films::FilmAt;
+use super::plane::Plane;
 use super::springs::Springs;
 use super::state::SpringState;
-use crate::film::{Grid, OUTPUTS, OilFilm};
+use crate::film::{Grid, OUTPUTS, Oil, OilFilm};
 
 /// A film as it was solved last.
 pub(crate) struct Shown<'s> {
@@ -13,13 +14,57 @@ pub(crate) struct Shown<'s> {
     forces: [f64; OUTPUTS],
 }
 
+/// Where maps of a film belong.
+#[derive(Debug, Clone, Copy)]
+pub struct FilmPlace<'m> {
+    /// Its bearing, counted from 0.
+    pub bearing: usize,
+    /// Its nodes.
+    pub grid: &'m Grid,
+    /// Whether its gap may be part empty.
+    pub carries_fill: bool,
+}
+
+impl Springs {
+    /// The films, in the order of their maps.
+    pub fn films(&self) -> Vec<FilmPlace<'_>> {
+        let films = self.planes.iter().filter_map(|plane| {
+            let film = &self.laws[plane.law].bound.law.film()?.film;
+            let (bearing, carries_fill) = (plane.bearing, film.carries_fill());
+            Some(FilmPlace { bearing, grid: &film.grid, carries_fill })
+        });
+        films.collect()
+    }
+}
+
 impl SpringState {
+    /// Writes pressure (Pa), gap (m) and filled part of the gap at the nodes of all films as they were solved last, in the order of
+    /// [`Springs::films`].
+    pub(crate) fn write_maps(&self, springs: &Springs, out: &mut Vec<f64>) {
+        for plane in &springs.planes {
+            if springs.laws[plane.law].bound.law.film().is_none() {
+                continue;
+            }
+            let shown = self.film_at(springs, plane);
+            let Oil { unknowns: [pressures, others], .. } = &shown.at.oil;
+            out.extend(pressures);
+            out.extend(&shown.at.balance.motion.gap);
+            match shown.film.carries_fill() {
+                true => out.extend(others.iter().map(|own| 1.0 - own)),
+                false => out.extend(others.iter().map(|_| 1.0)),
+            }
+        }
+    }
+
     /// The film of a plane.
     ///
     /// # Panics
     /// If its law is none.
     pub(crate) fn film<'s>(&'s self, springs: &'s Springs, plane: usize) -> Shown<'s> {
-        let plane = &springs.planes[plane];
+        self.film_at(springs, &springs.planes[plane])
+    }
+
+    fn film_at<'s>(&'s self, springs: &'s Springs, plane: &Plane) -> Shown<'s> {
         let (law, own) = (&springs.laws[plane.law], &self.laws[plane.law]);
         let journal = law.bound.law.film().expect("a film");
         let spring = plane.springs.start;

@@ -50,6 +50,7 @@ mod valid;
 pub(crate) mod work;
 
 pub use film_law::FilmLaw;
+pub use film_shown::FilmPlace;
 pub use frequency_law::FrequencyLaw;
 pub use gear::{Flank, Gear};
 pub use hold::{Hold, LawStates};

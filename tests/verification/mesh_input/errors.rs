@@ -38,7 +38,7 @@ fn every_error_says_where_what_and_how_to_fix_it() {
         (
             " 9, 2, 0, 0\n",
             " 9, 2, 0, 0\n-3, 2, 0, 0\n",
-            "cube.inp:14:1: label of a node must be a whole number from 1, found `-3`",
+            "cube.inp:14:1: label of a node must be a whole number from 1, found `-3`\n  help: write a label such as `17`, without a sign or decimals",
         ),
         (
             "*Node, nset=All",
@@ -161,8 +161,8 @@ fn every_error_says_where_what_and_how_to_fix_it() {
         ),
         (
             "200e9, 0.3",
-            "200e9, 0.3, 20\n190e9, 0.3, 100",
-            "cube.inp:34:1: *ELASTIC has 2 lines\n  help: properties that depend on temperature are not read: keep one line",
+            "200e9, 0.3\n190e9, 0.3",
+            "cube.inp:34:1: *ELASTIC has 2 lines\n  help: keep one line, or write the temperature of each behind its Poisson's ratio",
         ),
         (
             "ISOTROPIC",

@@ -326,6 +326,12 @@ impl<'m> March<'m> {
         &self.state
     }
 
+    /// Writes pressure (Pa), gap (m) and filled part of the gap at the nodes of all films, in the order of
+    /// [`Springs::films`](crate::bearing::Springs::films).
+    pub fn write_films(&self, out: &mut Vec<f64>) {
+        self.equations.springs.write_maps(&self.machine.springs, out);
+    }
+
     /// For every load of the machine whether it has stopped driving.
     pub fn released(&self) -> &[bool] {
         &self.equations.released
