@@ -259,6 +259,7 @@ fn run(
                 interrupted = true;
                 break;
             }
+            Err(error @ Failure::Unfinished { .. }) if interruption.asked() => return Err(error),
             // One that comes to nothing keeps no other from being done.
             Err(error) if analyses.len() == 1 && analysis.table.is_none() => return Err(error),
             Err(error @ Failure::Unfinished { .. }) if !interruption.asked() => {

@@ -111,7 +111,7 @@ pub enum Error {
     },
     /// A law with states in a bore that turns, in a balance of forces.
     #[error(
-        "the bore of {joint} turns, and its law {law} has states: they come to rest with the bore, while what stands in space does not. Begin at rest (start = \"rest\"), or give the joint a law without states"
+        "the bore of {joint} turns, and its law {law} has states: they come to rest with the bore, while what stands in space does not. Begin at rest, or give the joint a law without states"
     )]
     RemembersTurning {
         /// The joint.

@@ -323,6 +323,39 @@ fn a_rub_is_followed_into_contact_from_either_side() {
 
 /// The last point is the end of the range, which a key need not outlive: there is no damping below zero. Of an undamped oscillator
 /// nothing but the range ends the branch.
+/// The film with unbalance doubles its period at 670.33 rad/s, in steps of 1/240 turn; the branch of two turns that begins there comes
+/// to the motion of 680 rad/s that a search of its own finds, which is stable.
+#[test]
+fn a_branch_is_left_where_the_period_doubles() {
+    let keys = "steps = 240\nvary = \"body.rotor.speed = 660 rad/s .. 680 rad/s\"\ndoublings = 1\n";
+    let (bench, events) = followed(&film(660.0, 0.2, keys), &[]);
+    assert_eq!(events.len(), 1, "{events:?}");
+    assert_eq!(events[0].0, "period doubling");
+    assert!((events[0].1 - 670.33).abs() < 0.3, "{events:?}");
+    let of = |name: &str| column(&bench, "cycle.doubled-1.csv", name);
+    let (values, periods) = (of("value"), of("period_s"));
+    assert_eq!((values[0], values[values.len() - 1]), (events[0].1, 680.0));
+    assert!((periods[periods.len() - 1] - 2.0 * TAU / 680.0).abs() < 1e-12);
+    let words = std::fs::read_to_string(bench.path("out/cycle.doubled-1.csv")).expect("a table");
+    assert!(words.lines().last().expect("a row").contains(",stable,"), "{words}");
+    let (_, own) = motions(&film(680.0, 0.2, "steps = 480\nperiods = 2\nmarched = 60\n"));
+    let columns = &own[0]["columns"];
+    for name in ["RX_film_N", "EX_film_um", "EY_film_um"] {
+        for end in ["min", "max"] {
+            let value = number(&columns[name], end);
+            let followed = of(&format!("{name}.{end}"));
+            let last = followed[followed.len() - 1];
+            assert!((last - value).abs() < 1e-6 * value.abs(), "{name}.{end}: {last}, {value}");
+            // Of the doubling itself it is the motion of one turn.
+            assert!((followed[0] - value).abs() > 1e-2 * value.abs(), "{name}.{end}: {followed:?}");
+        }
+    }
+    let text = std::fs::read_to_string(bench.path("out/cycle.json")).expect("a summary");
+    let whole: Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(whole["doubled"][0]["periods"], 2);
+    assert_eq!(whole["doubled"][0]["end"], "the end of the range");
+}
+
 #[test]
 fn a_branch_ends_at_the_end_of_its_range() {
     let rest = "steps = 48\nvary = \"mass.damping = 30 N*s/m .. 0 N*s/m\"\n";

@@ -9,9 +9,9 @@ use crate::errors::Failure;
 use crate::figures::{Figure, png, svg};
 use crate::signals::Interruption;
 
-/// What is left of an analysis that was interrupted before its first speed was done: nothing.
+/// What is left of an analysis that was interrupted before it came to anything: nothing.
 pub(super) fn nothing() -> Failure {
-    let reason = "interrupted before the first speed".to_owned();
+    let reason = "interrupted before anything was found".to_owned();
     Failure::Unfinished { reason, kept: None, help: None }
 }
 

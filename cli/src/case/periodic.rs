@@ -19,7 +19,7 @@ pub(super) const MOST_HARMONICS: usize = 1000;
 pub(super) const METHODS: &[&str] = &["accelerated", "shooting", "harmonic"];
 pub(super) const BEGINNINGS: &[&str] = &["equilibrium", "rest"];
 /// Keys that other kinds of analysis have no use for.
-const KEYS: [&str; 11] = [
+const KEYS: [&str; 12] = [
     "steps",
     "method",
     "harmonics",
@@ -31,12 +31,15 @@ const KEYS: [&str; 11] = [
     "cycles",
     "vary",
     "points",
+    "doublings",
 ];
 /// Cycles in which a motion is looked for, where the case does not say it.
 const CYCLES: usize = 400;
 /// Points of a branch where the case does not say it, and the most of them.
 const POINTS: usize = 200;
 pub(super) const MOST_POINTS: usize = 10_000;
+/// Doublings of the period, one after the other, at most.
+pub(super) const MOST_DOUBLINGS: usize = 5;
 
 /// How a periodic motion is looked for.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,6 +66,8 @@ pub(crate) struct PeriodicKeys {
     pub(crate) vary: Option<Varying>,
     /// Points of a branch at most.
     pub(crate) points: usize,
+    /// How often the period may double along the branches that are followed.
+    pub(crate) doublings: usize,
 }
 
 /// A key of the case with the range of its values.
@@ -139,6 +144,7 @@ impl Default for PeriodicKeys {
             cycles: CYCLES,
             vary: None,
             points: POINTS,
+            doublings: 0,
         }
     }
 }
@@ -164,6 +170,11 @@ pub(super) fn read(table: &Table) -> PeriodicKeys {
     let method = place("method", METHODS).map(|own| ALL[own]);
     let self_excited = table.optional_boolean("self_excited") == Some(true);
     let near = table.quantity("near");
+    if table.has("doublings") && !table.has("vary") {
+        let message = "`doublings` are those of a branch over a key";
+        let help = "give the key as `vary`, or leave it out";
+        table.push(table.written("doublings").error_here(Code::BAD_VALUE, message).help(help));
+    }
     of_its_own(table, self_excited);
     PeriodicKeys {
         steps: table.optional_count("steps"),
@@ -177,6 +188,7 @@ pub(super) fn read(table: &Table) -> PeriodicKeys {
         cycles: table.optional_count("cycles").unwrap_or(usual.cycles),
         vary: vary(table, method),
         points: table.optional_count("points").unwrap_or(usual.points),
+        doublings: table.optional_count("doublings").unwrap_or(usual.doublings),
     }
 }
 
@@ -216,8 +228,8 @@ fn harmonics(table: &Table, method: Option<Method>) -> Option<usize> {
 /// The key that varies; with speeds beside it there would be two.
 fn vary(table: &Table, method: Option<Method>) -> Option<Varying> {
     let text = table.optional_string("vary")?;
-    if method == Some(Method::Harmonic) {
-        let message = "motions are followed over `vary` by shooting, not by harmonics";
+    if matches!(method, Some(Method::Harmonic | Method::Accelerated)) {
+        let message = "motions are followed over `vary` by shooting, by no other method";
         let help = "leave out `method`, or give `speeds` in place of `vary`";
         table.push(table.written("method").error_here(Code::BAD_VALUE, message).help(help));
     }

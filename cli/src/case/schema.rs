@@ -13,7 +13,8 @@ use super::lateral::STAGES;
 use super::march::{AUTOMATIC, ESTIMATE, GENERALIZED_ALPHA, MOST_STEPS, NEWMARK, ONE_CYCLE};
 use super::outputs::QUANTITIES;
 use super::periodic::{
-    BEGINNINGS, METHODS, MOST_HARMONICS, MOST_MARCHED, MOST_PERIODS, MOST_POINTS, STEPS,
+    BEGINNINGS, METHODS, MOST_DOUBLINGS, MOST_HARMONICS, MOST_MARCHED, MOST_PERIODS, MOST_POINTS,
+    STEPS,
 };
 use super::shapes::{
     ANGLE, ANSWERS, CLEARANCE, CROSS_STIFFNESS, DAMPING, DAMPING_RATE, DAMPING_TIME, DENSITY,
@@ -457,6 +458,8 @@ const ANALYSIS: &[Key] = &[
         .like("\"body.rotor.speed = 3000 rpm .. 9000 rpm\""),
     key("points", Count(2, MOST_POINTS), "of a branch of periodic motions at most; 200 if left out")
         .like("200"),
+    key("doublings", Count(0, MOST_DOUBLINGS), "of the period, whose branches are followed as well")
+        .like("1"),
 ];
 
 const APPLIED: &[Key] = &[

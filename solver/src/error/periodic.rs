@@ -41,15 +41,17 @@ pub enum PeriodicError {
     },
     /// A film in a branch, which would take a cycle for each of its values at every point.
     #[error(
-        "{joint} has the film {law} of {values} values, each of which takes a cycle at every point of a branch"
+        "{joint} has the film {law}, and films and laws of the machine remember {values} values, each of which takes two cycles at every point of a branch: at most {most} are followed"
     )]
     ManyValues {
         /// The joint.
         joint: String,
         /// The law.
         law: String,
-        /// Values that it remembers.
+        /// Values that films and laws remember: one a node of a film.
         values: usize,
+        /// So many are followed.
+        most: usize,
     },
     /// Nothing turns, and no load changes.
     #[error("nothing turns and no load repeats: there is no cycle")]

@@ -62,6 +62,8 @@ pub enum BranchEnd {
     Points,
     /// It is back where it began.
     Closed,
+    /// It has come to motions of half its period, from which it began.
+    Meets,
     /// The shortest step is not solved.
     Step,
     /// Multipliers are so large that nothing is known any more.
@@ -102,12 +104,33 @@ pub fn branch(
     let first = path.fixed((from, to - from), &y, &options.first, observe)?;
     path.size = norm(&first.y).max(f64::MIN_POSITIVE);
     let quick = PeriodicOptions { marched: Some(0), ..options.first.clone() };
-    let mut step = options.step;
-    let ahead = from + (to - from) * step;
+    let ahead = from + (to - from) * options.step;
     let second = path.fixed((ahead, to - from), &first.y, &quick, observe)?;
-    let mut points = vec![path.point(&first, false)?, path.point(&second, false)?];
-    let mut events = between(&mut path, [&first, &second], 0)?;
-    let mut nodes = [first, second];
+    let points = vec![path.point(&first, false)?, path.point(&second, false)?];
+    let events = between(&mut path, [&first, &second], 0)?;
+    let begun = Begun { points, events, nodes: [first, second] };
+    follow(&mut path, options, begun, (&mut |_, _| Ok(false), observe))
+}
+
+/// What a branch begins with: its first points, and what is known at the last two.
+pub(super) struct Begun {
+    pub(super) points: Vec<BranchPoint>,
+    pub(super) events: Vec<BranchEvent>,
+    pub(super) nodes: [Node; 2],
+}
+
+/// Whether a branch has come to another one with a point.
+pub(super) type Meets<'m> = &'m mut dyn FnMut(&mut Path, &Node) -> Result<bool, Error>;
+
+/// Follows a branch from its first points on.
+pub(super) fn follow(
+    path: &mut Path,
+    options: &BranchOptions,
+    begun: Begun,
+    (meets, observe): (Meets, Observe),
+) -> Result<Branch, Error> {
+    let Begun { mut points, mut events, mut nodes } = begun;
+    let mut step = options.step;
     let (least, longest) = (LEAST * options.step, LONGEST * options.step);
     let end = loop {
         let [before, last] = &nodes;
@@ -118,16 +141,16 @@ pub fn branch(
         if observe(&progress) != ControlFlow::Continue(()) {
             break BranchEnd::Interrupted;
         }
-        let way = Way::through(&path, [before, last]);
+        let way = Way::through(path, [before, last]);
         let next = loop {
-            let next = stepped(&mut path, last, &way, step, options.range)?;
+            let next = stepped(path, last, &way, step, options.range)?;
             // Near a corner it may be on the way back already. Where branches cross it changes in the least step, too.
             let goes_on =
                 |node: &Node| Ok::<_, Error>(step <= least || oriented(node)? == oriented(last)?);
             if let Some((node, is_last)) = next
                 && goes_on(&node)?
             {
-                let moved = way.moved(&path, &node);
+                let moved = way.moved(path, &node);
                 let turn = (dot(&moved, &way.secant) / norm(&moved)).clamp(-1.0, 1.0).acos();
                 if turn <= TURN || step <= least && norm(&moved) <= FAR * step {
                     let grown = step * (USUAL / node.corrections as f64).clamp(0.5, 2.0);
@@ -145,21 +168,24 @@ pub fn branch(
             Some(found) => found,
             None => {
                 let ahead = (options.step, options.range);
-                let Some(node) = beyond(&mut path, last, &way, ahead)? else {
+                let Some(node) = beyond(path, last, &way, ahead)? else {
                     break BranchEnd::Step;
                 };
                 step = options.step;
                 (node, false, true)
             }
         };
+        if meets(path, &node)? {
+            break BranchEnd::Meets;
+        }
         let after = points.len() - 1;
         let found = match is_corner {
-            true => vec![corner(&mut path, [last, &node], after)?],
-            false => between(&mut path, [last, &node], after)?,
+            true => vec![corner(path, [last, &node], after)?],
+            false => between(path, [last, &node], after)?,
         };
         // A corner that takes two steps is one.
         let is_same = |own: &BranchEvent| {
-            let near = |other: &BranchEvent| (own.value - other.value).abs() < SAME * range;
+            let near = |other: &BranchEvent| (own.value - other.value).abs() < SAME * path.range;
             let at_corner = |own: &&BranchEvent| own.kind == EventKind::Corner;
             at_corner(&own) && events.last().filter(at_corner).is_some_and(near)
         };
@@ -176,7 +202,7 @@ pub fn branch(
         if largest > WILD {
             break BranchEnd::Wild;
         }
-        if is_closed(&path, &points[0], &nodes, points.len()) {
+        if is_closed(path, &points[0], &nodes, points.len()) {
             break BranchEnd::Closed;
         }
     };

@@ -29,6 +29,12 @@ impl Cycle {
         self.period / self.steps as f64
     }
 
+    /// So many of it as one, in steps as long.
+    pub(super) fn times(self, count: usize) -> Cycle {
+        let times = count as f64;
+        Cycle { period: times * self.period, steps: count * self.steps, ..self }
+    }
+
     /// The same in twice as many steps.
     pub(super) fn doubled(self) -> Cycle {
         Cycle { steps: 2 * self.steps, ..self }

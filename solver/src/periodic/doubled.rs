@@ -4,7 +4,7 @@ use num_complex::Complex64;
 
 use super::map::{CycleMap, Orbit};
 use super::metric::norm;
-use super::multipliers::largest;
+use super::multipliers::{MORE, largest};
 use super::options::PeriodicOptions;
 use super::solve::{Observe, solve};
 use super::weighed::Weighed;
@@ -40,7 +40,7 @@ pub(super) fn finer(
     let y = weighed.weighed(x);
     let options = PeriodicOptions { marched: Some(0), ..options.clone() };
     let found = solve(&mut weighed, y, &options, observe)?;
-    let values = largest(&mut weighed, &found.y, options.multipliers)?;
+    let values = largest(&mut weighed, &found.y, options.multipliers + MORE)?;
     let state = weighed.state(&found.y);
     let states = [x, &state].map(|own| weighed.weighed(own));
     let other = twice.orbit(&state)?;

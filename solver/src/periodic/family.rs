@@ -53,8 +53,23 @@ impl<'f> Family<'f> {
         let mut map = CycleMap::new(&machine, cycle, newton)?;
         map.suits_branches()?;
         let metric = Arc::new(Metric::new(&mut map, x)?);
+        Ok(Family::of(at, newton, [from, to], metric))
+    }
+
+    /// In a metric that others have, too.
+    pub(super) fn of(
+        at: At<'f>,
+        newton: NewtonOptions,
+        [from, to]: [f64; 2],
+        metric: Arc<Metric>,
+    ) -> Self {
         let change = CHANGE * (to - from).abs();
-        Ok(Family { at, newton, metric, change, most: from.max(to), cycles: 0 })
+        Family { at, newton, metric, change, most: from.max(to), cycles: 0 }
+    }
+
+    /// The metric.
+    pub(super) fn metric(&self) -> Arc<Metric> {
+        self.metric.clone()
     }
 
     pub(super) fn weighed(&self, x: &[f64]) -> Vec<f64> {

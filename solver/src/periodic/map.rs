@@ -151,7 +151,8 @@ impl<'m> CycleMap<'m> {
         match most {
             Some(plane) => {
                 let (joint, law) = self.machine.names_of(plane);
-                Err(PeriodicError::ManyValues { joint, law, values: self.memory() })
+                let (values, most) = (self.memory(), BRANCHED);
+                Err(PeriodicError::ManyValues { joint, law, values, most })
             }
             None => Ok(()),
         }
@@ -246,6 +247,23 @@ impl<'m> CycleMap<'m> {
             self.march.advance()?;
         }
         self.end(x);
+        Ok(())
+    }
+
+    /// Marches half of the steps of a cycle, by which bodies turn half as far.
+    ///
+    /// # Errors
+    /// As [`CycleMap::apply`].
+    pub(super) fn half(&mut self, x: &mut [f64]) -> Result<(), Error> {
+        self.begin(x)?;
+        self.cycles += 1;
+        for _ in 0..self.cycle.steps / 2 {
+            self.march.advance()?;
+        }
+        self.end(x);
+        // They were turned back by whole cycles.
+        let turns = self.turns.iter();
+        x.iter_mut().zip(turns).for_each(|(q, turn)| *q += 0.5 * turn);
         Ok(())
     }
 

@@ -28,6 +28,7 @@ mod options;
 mod path;
 mod shooting;
 mod solve;
+mod switched;
 mod weighed;
 
 pub use branch::{Branch, BranchEnd, BranchOptions, branch};
@@ -43,3 +44,4 @@ pub use motion::{Harmonics, Periodic};
 pub use multipliers::{Multiplier, MultiplierKind, Stability};
 pub use options::{CycleProgress, Method, PeriodicOptions};
 pub use path::BranchPoint;
+pub use switched::switched;

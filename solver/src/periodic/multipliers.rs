@@ -7,6 +7,7 @@
 use num_complex::Complex64;
 
 use super::krylov::Krylov;
+use super::motion::Periodic;
 use super::weighed::Weighed;
 use crate::error::Error;
 use crate::linalg::{eigenvalues, ritz_pairs};
@@ -18,6 +19,14 @@ const LOOKED_AT: usize = 8;
 const LEFT: [f64; 2] = [1e-7, 1e-5];
 /// Moduli below which a multiplier is rounding.
 const NOTHING: f64 = 1e-12;
+/// What steps half as long change of one at most, of its size or of 1, and how near conjugates are to each other.
+const ALIKE: f64 = 0.5;
+const NEAR: f64 = 0.02;
+const SAME: f64 = 1e-9;
+/// Multipliers that are found more of with steps half as long: not all have the same order.
+pub(super) const MORE: usize = 8;
+/// Moduli above which a multiplier without one of steps half as long is no verdict, where others have one.
+const ALONE: f64 = 0.9;
 
 /// A multiplier of a periodic motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -115,13 +124,19 @@ fn first(size: usize) -> Vec<f64> {
 }
 
 /// Multipliers with those of steps half as long, each of which is taken once, the nearest pairs first: near by themselves, or by
-/// the law of what is not resolved.
+/// the law of what is not resolved. What has changed beyond that has no other, and a conjugate has the conjugate of its own.
 pub(super) fn paired(own: &[Complex64], finer: &[Complex64]) -> Vec<Multiplier> {
+    // Of pairs the one above the real axis.
+    let stands = |all: &[Complex64]| -> Vec<usize> {
+        (0..all.len()).filter(|&place| all[place].im >= 0.0).collect()
+    };
     let mut pairs: Vec<(f64, usize, usize, MultiplierKind)> = Vec::new();
-    for (i, value) in own.iter().enumerate() {
-        for (j, other) in finer.iter().enumerate() {
+    for i in stands(own) {
+        for j in stands(finer) {
+            let (value, other) = (own[i], finer[j]);
             let size = value.norm().max(NOTHING);
-            let motion = (other - value).norm() / size;
+            let apart = (other - value).norm();
+            let motion = apart / size;
             let faded = value.norm().powi(4);
             let unresolved = (other.norm() - faded).abs() / faded.max(NOTHING);
             // What stands at 1 obeys both.
@@ -129,7 +144,9 @@ pub(super) fn paired(own: &[Complex64], finer: &[Complex64]) -> Vec<Multiplier> 
                 true => (unresolved, MultiplierKind::Unresolved),
                 false => (motion, MultiplierKind::Motion),
             };
-            pairs.push((cost, i, j, kind));
+            if cost <= ALIKE || kind == MultiplierKind::Motion && apart <= NEAR {
+                pairs.push((cost, i, j, kind));
+            }
         }
     }
     pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
@@ -142,6 +159,14 @@ pub(super) fn paired(own: &[Complex64], finer: &[Complex64]) -> Vec<Multiplier> 
         if all[i].finer.is_none() && !taken[j] {
             taken[j] = true;
             all[i] = Multiplier { finer: Some(finer[j]), kind, ..all[i] };
+        }
+    }
+    for i in (0..all.len()).filter(|&place| own[place].im < 0.0) {
+        let mate = (0..all.len()).find(|&place| {
+            own[place].im > 0.0 && (own[place].conj() - own[i]).norm() <= SAME * own[i].norm()
+        });
+        if let Some(Multiplier { finer, kind, .. }) = mate.map(|place| all[place]) {
+            all[i] = Multiplier { finer: finer.map(|own| own.conj()), kind, ..all[i] };
         }
     }
     all
@@ -163,6 +188,17 @@ pub(super) fn margin(own: &Multiplier) -> f64 {
     2.0 * apart + ROUNDING
 }
 
+/// The largest multiplier of the motion that is no verdict.
+fn doubtful(all: &[Multiplier]) -> Option<&Multiplier> {
+    let compared = all.iter().any(|own| own.finer.is_some());
+    let of_motion = all.iter().filter(|own| own.kind == MultiplierKind::Motion);
+    let mut of_motion = of_motion.filter(|own| {
+        let alone = compared && own.finer.is_none();
+        own.value.norm() >= if alone { ALONE } else { 1.0 - margin(own) }
+    });
+    of_motion.next()
+}
+
 /// What multipliers say: by the largest of the motion.
 pub(super) fn stability(all: &[Multiplier]) -> Stability {
     let of_motion = || all.iter().filter(|own| own.kind == MultiplierKind::Motion);
@@ -175,9 +211,16 @@ pub(super) fn stability(all: &[Multiplier]) -> Stability {
             (false, _) => Stability::Wanders,
         };
     }
-    match of_motion().all(|own| own.value.norm() < 1.0 - margin(own)) {
-        true => Stability::Stable,
-        false => Stability::Undecided,
+    match doubtful(all) {
+        None => Stability::Stable,
+        Some(_) => Stability::Undecided,
+    }
+}
+
+impl Periodic {
+    /// Of a motion of which multipliers are no verdict the largest that is none.
+    pub fn doubtful(&self) -> Option<&Multiplier> {
+        doubtful(&self.multipliers)
     }
 }
 
@@ -199,6 +242,24 @@ mod tests {
         assert_eq!(kinds, [Unresolved, Unresolved, Unresolved, Motion, Motion]);
         assert_eq!(all[2].finer, Some(real(0.042)));
         assert_eq!(stability(&all), Stability::Stable);
+    }
+
+    /// Numbers of pads on springs with 64 and 128 steps: what is nearly nothing has no part in what others lose, and conjugates are one.
+    #[test]
+    fn what_is_not_there_has_no_other() {
+        let pair = |re: f64, im: f64| [Complex64::new(re, im), Complex64::new(re, -im)];
+        let real = |value: f64| Complex64::new(value, 0.0);
+        let own = [pair(0.2, 0.21809).to_vec(), vec![real(6.1e-5), real(5.8e-5)]].concat();
+        let finer = [vec![real(0.5754), real(0.5761)], pair(0.198, 0.217).to_vec()].concat();
+        let all = paired(&own, &finer);
+        assert_eq!(all[0].finer, Some(finer[2]));
+        assert_eq!(all[1].finer, Some(finer[3]));
+        assert!(all[2..].iter().all(|own| own.finer.is_none()), "{all:?}");
+        assert_eq!(stability(&all), Stability::Stable);
+        // One of the largest that is not found again is no verdict.
+        let all = paired(&[real(0.95), real(0.3)], &[real(0.3)]);
+        assert_eq!(stability(&all), Stability::Undecided);
+        assert_eq!(doubtful(&all).expect("one").value, real(0.95));
     }
 
     #[test]

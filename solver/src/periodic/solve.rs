@@ -61,7 +61,8 @@ pub(super) fn solve(
     options: &PeriodicOptions,
     observe: Observe,
 ) -> Result<Solved, Error> {
-    let few = map.map.is_small();
+    // By differences a derivative takes more cycles than acceleration does.
+    let few = map.map.is_small() && map.map.memory() == 0;
     let usual = if few { Method::Shooting } else { Method::Accelerated };
     let method = options.method.filter(|own| *own != Method::Harmonic).unwrap_or(usual);
     let marched = options.marched.unwrap_or(MARCHED[usize::from(method != Method::Shooting)]);

@@ -59,6 +59,16 @@ impl<'a, 'm> Weighed<'a, 'm> {
         Ok(self.weighed(&x))
     }
 
+    /// What half of a cycle makes of y.
+    ///
+    /// # Errors
+    /// A step that does not converge.
+    pub(super) fn half(&mut self, y: &[f64]) -> Result<Vec<f64>, Error> {
+        let mut x = self.state(y);
+        self.map.half(&mut x)?;
+        Ok(self.weighed(&x))
+    }
+
     /// The same with its derivative.
     ///
     /// # Errors

@@ -9,8 +9,8 @@ use whirl_solver::cache::Cache;
 use whirl_solver::error::PeriodicError;
 use whirl_solver::machine::Machine;
 use whirl_solver::periodic::{
-    Branch, BranchEnd, BranchEvent, BranchOptions, BranchPoint, Cycle, CycleMap, CycleProgress,
-    EventKind, PeriodicOptions, branch,
+    At, Branch, BranchEnd, BranchEvent, BranchOptions, BranchPoint, Cycle, CycleMap, CycleProgress,
+    EventKind, PeriodicOptions, branch, switched,
 };
 use whirl_text::shown;
 
@@ -29,13 +29,24 @@ use crate::signals::Interruption;
 /// First step, of the range.
 const STEP: f64 = 0.01;
 
-/// A branch of a case over a key.
+/// Branches of a case over a key: the first, and those that begin at doublings of the period of one before.
 struct Followed<'a> {
     case: &'a Case,
     varying: &'a Varying,
-    branch: Branch,
+    branches: Vec<Own>,
     columns: Vec<String>,
 }
+
+/// A branch.
+struct Own {
+    branch: Branch,
+    /// Cycles of the analysis in one of its motions, and the value at which it begins, if that is a doubling.
+    periods: usize,
+    begun: Option<f64>,
+}
+
+/// Branches at most.
+const BRANCHES: usize = 32;
 
 /// The case with a value of the key, and its machine.
 fn read(
@@ -121,26 +132,67 @@ pub(super) fn found(
         step: STEP,
         first: PeriodicOptions { judged: false, ..options },
     };
-    let made = branch(&mut at, &options, &x, &mut observe);
-    let branch = match (made, failure) {
+    let made = branches(&mut at, &options, (&x, analysis.periodic.doublings), &mut observe);
+    let branches = match (made, failure) {
         (Ok(made), _) => made,
         (Err(_), Some(failure)) => return Err(failure),
         (Err(error), None) => return Err(place::failed(case, error)),
     };
-    let columns = branch.points[0].history.names().to_vec();
-    let followed = Followed { case, varying, branch, columns };
+    let columns = branches[0].branch.points[0].history.names().to_vec();
+    let followed = Followed { case, varying, branches, columns };
     let name = &analysis.name;
     let mut written = followed.files(name);
     if figures {
         written.extend(drawn(name, &followed.figure()));
     }
-    warnings.extend(followed.note());
+    warnings.extend(followed.branches.iter().filter_map(Own::note));
     Ok(Found {
         text: followed.text(),
         files: written,
-        interrupted: followed.branch.end == BranchEnd::Interrupted,
+        interrupted: followed.branches.iter().any(Own::is_interrupted),
         facts: followed.facts(),
     })
+}
+
+/// The branch, and those from its doublings on, from theirs, and so on as often as is wanted. One that comes back to the branch it
+/// began at is that of the doubling there, too.
+fn branches(
+    at: At,
+    options: &BranchOptions,
+    (x, doublings): (&[f64], usize),
+    observe: &mut dyn FnMut(&CycleProgress) -> ControlFlow<()>,
+) -> Result<Vec<Own>, Error> {
+    let first = branch(&mut *at, options, x, observe)?;
+    let mut all = vec![Own { branch: first, periods: 1, begun: None }];
+    let mut place = 0;
+    while place < all.len() && all[place].periods < 1 << doublings {
+        let periods = all[place].periods;
+        let is_doubling = |own: &&BranchEvent| own.kind == EventKind::Doubling;
+        let mut events: Vec<BranchEvent> =
+            all[place].branch.events.iter().filter(is_doubling).cloned().collect();
+        events.reverse();
+        while let Some(event) = events.pop() {
+            if all.len() == BRANCHES || all.iter().any(Own::is_interrupted) {
+                return Ok(all);
+            }
+            let Some(found) = switched(&mut *at, options, (&event, periods), observe)? else {
+                continue;
+            };
+            if let (BranchEnd::Meets, Some(last)) = (&found.end, found.points.last()) {
+                let apart = |own: &BranchEvent| (own.value - last.value).abs();
+                let nearest = (0..events.len())
+                    .min_by(|&a, &b| apart(&events[a]).total_cmp(&apart(&events[b])));
+                // Unless it has come back to where it began.
+                if let Some(nearest) = nearest.filter(|&own| apart(&events[own]) < apart(&event)) {
+                    events.remove(nearest);
+                }
+            }
+            let begun = Some(event.value);
+            all.push(Own { branch: found, periods: 2 * periods, begun });
+        }
+        place += 1;
+    }
+    Ok(all)
 }
 
 /// As files and texts call an event.
@@ -159,71 +211,21 @@ fn ended(end: &BranchEnd) -> &'static str {
         BranchEnd::Range => "the end of the range",
         BranchEnd::Points => "as many `points` as were asked for",
         BranchEnd::Closed => "the first motion again",
+        BranchEnd::Meets => "motions of half its period",
         BranchEnd::Step => "a place from which no step leads on",
         BranchEnd::Wild => "multipliers so large that nothing is known any more",
         BranchEnd::Interrupted => "an interruption",
     }
 }
 
-impl Followed<'_> {
-    fn shown(&self, value: f64) -> String {
-        let number = shown(value, 8, 1e-4..1e7);
-        format!("{number} {}", self.varying.unit.as_deref().unwrap_or("")).trim_end().to_owned()
+impl Own {
+    fn is_interrupted(&self) -> bool {
+        self.branch.end == BranchEnd::Interrupted
     }
 
+    /// The period of the point before an event (s).
     fn period(&self, event: &BranchEvent) -> f64 {
         self.branch.points[event.after].period
-    }
-
-    fn text(&self) -> String {
-        let Branch { points, events, end, cycles } = &self.branch;
-        let mut text = format!("{}: {}\n", self.case.name, self.case.title);
-        let [from, to] = self.varying.ends;
-        let _ = writeln!(
-            text,
-            "{} points over `{}` from {} towards {}, to {}; {cycles} cycles marched\n",
-            points.len(),
-            self.varying.key,
-            self.shown(from),
-            self.shown(to),
-            ended(end)
-        );
-        let head = [self.varying.key.as_str(), "", "largest multiplier"];
-        let mut lines = vec![head.map(str::to_owned).to_vec()];
-        let mut before: Option<&str> = None;
-        for (place, point) in points.iter().enumerate() {
-            let said = match text::is_stable(point.stability) {
-                Some(true) => "stable",
-                Some(false) => "UNSTABLE",
-                None => "undecided",
-            };
-            let own = events.iter().filter(|own| own.after + 1 == place);
-            for own in own {
-                let beside = match own.kind {
-                    EventKind::Torus => {
-                        let hertz = shown(own.beside(self.period(own)), 6, 1e-3..1e7);
-                        format!("{}, {hertz} Hz", called(own.kind))
-                    }
-                    kind => called(kind).to_owned(),
-                };
-                lines.push(vec![self.shown(own.value), beside, String::new()]);
-            }
-            if before != Some(said) || place + 1 == points.len() {
-                let size = point.multipliers.first().map_or(0.0, |own| own.norm());
-                lines.push(vec![
-                    self.shown(point.value),
-                    said.to_owned(),
-                    shown(size, 6, 1e-3..1e6),
-                ]);
-            }
-            before = Some(said);
-        }
-        text.push_str(&table(&lines));
-        text.push('\n');
-        if let Some(own) = self.note() {
-            let _ = writeln!(text, "note: {own}");
-        }
-        text
     }
 
     fn note(&self) -> Option<String> {
@@ -238,19 +240,103 @@ impl Followed<'_> {
             _ => None,
         }
     }
+}
+
+impl Followed<'_> {
+    fn shown(&self, value: f64) -> String {
+        let number = shown(value, 8, 1e-4..1e7);
+        format!("{number} {}", self.varying.unit.as_deref().unwrap_or("")).trim_end().to_owned()
+    }
+
+    fn text(&self) -> String {
+        let mut text = format!("{}: {}\n", self.case.name, self.case.title);
+        let [from, to] = self.varying.ends;
+        for own in &self.branches {
+            let Branch { points, end, cycles, .. } = &own.branch;
+            let (count, key, end) = (points.len(), &self.varying.key, ended(end));
+            let _ = match own.begun {
+                None => writeln!(
+                    text,
+                    "{count} points over `{key}` from {} towards {}, to {end}; {cycles} cycles marched\n",
+                    self.shown(from),
+                    self.shown(to),
+                ),
+                Some(begun) => writeln!(
+                    text,
+                    "\n{count} points of {} periods from the doubling at {} on, to {end}; {cycles} cycles marched\n",
+                    own.periods,
+                    self.shown(begun),
+                ),
+            };
+            text.push_str(&self.changes(own));
+            text.push('\n');
+            if let Some(note) = own.note() {
+                let _ = writeln!(text, "note: {note}");
+            }
+        }
+        text
+    }
+
+    /// What happens along a branch.
+    fn changes(&self, own: &Own) -> String {
+        let Branch { points, events, .. } = &own.branch;
+        let head = [self.varying.key.as_str(), "", "largest multiplier"];
+        let mut lines = vec![head.map(str::to_owned).to_vec()];
+        let mut before: Option<&str> = None;
+        for (place, point) in points.iter().enumerate() {
+            let said = match text::is_stable(point.stability) {
+                Some(true) => "stable",
+                Some(false) => "UNSTABLE",
+                None => "undecided",
+            };
+            for event in events.iter().filter(|event| event.after + 1 == place) {
+                let beside = match event.kind {
+                    EventKind::Torus => {
+                        let hertz = shown(event.beside(own.period(event)), 6, 1e-3..1e7);
+                        format!("{}, {hertz} Hz", called(event.kind))
+                    }
+                    kind => called(kind).to_owned(),
+                };
+                lines.push(vec![self.shown(event.value), beside, String::new()]);
+            }
+            if before != Some(said) || place + 1 == points.len() {
+                let size = point.multipliers.first().map_or(0.0, |own| own.norm());
+                lines.push(vec![
+                    self.shown(point.value),
+                    said.to_owned(),
+                    shown(size, 6, 1e-3..1e6),
+                ]);
+            }
+            before = Some(said);
+        }
+        table(&lines)
+    }
 
     fn summed_up(&self) -> impl Iterator<Item = (usize, &String)> {
         self.columns.iter().enumerate().filter(|own| is_summed_up(own.1))
     }
 
     fn files(&self, name: &str) -> Vec<(String, Vec<u8>)> {
+        let mut all = Vec::new();
+        for (place, own) in self.branches.iter().enumerate() {
+            match place {
+                0 => all.extend(self.tables(own, name)),
+                _ => all.extend(self.tables(own, &format!("{name}.doubled-{place}"))),
+            }
+        }
+        all.push((format!("{name}.json"), self.summary(name).into_bytes()));
+        all
+    }
+
+    /// The tables of a branch.
+    fn tables(&self, own: &Own, name: &str) -> [(String, Vec<u8>); 3] {
         let mut rows = String::from("point,value,period_s,stability,largest_multiplier,corner");
         for (_, column) in self.summed_up() {
             let _ = write!(rows, ",{column}.min,{column}.max");
         }
         rows.push('\n');
         let mut multipliers = String::from("point,value,number,real,imaginary,modulus\n");
-        for (place, point) in self.branch.points.iter().enumerate() {
+        for (place, point) in own.branch.points.iter().enumerate() {
             let BranchPoint { value, period, stability, corner, .. } = point;
             let size = point.multipliers.first().map_or(f64::NAN, |own| own.norm());
             let said = text::stability(*stability);
@@ -267,36 +353,52 @@ impl Followed<'_> {
             }
         }
         let mut events = String::from("event,value,real,imaginary,beside_hz,after_point\n");
-        for own in &self.branch.events {
-            let (kind, re, im) = (called(own.kind), own.multiplier.re, own.multiplier.im);
-            let beside = match own.kind {
-                EventKind::Torus => own.beside(self.period(own)).to_string(),
+        for event in &own.branch.events {
+            let (kind, re, im) = (called(event.kind), event.multiplier.re, event.multiplier.im);
+            let beside = match event.kind {
+                EventKind::Torus => event.beside(own.period(event)).to_string(),
                 _ => String::new(),
             };
-            let _ = writeln!(events, "{kind},{},{re},{im},{beside},{}", own.value, own.after + 1);
+            let (value, after) = (event.value, event.after + 1);
+            let _ = writeln!(events, "{kind},{value},{re},{im},{beside},{after}");
         }
-        vec![
+        [
             (format!("{name}.csv"), rows.into_bytes()),
             (format!("{name}.events.csv"), events.into_bytes()),
             (format!("{name}.multipliers.csv"), multipliers.into_bytes()),
-            (format!("{name}.json"), self.summary(name).into_bytes()),
         ]
     }
 
     fn summary(&self, name: &str) -> String {
-        let events = self.branch.events.iter().map(|own| {
-            json!({ "event": called(own.kind), "value": own.value, "after_point": own.after + 1 })
+        let events = |own: &Own| -> Value {
+            let events = own.branch.events.iter();
+            let event = |own: &BranchEvent| json!({ "event": called(own.kind), "value": own.value, "after_point": own.after + 1 });
+            events.map(event).collect()
+        };
+        let own = &self.branches[0];
+        let doubled = self.branches.iter().enumerate().skip(1).map(|(place, own)| {
+            json!({
+                "table": format!("{name}.doubled-{place}.csv"),
+                "begins_at": own.begun,
+                "periods": own.periods,
+                "points": own.branch.points.len(),
+                "cycles": own.branch.cycles,
+                "end": ended(&own.branch.end),
+                "events": events(own),
+            })
         });
+        let doubled: Vec<Value> = doubled.collect();
         let mut whole = Map::new();
         let mut put = |key: &str, value: Value| whole.insert(key.to_owned(), value);
         put("case", json!(self.case.name));
         put("analysis", json!(name));
         put("key", json!(self.varying.key));
         put("unit", json!(self.varying.unit));
-        put("points", json!(self.branch.points.len()));
-        put("cycles", json!(self.branch.cycles));
-        put("end", json!(ended(&self.branch.end)));
-        put("events", events.collect());
+        put("points", json!(own.branch.points.len()));
+        put("cycles", json!(own.branch.cycles));
+        put("end", json!(ended(&own.branch.end)));
+        put("events", events(own));
+        put("doubled", json!(doubled));
         let mut text =
             serde_json::to_string_pretty(&Value::Object(whole)).expect("keys are strings");
         text.push('\n');
@@ -310,11 +412,12 @@ impl Followed<'_> {
             (EventKind::Doubling, "doubling."),
             (EventKind::Torus, "second_frequency."),
         ] {
-            let own = self.branch.events.iter().filter(|own| own.kind == kind);
-            facts.each(name, own.map(|own| own.value));
+            let all = self.branches.iter().flat_map(|own| &own.branch.events);
+            facts.each(name, all.filter(|own| own.kind == kind).map(|own| own.value));
         }
-        facts.put("points", self.branch.points.len() as f64);
-        self.note().iter().for_each(|own| facts.note(own));
+        let points = self.branches.iter().map(|own| own.branch.points.len()).sum::<usize>();
+        facts.put("points", points as f64);
+        self.branches.iter().filter_map(Own::note).for_each(|own| facts.note(&own));
         facts
     }
 
@@ -331,42 +434,24 @@ impl Followed<'_> {
                 let [least, most] = range(&point.history, column);
                 0.5 * (most - least)
             };
-            let points: Vec<(f64, f64, bool)> = (self.branch.points.iter())
-                .map(|own| (own.value, height(own), text::is_stable(own.stability) != Some(false)))
-                .collect();
             let mut lines: Vec<Line> = Vec::new();
-            // A piece is unstable if both of its ends are.
-            for piece in points.windows(2) {
-                let [(x, y, first), (u, v, second)] = [piece[0], piece[1]];
-                let (style, name) = match first || second {
-                    true => (Style::First, "stable"),
-                    false => (Style::Doubted, "unstable"),
-                };
-                match lines.last_mut() {
-                    Some(last) if last.style == style => last.points.push((u, v)),
-                    _ => lines.push(Line {
-                        points: vec![(x, y), (u, v)],
-                        style,
-                        name: name.to_owned(),
-                    }),
+            let (mut dots, mut labels) = (Vec::new(), Vec::new());
+            for own in &self.branches {
+                lines.extend(pieces(&own.branch, height));
+                for event in &own.branch.events {
+                    let [a, b] = [0, 1].map(|next| &own.branch.points[event.after + next]);
+                    let at = (event.value, 0.5 * (height(a) + height(b)));
+                    let value = shown(event.value, 6, 1e-3..1e7);
+                    dots.push(Dot { at, name: "events".to_owned() });
+                    labels.push(Label { at, text: format!("{} {value}", called(event.kind)) });
                 }
             }
-            let at = |event: &BranchEvent| {
-                let [a, b] = [0, 1].map(|next| &self.branch.points[event.after + next]);
-                (event.value, 0.5 * (height(a) + height(b)))
-            };
-            let dots =
-                self.branch.events.iter().map(|own| Dot { at: at(own), name: "events".to_owned() });
-            let labels = self.branch.events.iter().map(|own| Label {
-                at: at(own),
-                text: format!("{} {}", called(own.kind), shown(own.value, 6, 1e-3..1e7)),
-            });
             Some(Panel {
                 title: own.title.clone(),
                 x: x.clone(),
                 y: "half of the range of X (µm)".to_owned(),
-                dots: dots.collect(),
-                labels: labels.collect(),
+                dots,
+                labels,
                 lines,
                 ..Panel::default()
             })
@@ -377,4 +462,24 @@ impl Followed<'_> {
             columns: 1,
         }
     }
+}
+
+/// The line of a branch in pieces that are stable or unstable: a piece is unstable if both of its ends are.
+fn pieces(branch: &Branch, height: impl Fn(&BranchPoint) -> f64) -> Vec<Line> {
+    let points: Vec<(f64, f64, bool)> = (branch.points.iter())
+        .map(|own| (own.value, height(own), text::is_stable(own.stability) != Some(false)))
+        .collect();
+    let mut lines: Vec<Line> = Vec::new();
+    for piece in points.windows(2) {
+        let [(x, y, first), (u, v, second)] = [piece[0], piece[1]];
+        let (style, name) = match first || second {
+            true => (Style::First, "stable"),
+            false => (Style::Doubted, "unstable"),
+        };
+        match lines.last_mut() {
+            Some(last) if last.style == style => last.points.push((u, v)),
+            _ => lines.push(Line { points: vec![(x, y), (u, v)], style, name: name.to_owned() }),
+        }
+    }
+    lines
 }

@@ -181,9 +181,9 @@ fn leading_words(own: &Periodic) -> String {
             format!("UNSTABLE: a change of another frequency grows {size} times in a cycle")
         }
         Stability::Undecided => {
-            format!(
-                "undecided: the largest multiplier, {size}, is nearer to 1 than these steps tell"
-            )
+            let own = own.doubtful().map_or(0.0, |own| own.value.norm());
+            let own = shown(own, 6, 1e-3..1e6);
+            format!("undecided: the multiplier {own} is nearer to 1 than these steps tell")
         }
     }
 }

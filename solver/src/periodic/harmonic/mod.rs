@@ -25,7 +25,7 @@ use super::in_space::InSpace;
 use super::map::{CycleMap, Orbit};
 use super::metric::Metric;
 use super::motion::{Harmonics, Periodic};
-use super::multipliers::{largest, name_phase, paired, stability};
+use super::multipliers::{MORE, largest, name_phase, paired, stability};
 use super::options::{Method, PeriodicOptions};
 use super::solve::Observe;
 use super::weighed::Weighed;
@@ -275,7 +275,7 @@ impl Search<'_, '_> {
             let mut twice = map.doubled()?;
             let mut weighed = Weighed::new(&mut twice, &state)?;
             let y = weighed.weighed(&state);
-            largest(&mut weighed, &y, options.multipliers)?
+            largest(&mut weighed, &y, options.multipliers + MORE)?
         } else {
             Vec::new()
         };
