@@ -19,9 +19,11 @@ const LOOKED_AT: usize = 8;
 const LEFT: [f64; 2] = [1e-7, 1e-5];
 /// Moduli below which a multiplier is rounding.
 const NOTHING: f64 = 1e-12;
-/// What steps half as long change of one at most, of its size or of 1, and how near conjugates are to each other.
+/// What steps half as long change of one at most, of its size or of 1; by which factor e^FOURFOLD what is lost may be off four times as
+/// much; and how near conjugates are to each other.
 const ALIKE: f64 = 0.5;
 const NEAR: f64 = 0.02;
+const FOURFOLD: f64 = 1.0;
 const SAME: f64 = 1e-9;
 /// Multipliers that are found more of with steps half as long: not all have the same order.
 pub(super) const MORE: usize = 8;
@@ -137,14 +139,18 @@ pub(super) fn paired(own: &[Complex64], finer: &[Complex64]) -> Vec<Multiplier> 
             let size = value.norm().max(NOTHING);
             let apart = (other - value).norm();
             let motion = apart / size;
-            let faded = value.norm().powi(4);
-            let unresolved = (other.norm() - faded).abs() / faded.max(NOTHING);
+            let lost = [value, other].map(|own| -own.norm().max(NOTHING).ln());
+            let unresolved = (lost[1] / (4.0 * lost[0])).ln().abs();
             // What stands at 1 obeys both.
             let (cost, kind) = match unresolved < motion && value.norm() < 0.999 {
                 true => (unresolved, MultiplierKind::Unresolved),
                 false => (motion, MultiplierKind::Motion),
             };
-            if cost <= ALIKE || kind == MultiplierKind::Motion && apart <= NEAR {
+            let is_alike = match kind {
+                MultiplierKind::Unresolved => cost <= FOURFOLD,
+                _ => cost <= ALIKE || apart <= NEAR,
+            };
+            if is_alike {
                 pairs.push((cost, i, j, kind));
             }
         }

@@ -3,6 +3,8 @@
 use std::f64::consts::{PI, TAU};
 
 use super::{column, followed, motions};
+#[cfg(unix)]
+use crate::lost_work::Running;
 use crate::workbench::Workbench;
 
 /// A mass on a mount that relaxes, shaken at 120 Hz.
@@ -146,4 +148,22 @@ fn where_states_do_not_close_is_said() {
         "[analysis.cycle]\nkind = \"periodic\"\nvary = \"body.r.speed = 3000 rpm .. 4000 rpm\"\n";
     let fine = oiled(keys).replace("[24, 5]", "[48, 7]");
     refused(&fine, ["remember 336 values", "`speeds`"]);
+}
+
+/// An analysis that is ended before it came to anything has failed by no fault of its case, and leaves nothing.
+#[cfg(unix)]
+#[test]
+fn what_is_interrupted_before_anything_is_found_says_so() {
+    let keys = "[analysis.cycle]\nkind = \"periodic\"\nsteps = 3600\n";
+    let case = oiled(keys).replace("[24, 5]", "[96, 9]");
+    let bench = Workbench::new().file("case.toml", &case);
+    let before = bench.listing();
+    let running = Running::start(&bench, &["analyse", "case.toml", "--out", "out"]);
+    std::thread::sleep(std::time::Duration::from_secs(3));
+    running.signal("INT");
+    let (status, said) = running.end();
+    assert_eq!(status, Some(1), "{said}");
+    assert!(said.contains("interrupted before anything was found"), "{said}");
+    assert!(!said.contains("E004"), "{said}");
+    assert_eq!(bench.listing(), before);
 }

@@ -25,7 +25,7 @@ const FOR_LATERAL: [&str; 7] = [
 
 /// Keys of periodic analyses, which others refuse.
 const PERIODIC: &str = "/analysis/chosen/self_excited /analysis/chosen/near /analysis/chosen/steps /analysis/chosen/method /analysis/chosen/harmonics /analysis/chosen/marched /analysis/chosen/periods \
-    /analysis/chosen/begin /analysis/chosen/cycles /analysis/chosen/vary /analysis/chosen/points";
+    /analysis/chosen/begin /analysis/chosen/cycles /analysis/chosen/vary /analysis/chosen/points /analysis/chosen/doublings";
 
 /// Of files of named bodies: each of the ways in which one turns, with each kind of joint.
 const NAMED: [&str; 8] = [
