@@ -6,6 +6,7 @@
 mod branch;
 mod figure;
 mod files;
+mod followed;
 mod motions;
 mod place;
 mod sought;
