@@ -273,8 +273,7 @@ impl Followed<'_> {
             for own in &self.branches {
                 lines.extend(pieces(&own.branch, height));
                 for event in &own.branch.events {
-                    let [a, b] = [0, 1].map(|next| &own.branch.points[event.after + next]);
-                    let at = (event.value, 0.5 * (height(a) + height(b)));
+                    let at = (event.value, height_of(&own.branch, event, height));
                     let value = shown(event.value, 6, 1e-3..1e7);
                     dots.push(Dot { at, name: "events".to_owned() });
                     labels.push(Label { at, text: format!("{} {value}", called(event.kind)) });
@@ -298,21 +297,40 @@ impl Followed<'_> {
     }
 }
 
-/// The line of a branch in pieces that are stable or unstable: a piece is unstable if both of its ends are.
-fn pieces(branch: &Branch, height: impl Fn(&BranchPoint) -> f64) -> Vec<Line> {
-    let points: Vec<(f64, f64, bool)> = (branch.points.iter())
-        .map(|own| (own.value, height(own), text::is_stable(own.stability) != Some(false)))
-        .collect();
+/// The height of an event, between those of the points around it.
+fn height_of(branch: &Branch, event: &BranchEvent, height: impl Fn(&BranchPoint) -> f64) -> f64 {
+    let [a, b] = [0, 1].map(|next| &branch.points[event.after + next]);
+    let share = (event.value - a.value) / (b.value - a.value);
+    // A fold lies beyond both.
+    let share = if (0.0..=1.0).contains(&share) { share } else { 0.5 };
+    height(a) + share * (height(b) - height(a))
+}
+
+/// The line of a branch in pieces that are stable or unstable. Where that changes at an event they meet there; otherwise a piece is
+/// unstable if both of its ends are.
+fn pieces(branch: &Branch, height: impl Fn(&BranchPoint) -> f64 + Copy) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::new();
-    for piece in points.windows(2) {
-        let [(x, y, first), (u, v, second)] = [piece[0], piece[1]];
-        let (style, name) = match first || second {
+    let mut add = |from: (f64, f64), to: (f64, f64), stable: bool| {
+        let (style, name) = match stable {
             true => (Style::First, "stable"),
             false => (Style::Doubted, "unstable"),
         };
         match lines.last_mut() {
-            Some(last) if last.style == style => last.points.push((u, v)),
-            _ => lines.push(Line { points: vec![(x, y), (u, v)], style, name: name.to_owned() }),
+            Some(last) if last.style == style => last.points.push(to),
+            _ => lines.push(Line { points: vec![from, to], style, name: name.to_owned() }),
+        }
+    };
+    for (place, piece) in branch.points.windows(2).enumerate() {
+        let [from, to] = [0, 1].map(|end| (piece[end].value, height(&piece[end])));
+        let [first, second] =
+            [0, 1].map(|end| text::is_stable(piece[end].stability) != Some(false));
+        match branch.events.iter().find(|own| own.after == place && first != second) {
+            Some(event) => {
+                let middle = (event.value, height_of(branch, event, height));
+                add(from, middle, first);
+                add(middle, to, second);
+            }
+            None => add(from, to, first || second),
         }
     }
     lines
