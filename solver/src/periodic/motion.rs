@@ -2,7 +2,7 @@
 
 use super::cycle::Cycle;
 use super::doubled::StepError;
-use super::multipliers::{Multiplier, Stability};
+use super::multipliers::{Multiplier, Stability, doubtful};
 use super::options::Method;
 use crate::dynamics::Outcome;
 use crate::history::History;
@@ -49,4 +49,11 @@ pub struct Harmonics {
     pub change: Option<StepError>,
     /// What a march over the cycle, from the same start, has otherwise.
     pub steps: StepError,
+}
+
+impl Periodic {
+    /// The largest multiplier that is no verdict, if there is one.
+    pub fn doubtful(&self) -> Option<&Multiplier> {
+        doubtful(&self.multipliers)
+    }
 }

@@ -7,7 +7,6 @@
 use num_complex::Complex64;
 
 use super::krylov::Krylov;
-use super::motion::Periodic;
 use super::weighed::Weighed;
 use crate::error::Error;
 use crate::linalg::{eigenvalues, ritz_pairs};
@@ -195,7 +194,7 @@ pub(super) fn margin(own: &Multiplier) -> f64 {
 }
 
 /// The largest multiplier of the motion that is no verdict.
-fn doubtful(all: &[Multiplier]) -> Option<&Multiplier> {
+pub(super) fn doubtful(all: &[Multiplier]) -> Option<&Multiplier> {
     let compared = all.iter().any(|own| own.finer.is_some());
     let of_motion = all.iter().filter(|own| own.kind == MultiplierKind::Motion);
     let mut of_motion = of_motion.filter(|own| {
@@ -220,13 +219,6 @@ pub(super) fn stability(all: &[Multiplier]) -> Stability {
     match doubtful(all) {
         None => Stability::Stable,
         Some(_) => Stability::Undecided,
-    }
-}
-
-impl Periodic {
-    /// Of a motion of which multipliers are no verdict the largest that is none.
-    pub fn doubtful(&self) -> Option<&Multiplier> {
-        doubtful(&self.multipliers)
     }
 }
 
