@@ -21,6 +21,8 @@ pub struct BoreNodes {
     pub surface: Option<String>,
     /// x and y of its axis (m).
     pub axis: [f64; 2],
+    /// z of both ends (m) of a film under which it gives way.
+    pub film: Option<[f64; 2]>,
 }
 
 /// A radial load on a bore, cos nψ or sin nψ around it: forces on dofs that sum to 1 N without sign, about.
@@ -32,6 +34,34 @@ pub struct Pattern {
     pub load: Row,
 }
 
+/// Nodes of a ring or a surface of a bore: node, part of its face's area, angle, z.
+type Around = Vec<(usize, f64, f64, f64)>;
+
+fn around(mesh: &Mesh, bore: &BoreNodes, ring: &[usize]) -> Result<Around, Error> {
+    let mean = match &bore.surface {
+        Some(set) => NodeSetMean::of_sets(mesh, &[set])?,
+        None => NodeSetMean::new(mesh, ring)?,
+    };
+    let nodes = mean.nodes().iter().zip(mean.weights()).map(|(&node, &weight)| {
+        let [x, y, z] = mesh.nodes()[node];
+        (node, weight, (y - bore.axis[1]).atan2(x - bore.axis[0]), z)
+    });
+    Ok(nodes.collect())
+}
+
+/// Radial forces on nodes: as much of each node's part as a function of angle and z says.
+fn radial(nodes: &Around, shape: impl Fn(f64, f64) -> f64) -> Row {
+    let load = nodes.iter().flat_map(|&(node, weight, angle, z)| {
+        let force = weight * shape(angle, z);
+        let (sin, cos) = angle.sin_cos();
+        [(3 * node, force * cos), (3 * node + 1, force * sin)]
+    });
+    load.collect()
+}
+
+/// cos nψ and sin nψ.
+const AROUND: [fn(f64) -> f64; 2] = [f64::cos, f64::sin];
+
 /// The loads of all harmonics on each ring of a bore; a node has the part of its face's area.
 ///
 /// # Errors
@@ -39,33 +69,56 @@ pub struct Pattern {
 pub fn patterns(mesh: &Mesh, bore: &BoreNodes) -> Result<Vec<Pattern>, Error> {
     let mut patterns = Vec::new();
     for ring in bore.rings.iter().filter(|ring| !ring.is_empty()) {
-        let mean = match &bore.surface {
-            Some(set) => NodeSetMean::of_sets(mesh, &[set])?,
-            None => NodeSetMean::new(mesh, ring)?,
-        };
-        let nodes: Vec<(usize, f64, f64)> = mean
-            .nodes()
-            .iter()
-            .zip(mean.weights())
-            .map(|(&node, &weight)| {
-                let [x, y, _] = mesh.nodes()[node];
-                (node, weight, (y - bore.axis[1]).atan2(x - bore.axis[0]))
-            })
-            .collect();
+        let nodes = around(mesh, bore, ring)?;
         for harmonic in 0..HARMONICS {
-            let shapes: &[fn(f64) -> f64] =
-                if harmonic == 0 { &[f64::cos] } else { &[f64::cos, f64::sin] };
-            for shape in shapes {
-                let load = nodes.iter().flat_map(|&(node, weight, angle)| {
-                    let force = weight * shape(harmonic as f64 * angle);
-                    let (sin, cos) = angle.sin_cos();
-                    [(3 * node, force * cos), (3 * node + 1, force * sin)]
-                });
-                patterns.push(Pattern { harmonic, load: load.collect() });
+            for shape in &AROUND[..if harmonic == 0 { 1 } else { 2 }] {
+                let load = radial(&nodes, |angle, _| shape(harmonic as f64 * angle));
+                patterns.push(Pattern { harmonic, load });
             }
         }
     }
     Ok(patterns)
+}
+
+/// Harmonics of the angle in the pressure of a film, for each power of z from its middle, ζ = 2z/L: even powers as far as
+/// p_max and the smallest gap of an elastic bearing need them (0.4 and 4 % of what the whole mesh has), odd ones for tilts.
+const PRESSURE: [usize; 5] = [12, 4, 12, 4, 12];
+
+/// Pressures of a film on a bore that gives way under it, cos nψ and sin nψ times Legendre's polynomials in ζ: loads, none of other
+/// bores.
+///
+/// # Errors
+/// As [`NodeSetMean::new`].
+pub fn pressures(mesh: &Mesh, bore: &BoreNodes) -> Result<Vec<Row>, Error> {
+    let (Some([left, right]), [ring]) = (bore.film, bore.rings.as_slice()) else {
+        return Ok(Vec::new());
+    };
+    let nodes = around(mesh, bore, ring)?;
+    let zeta = |z: f64| (2.0 * z - left - right) / (right - left);
+    let mut loads = Vec::new();
+    for (power, &most) in PRESSURE.iter().enumerate() {
+        for harmonic in 0..=most {
+            for shape in &AROUND[..if harmonic == 0 { 1 } else { 2 }] {
+                loads.push(radial(&nodes, |angle, z| {
+                    let along = zeta(z);
+                    // Beyond the ends there is no film.
+                    let within = if along.abs() <= 1.0 + 1e-6 { legendre(power, along) } else { 0.0 };
+                    within * shape(harmonic as f64 * angle)
+                }));
+            }
+        }
+    }
+    Ok(loads)
+}
+
+/// Legendre's polynomial of this degree.
+fn legendre(degree: usize, x: f64) -> f64 {
+    let (mut before, mut own) = (0.0, 1.0);
+    for n in 0..degree {
+        let n = n as f64;
+        (before, own) = (own, ((2.0 * n + 1.0) * x * own - n * before) / (n + 1.0));
+    }
+    own
 }
 
 /// Of each harmonic the largest part of the static compliance of a bore, by its own load and with what is retained held,

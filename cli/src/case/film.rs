@@ -155,12 +155,26 @@ impl FilmSource {
         own.chain(of_joint).collect()
     }
 
+    /// From where to where it reaches around the bore.
+    fn reach(&self) -> Reach {
+        let arc = self.told.arc;
+        Reach { first: arc.map_or(0.0, |own| own.start), arc: arc.map(|own| own.size) }
+    }
+
+    /// Angle (rad) and distance from the middle (m) of every node of a film of this length (m), if its bore is to give way; none
+    /// if what is said of its nodes is wrong.
+    pub(crate) fn nodes_that_give_way(&self, length: f64) -> Option<Vec<[f64; 2]>> {
+        // Angles are those of any radius.
+        let film = OilFilm::reaching(self.kernel, self.told.grid, [1.0, length], self.reach());
+        film.ok().filter(|_| self.told.flexible).map(|own| own.grid.places())
+    }
+
     /// The film with its values.
     ///
     /// # Errors
     /// As [`FilmSource::with`].
     pub(crate) fn built(&self) -> Result<FilmLaw, Diagnostics> {
-        let FilmTable { grid, grid_place, arc, sides, openings, bore, place } = &self.told;
+        let FilmTable { grid, grid_place, arc, sides, openings, bore, place, .. } = &self.told;
         let mut errors = Diagnostics::new();
         let mut note = |at: &Located, wrong: WrongFilm| {
             errors.push(at.error_here(Code::BAD_VALUE, wrong.what).help(wrong.help));
@@ -171,7 +185,7 @@ impl FilmSource {
         };
         let [radius, length, clearance] =
             OF_JOINT.map(|(name, ..)| value(name).unwrap_or_default());
-        let reach = Reach { first: arc.map_or(0.0, |own| own.start), arc: arc.map(|own| own.size) };
+        let reach = self.reach();
         let mut film = match OilFilm::reaching(self.kernel, *grid, [radius, length], reach) {
             Ok(film) => film,
             Err(wrong) => {

@@ -2,7 +2,7 @@
 
 use whirl_codegen::diagnostic::{Code, Located};
 use whirl_codegen::document::Table;
-use whirl_codegen::document::schema::Shape::{Either, List, Named, Number, Tuple, Words};
+use whirl_codegen::document::schema::Shape::{Either, Flag, List, Named, Number, Tuple, Words};
 use whirl_codegen::document::schema::{Key, Shape, key, merged};
 
 use super::film_arc::Arc;
@@ -25,12 +25,14 @@ pub(super) const FILM: &[Key] = &[
     .like("[\"240 deg\", \"300 deg\"]"),
     key("start", SIDE, START).like("\"0 bar\""),
     key("end", SIDE, "the same of the edge at the second angle of `arc`").like("\"open\""),
+    key("flexible", Flag, FLEXIBLE),
     key("opening", Named(&Shape::Table(&[OPENING])), "holes and grooves in the bore, by name"),
     key("pocket", Named(&Shape::Table(&[POCKET])), "places of the bore that are deeper, by name"),
 ];
 
 const SIDE: Shape = Either(&[SUPPLY, Words(&WITHOUT_PRESSURE)]);
 
+const FLEXIBLE: &str = "whether a bore that is a `surface` of a mesh gives way under the film; false: it stays as round as it is; true if left out";
 const LEFT: &str = "the end at smaller z: open to air at the pressure of the cavity, closed, or flooded with this pressure; open if left out";
 const START: &str = "the edge at the first angle of `arc`: flooded with this pressure, open or closed; flooded with the pressure of the cavity if left out";
 
@@ -65,6 +67,8 @@ pub(super) struct FilmTable {
     pub(super) sides: Vec<(Side, Located)>,
     pub(super) openings: Vec<Opening>,
     pub(super) bore: BoreShape,
+    /// Whether a bore with a mesh deforms.
+    pub(super) flexible: bool,
     /// Where the joint names the film.
     pub(super) place: Located,
 }
@@ -113,6 +117,7 @@ impl FilmTable {
             sides: vec![(Side::Open, name.clone()); 2],
             openings: Vec::new(),
             bore: BoreShape::default(),
+            flexible: true,
             place: name.clone(),
         }
     }
@@ -145,7 +150,8 @@ impl FilmTable {
         let openings =
             all.into_iter().filter_map(|(name, own)| own.read(|own| Opening::read(own, name)));
         let (openings, bore) = (openings.collect(), BoreShape::read(store, table, arc));
-        FilmTable { grid, grid_place, arc, sides, openings, bore, place: name.clone() }
+        let flexible = table.optional_boolean("flexible").unwrap_or(true);
+        FilmTable { grid, grid_place, arc, sides, openings, bore, flexible, place: name.clone() }
     }
 
     /// What results call its sides and openings.

@@ -129,6 +129,8 @@ pub(crate) struct StaticCorrection {
     pub(crate) loads: bool,
     /// To unit forces at the points whose motion the case asks for, along the components that it asks for.
     pub(crate) outputs: bool,
+    /// To the pressure of films under which its bores give way.
+    pub(crate) pressure: bool,
     /// To loads on its bores; where the case says so, if it does.
     pub(crate) bores: Option<Located>,
 }
@@ -136,7 +138,7 @@ pub(crate) struct StaticCorrection {
 impl Default for StaticCorrection {
     /// What holds where a case says nothing.
     fn default() -> Self {
-        StaticCorrection { loads: true, outputs: false, bores: None }
+        StaticCorrection { loads: true, outputs: false, pressure: true, bores: None }
     }
 }
 

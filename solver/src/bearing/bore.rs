@@ -358,6 +358,7 @@ mod tests {
             middle: 0.23,
             points: vec![Vec::new(); 2],
             mean: 0,
+            film: Vec::new(),
         };
         let bearing = Bearing {
             others: Vec::new(),

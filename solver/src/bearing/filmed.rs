@@ -1,6 +1,6 @@
 //! The joints of films.
 
-use super::films::Films;
+use super::films::{DeformedBore, FilmAt, Films};
 use super::hold::{Hold, LawStates};
 use super::placed_law::PlacedLaw;
 use super::springs::Springs;
@@ -21,7 +21,17 @@ impl SpringState {
         let Films { given, squeezed, all } = &mut self.films;
         for film in all.iter_mut().filter(|film| film.law == place) {
             film.taken = own.taken(law, film.spring);
-            let (forces, n) = (film.solve(journal, given, *squeezed), law.springs);
+            let rigid = law.bound.kind.bore.len();
+            if let Some(deformed) = &mut film.deformed {
+                let [by, rates] = &mut deformed.taken;
+                by.copy_from_slice(&own.bore[rigid..]);
+                rates.copy_from_slice(&own.bore_dot[rigid..]);
+            }
+            let shapes = law.shapes.as_ref();
+            let (forces, n) = (film.solve((journal, shapes), given, *squeezed), law.springs);
+            if let Some(deformed) = &film.deformed {
+                own.bore_force[rigid..].copy_from_slice(&deformed.forces);
+            }
             for (&force, value) in law.bound.forces.iter().zip(forces) {
                 own.forces[force * n + film.spring] = value;
             }
@@ -34,7 +44,11 @@ impl SpringState {
             film.sloped = true;
             let (law, own) = (&springs.laws[film.law], &mut self.laws[film.law]);
             let journal = springs.film_of(film.law);
-            let slopes = journal.slopes(film.step, &film.oil, &mut film.balance);
+            let FilmAt { step, oil, balance, deformed, .. } = film;
+            let slopes = journal.slopes(*step, oil, balance);
+            if let (Some(shapes), Some(deformed)) = (&law.shapes, deformed) {
+                journal.slopes_of_shapes(*step, oil, balance, shapes, &mut deformed.slopes);
+            }
             let (bound, n) = (&law.bound, law.springs);
             for (&force, slopes) in bound.forces.iter().zip(&slopes) {
                 for (&input, slope) in bound.inputs.iter().zip(slopes) {
@@ -55,7 +69,13 @@ impl SpringState {
         for film in &self.films.all {
             let [oil, motion, shown] = film.known.parts(&mut laws.films);
             film.oil.write(oil);
-            motion.copy_from_slice(&film.taken);
+            let (taken, shapes) = motion.split_at_mut(INPUTS);
+            taken.copy_from_slice(&film.taken);
+            if let Some(DeformedBore { taken: [by, rates], .. }) = &film.deformed {
+                let (kept, kept_rates) = shapes.split_at_mut(by.len());
+                kept.copy_from_slice(by);
+                kept_rates.copy_from_slice(rates);
+            }
             shown.copy_from_slice(&film.shown);
         }
         if !self.films.all.is_empty() {

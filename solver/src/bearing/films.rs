@@ -9,28 +9,42 @@ use super::hold::{Hold, LawStates};
 use super::placed_law::PlacedLaw;
 use super::plane::Plane;
 use super::springs::Springs;
-use crate::film::{Balance, INPUTS, Journal, JournalMotion, OUTPUTS, Oil};
+use crate::film::{
+    Balance, INPUTS, Journal, JournalMotion, OUTPUTS, Oil, ShapeSlopes, Shapes,
+};
 
 /// A step so short (s) that a film only follows the rates of its gap.
 const INSTANT: f64 = 1e-7;
 /// What may be lacking at a node, of the largest sum of flows at one: oil of a march is kept to 1e-10.
-const BALANCED: f64 = 1e-13;
+const BALANCED: f64 = 1e-16;
 
 /// Places of what is known of a film among what is known of all: the oil, the motion, and what is shown.
 pub(super) struct Known {
     first: usize,
     oil: usize,
+    /// Shapes of the bore.
+    shapes: usize,
     shown: usize,
 }
 
 impl Known {
-    pub(super) fn of(journal: &Journal, first: usize) -> Self {
+    pub(super) fn of(journal: &Journal, shapes: Option<&Shapes>, first: usize) -> Self {
         let film = &journal.film;
-        Known { first, oil: 2 * film.grid.nodes(), shown: film.openings.len() + film.outputs() }
+        Known {
+            first,
+            oil: 2 * film.grid.nodes(),
+            shapes: shapes.map_or(0, Shapes::count),
+            shown: film.openings.len() + film.outputs(),
+        }
     }
 
     pub(super) fn count(&self) -> usize {
-        self.oil + INPUTS + self.shown
+        self.oil + self.moved() + self.shown
+    }
+
+    /// Values that say how journal and bore moved: what the film takes, then shapes of the bore and their rates.
+    fn moved(&self) -> usize {
+        INPUTS + 2 * self.shapes
     }
 
     pub(super) fn nodes(&self) -> usize {
@@ -46,14 +60,19 @@ impl Known {
         own.try_into().expect("as many")
     }
 
+    fn deformed<'a>(&self, all: &'a [f64]) -> [&'a [f64]; 2] {
+        let own = &all[self.first + self.oil + INPUTS..][..2 * self.shapes];
+        own.split_at(self.shapes).into()
+    }
+
     fn shown<'a>(&self, all: &'a [f64]) -> &'a [f64] {
-        &all[self.first + self.oil + INPUTS..][..self.shown]
+        &all[self.first + self.oil + self.moved()..][..self.shown]
     }
 
     pub(super) fn parts<'a>(&self, all: &'a mut [f64]) -> [&'a mut [f64]; 3] {
         let own = &mut all[self.first..][..self.count()];
         let (oil, rest) = own.split_at_mut(self.oil);
-        let (motion, shown) = rest.split_at_mut(INPUTS);
+        let (motion, shown) = rest.split_at_mut(self.moved());
         [oil, motion, shown]
     }
 }
@@ -80,6 +99,28 @@ pub(super) struct FilmAt {
     pub(super) sloped: bool,
     /// Nodes that hold oil by the gap itself, as it changes too fast.
     pub(super) fast: usize,
+    /// How its bore gives way, where it does.
+    pub(super) deformed: Option<DeformedBore>,
+}
+
+/// How a bore stands and moves in its shapes, and what its film does to them.
+pub(super) struct DeformedBore {
+    /// Of every shape how much (m), and its rate (m/s).
+    pub(super) taken: [Vec<f64>; 2],
+    /// Forces on them (N).
+    pub(super) forces: Vec<f64>,
+    pub(super) slopes: ShapeSlopes,
+}
+
+impl DeformedBore {
+    fn new(shapes: &Shapes) -> Self {
+        let none = || vec![0.0; shapes.count()];
+        DeformedBore {
+            taken: [none(), none()],
+            forces: none(),
+            slopes: ShapeSlopes::new(shapes),
+        }
+    }
 }
 
 /// All films, and what is known of them.
@@ -97,12 +138,15 @@ impl Films {
         let mut all = Vec::new();
         for (law, placed) in springs.laws.iter().enumerate() {
             let Some(journal) = placed.bound.law.film() else { continue };
+            let shapes = placed.shapes.as_ref();
             for spring in 0..placed.springs {
-                let known = Known::of(journal, first);
+                let known = Known::of(journal, shapes, first);
                 first += known.count();
                 let oil = Oil::full(&journal.film);
                 let mut balance = Balance::new(&journal.film);
                 balance.tolerance = BALANCED;
+                let nodes = || vec![0.0; journal.film.grid.nodes()];
+                balance.motion.deformed = shapes.map(|_| [nodes(), nodes()]);
                 all.push(FilmAt {
                     law,
                     spring,
@@ -117,6 +161,7 @@ impl Films {
                     solved: false,
                     sloped: false,
                     fast: 0,
+                    deformed: shapes.map(DeformedBore::new),
                 });
             }
         }
@@ -136,7 +181,7 @@ impl Films {
         (self.given.hold, self.given.step) = (laws.hold, laws.step);
         if let Hold::Implicit(_) = laws.hold {
             for own in &mut self.all {
-                own.begin(springs.film_of(own.law), &self.given);
+                own.begin(springs.film_of(own.law), springs.shapes_of(own.law), &self.given);
             }
         }
     }
@@ -154,11 +199,18 @@ impl Springs {
         self.laws[law].bound.law.film().expect("a film")
     }
 
+    /// The shapes of the bore of a law's film, where it deforms.
+    pub(super) fn shapes_of(&self, law: usize) -> Option<&Shapes> {
+        self.laws[law].shapes.as_ref()
+    }
+
     /// As laws begin, and films.
     pub(crate) fn beginning(&self) -> LawStates {
         let mut laws = LawStates::beginning(self.states());
-        let films = self.laws.iter().filter_map(|own| Some((own.bound.law.film()?, own.springs)));
-        let count = films.map(|(journal, springs)| springs * Known::of(journal, 0).count());
+        let count = self.laws.iter().filter_map(|own| {
+            let known = Known::of(own.bound.law.film()?, own.shapes.as_ref(), 0);
+            Some(own.springs * known.count())
+        });
         laws.films = vec![0.0; count.sum()];
         if !laws.films.is_empty() {
             laws.hold = Hold::Start;
@@ -174,11 +226,13 @@ impl FilmAt {
     }
 
     /// Begins a step from what is known.
-    fn begin(&mut self, journal: &Journal, given: &LawStates) {
+    fn begin(&mut self, journal: &Journal, shapes: Option<&Shapes>, given: &LawStates) {
         self.begun.read(self.known.oil(&given.films));
         if let Hold::Implicit(weight) = given.hold
             && weight > 0.0
         {
+            let deformed = self.known.deformed(&given.films);
+            open(&mut self.balance, shapes, deformed, true);
             let motion = motion(&self.known.motion(&given.films), Some(given.step));
             journal.begin(&motion, &self.begun, &mut self.balance);
         }
@@ -187,7 +241,7 @@ impl FilmAt {
     /// Solves the film where it stands; its forces, which are no numbers where that fails.
     pub(super) fn solve(
         &mut self,
-        journal: &Journal,
+        (journal, shapes): (&Journal, Option<&Shapes>),
         given: &LawStates,
         squeezed: bool,
     ) -> [f64; OUTPUTS] {
@@ -198,16 +252,19 @@ impl FilmAt {
         self.solved = match given.hold {
             Hold::Rest | Hold::Settled => {
                 self.oil = Oil::full(&journal.film);
+                self.open(shapes, squeezed);
                 self.settle(journal, if squeezed { &steady } else { &still })
             }
-            Hold::Start => self.start(journal, [&still, &steady]),
+            Hold::Start => self.start((journal, shapes), [&still, &steady]),
             Hold::Implicit(weight) if weight > 0.0 => {
                 self.oil.clone_from(&self.begun);
+                self.open(shapes, true);
                 self.step = Some(given.step);
                 self.settle(journal, &JournalMotion { step: self.step, ..steady })
             }
             Hold::Implicit(_) => {
                 self.oil.clone_from(&self.begun);
+                self.open(shapes, true);
                 journal.take(&steady, &self.oil, &mut self.balance);
                 true
             }
@@ -215,6 +272,9 @@ impl FilmAt {
         let openings = journal.film.openings.len();
         let (flows, outputs) = self.shown.split_at_mut(openings);
         let forces = journal.forces(&mut self.balance, outputs);
+        if let (Some(shapes), Some(own)) = (shapes, &mut self.deformed) {
+            journal.push(&self.balance, shapes, &mut own.forces);
+        }
         self.volume = self.balance.oil(&journal.film);
         if given.hold == Hold::Implicit(0.0) {
             flows.copy_from_slice(&self.known.shown(&given.films)[..openings]);
@@ -232,16 +292,48 @@ impl FilmAt {
         found.is_ok()
     }
 
+    /// Puts to the nodes how the bore has given way, and how it moves if that counts.
+    fn open(&mut self, shapes: Option<&Shapes>, moves: bool) {
+        if let Some(own) = &self.deformed {
+            let [by, rates] = &own.taken;
+            open(&mut self.balance, shapes, [by, rates], moves);
+        }
+    }
+
+    /// Whether the bore moves in its shapes.
+    fn gives_way(&self) -> bool {
+        self.deformed.as_ref().is_some_and(|own| own.taken[1].iter().any(|rate| *rate != 0.0))
+    }
+
     /// As a machine begins: full as if it had been there for long, then with the rates of its gap.
-    fn start(&mut self, journal: &Journal, [still, steady]: [&JournalMotion; 2]) -> bool {
+    fn start(
+        &mut self,
+        (journal, shapes): (&Journal, Option<&Shapes>),
+        [still, steady]: [&JournalMotion; 2],
+    ) -> bool {
         self.oil = Oil::full(&journal.film);
+        self.open(shapes, false);
         let found = self.settle(journal, still);
-        if !found || still == steady {
+        if !found || still == steady && !self.gives_way() {
             return found;
         }
         self.step = Some(INSTANT);
         journal.begin(&JournalMotion { step: self.step, ..*still }, &self.oil, &mut self.balance);
+        self.open(shapes, true);
         self.settle(journal, &JournalMotion { step: self.step, ..*steady })
+    }
+}
+
+/// Opens the gap of a film where its bore has so much of every shape, and opens it further as fast as these say, if that counts.
+fn open(balance: &mut Balance, shapes: Option<&Shapes>, [by, rates]: [&[f64]; 2], moves: bool) {
+    let (Some(shapes), Some([opened, opening])) = (shapes, &mut balance.motion.deformed) else {
+        return;
+    };
+    shapes.open(by, opened);
+    if moves {
+        shapes.open(rates, opening);
+    } else {
+        opening.fill(0.0);
     }
 }
 

@@ -34,10 +34,10 @@ impl Alike {
 impl Springs {
     /// The films, with the places of what is known of them.
     fn known_films(&self) -> impl Iterator<Item = (&Journal, Known)> {
-        let films = self.laws.iter().filter_map(|own| Some((own.bound.law.film()?, own.springs)));
-        let films = films.flat_map(|(journal, springs)| (0..springs).map(move |_| journal));
-        films.scan(0, |first, journal| {
-            let known = Known::of(journal, *first);
+        let films = self.laws.iter().filter_map(|own| Some((own, own.bound.law.film()?)));
+        let films = films.flat_map(|(own, journal)| (0..own.springs).map(move |_| (own, journal)));
+        films.scan(0, |first, (own, journal)| {
+            let known = Known::of(journal, own.shapes.as_ref(), *first);
             *first += known.count();
             Some((journal, known))
         })

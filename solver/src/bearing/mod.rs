@@ -3,7 +3,7 @@
 //! ```text
 //! places     place ─▶ springs: planes (plane, placed_planes, section, on_section, other, gear), bores (bore, apart, spline, mirrors),
 //!            placed_law: a law in all its planes
-//! laws       law, over_frequency (frequency_law), film_law (films, filmed, film_shown); states (hold, remembered, memory)
+//! laws       law, over_frequency (frequency_law), film_law (films, filmed, film_shapes, film_tangent, film_shown); states (hold, remembered, memory)
 //! instant    state: measured ─▶ laws ─▶ projected; its rounding
 //! besides    work along a step, valid and observed for the verdict, beside for linear analyses, tied and spin for rotations
 //! ```
@@ -13,7 +13,9 @@ mod beside;
 mod bore;
 mod bores;
 mod film_law;
+mod film_shapes;
 mod film_shown;
+mod film_tangent;
 mod filmed;
 mod films;
 mod frequency_law;
@@ -143,6 +145,9 @@ pub struct BoreSurface {
     pub points: Vec<Vec<Vec<(usize, f64)>>>,
     /// The mean motion of the whole bore, among the measures of the body.
     pub mean: usize,
+    /// Of every node of a film, in the order of its grid, the point of the bore, as those of `points`; none of a bore that is
+    /// to stay round.
+    pub film: Vec<Vec<(usize, f64)>>,
 }
 
 impl Default for Sides {

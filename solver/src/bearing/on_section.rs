@@ -18,8 +18,8 @@ pub(crate) type OnJournal = [[f64; 5]; 5];
 impl Springs {
     /// −∂F/∂ε of what a plane does to its journal, from its tangent; zero of what its kind of law does not act on.
     pub(crate) fn on_journal(&self, plane: usize, tangent: &ContactTangent) -> OnJournal {
-        let law = &self.laws[self.planes[plane].law].bound;
-        let motions = law.kind.bore.len();
+        let placed = &self.laws[self.planes[plane].law];
+        let (law, motions) = (&placed.bound, placed.motions.len());
         let of_section = [BoreMotion::SectionZ, TILTS[0], TILTS[1]]
             .map(|wanted| law.kind.bore.iter().position(|own| *own == wanted));
         // Of the ring, or of the section.

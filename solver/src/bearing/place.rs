@@ -7,6 +7,7 @@ use whirl_specs::{BoreMotion, Clearance, ContactPlace};
 use super::Bearing;
 use super::bore::{Bore, at_springs, journal_radius};
 use super::bores::Bores;
+use super::film_shapes::{self, AtRest};
 use super::gear::GearRow;
 use super::joined::{Joined, MotionRows, PlacingBores};
 use super::law::{BoundLaw, SpringLaw};
@@ -220,6 +221,26 @@ impl Placing<'_> {
         }
         let mut table = vec![0.0; kind.table * angles.len()];
         (kind.prepare)(&angles, &mut table);
+        // The joint of a film has a law of its own.
+        let shapes = match (users, &self.planes[first..]) {
+            ([part], [plane]) => {
+                let own = |row: &Vec<f64>| {
+                    let from = self.sites.places[body].flexible.start - place.start;
+                    row[from..][..self.sites.bodies[body].size()].to_vec()
+                };
+                let rows = motions.iter().enumerate();
+                let rows = rows.filter_map(|(motion, all)| Some((motion, own(all.rows.first()?))));
+                let rows: Vec<(usize, Vec<f64>)> = rows.collect();
+                let (radius, clearance) = (plane.radius, plane.clearance);
+                let at = AtRest { table: &table, radius, clearance };
+                let body = &self.sites.bodies[body];
+                film_shapes::shapes_of(&law, part.bearing, body, &rows, &at)
+            }
+            _ => None,
+        };
+        let shapes = shapes.map(|(shapes, rows)| {
+            (shapes, rows.into_iter().map(|row| wide(row, body)).collect::<Vec<Vec<f64>>>())
+        });
         let bores = self.bores_of(joined);
         let own = &mut self.bores[bores];
         let may_be_none = |motion: &BoreMotion| {
@@ -236,12 +257,18 @@ impl Placing<'_> {
             own.offset.extend(motion.offset);
             Some(first)
         });
-        let motions: Vec<Option<usize>> = motions.collect();
+        let mut motions: Vec<Option<usize>> = motions.collect();
+        let shapes = shapes.map(|(shapes, rows)| {
+            motions.extend((0..rows.len()).map(|k| Some(own.rows.len() + k)));
+            own.offset.extend(rows.iter().map(|_| 0.0));
+            own.rows.extend(rows);
+            shapes
+        });
         own.given.extend(given.into_iter().filter_map(|(motion, spring, theta, coefficient)| {
             Some((motions[motion]? + spring, theta, coefficient))
         }));
         let (planes, springs) = (first..self.planes.len(), angles.len());
-        self.laws.push(PlacedLaw { bound: law, planes, springs, table, bores, motions });
+        self.laws.push(PlacedLaw { bound: law, planes, springs, table, bores, motions, shapes });
     }
 
     /// The place of the bores between bodies, which are added if they are new.

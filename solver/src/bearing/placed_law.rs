@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::law::BoundLaw;
+use crate::film::Shapes;
 
 /// A law in all its planes in the bores of one body; their springs lie side by side in every row.
 pub(crate) struct PlacedLaw {
@@ -15,8 +16,11 @@ pub(crate) struct PlacedLaw {
     pub(super) table: Vec<f64>,
     /// The body of its bores, by its place in [`Springs::bores`](super::Springs).
     pub(crate) bores: usize,
-    /// For every motion of the bore its first row in [`Bores::rows`](super::Bores); none if the law does not need it.
+    /// For every motion of the bore its first row in [`Bores::rows`](super::Bores); none if the law does not need it. Then those of
+    /// the shapes of a bore with a film.
     pub(crate) motions: Vec<Option<usize>>,
+    /// How the bore gives way under a film.
+    pub(crate) shapes: Option<Shapes>,
 }
 
 impl PlacedLaw {

@@ -128,7 +128,7 @@ impl PlaneState {
 /// A law at all its springs; rows as in [`whirl_specs::Contact`].
 pub(super) struct LawState {
     pub(super) bore: Vec<f64>,
-    bore_dot: Vec<f64>,
+    pub(super) bore_dot: Vec<f64>,
     /// Inputs and further measures.
     pub(super) inputs: Vec<f64>,
     pub(super) forces: Vec<f64>,
@@ -144,12 +144,12 @@ impl LawState {
     fn new(law: &PlacedLaw) -> Self {
         let (kind, row) = (law.bound.kind, |rows: usize| vec![0.0; rows * law.springs]);
         LawState {
-            bore: row(kind.bore.len()),
-            bore_dot: row(kind.bore.len()),
+            bore: row(law.motions.len()),
+            bore_dot: row(law.motions.len()),
             inputs: row(kind.rows),
             forces: row(kind.forces.len()),
             slopes: row(kind.forces.len() * kind.inputs.len()),
-            bore_force: row(kind.bore.len()),
+            bore_force: row(law.motions.len()),
             states: row(law.bound.states.len()),
             rates: row(law.bound.states.len()),
             relaxes: row(law.bound.states.len()),
@@ -414,8 +414,9 @@ impl SpringState {
         let state = LawState::state(law, plane, &moved.ring, &own.bore, &own.bore_dot);
         let (count, first) = (plane.springs.len(), plane.springs.start);
         let (forces, slopes) = (from(&own.forces, first), from(&own.slopes, first));
-        let tangent = |a1: f64, out: &mut ContactTangent| {
-            (law.bound.kind.tangent)(count, &state, forces, slopes, a1, out);
+        let tangent = |a1: f64, out: &mut ContactTangent| match self.film_slopes(plane.law) {
+            None => (law.bound.kind.tangent)(count, &state, forces, slopes, a1, out),
+            Some(film) => film.tangent(&law.bound, &state, [forces, slopes], a1, out),
         };
         // B + a1 P is linear in a1. What `out` holds of the bore in the end is of a1 itself.
         let step = if a1 > 0.0 { a1 } else { 1.0 };

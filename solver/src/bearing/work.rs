@@ -12,6 +12,7 @@ use super::placed_law::PlacedLaw;
 use super::spin::Spin;
 use super::springs::Springs;
 use super::state::{LawState, SpringState};
+use crate::film::Shapes;
 use crate::linalg::{sum_of, sum_over};
 
 /// Nodes in (0, 1) of Lobatto's rule of five points, exact for polynomials of degree 7, and their weights.
@@ -128,6 +129,8 @@ struct LawStart {
     inputs: Vec<f64>,
     forces: Vec<f64>,
     states: Vec<f64>,
+    /// Shapes in which a bore gives way under a film, and the forces on them.
+    shapes: [Vec<f64>; 2],
 }
 
 /// What a force of the springs of a plane does along a step, spring by spring.
@@ -170,17 +173,24 @@ impl Task for Ways<'_> {
     }
 }
 
+/// How a bore stands in the shapes in which it gives way under a film, and the forces on them.
+fn shapes_of<'s>(placed: &PlacedLaw, law: &'s LawState) -> [&'s [f64]; 2] {
+    let count = placed.shapes.as_ref().map_or(0, Shapes::count);
+    [&law.bore, &law.bore_force].map(|own| &own[own.len() - count..])
+}
+
 impl WorkAlong {
     /// Starts at a state that was just evaluated.
     pub(crate) fn new(springs: &Springs, state: &SpringState) -> Self {
         let forces = springs.most(|law| law.bound.forces.len());
-        let start = |law: &LawState| LawStart {
+        let start = |(placed, law): (&PlacedLaw, &LawState)| LawStart {
             inputs: law.inputs.clone(),
             forces: law.forces.clone(),
             states: law.states.clone(),
+            shapes: shapes_of(placed, law).map(<[f64]>::to_vec),
         };
         WorkAlong {
-            starts: state.laws.iter().map(start).collect(),
+            starts: springs.laws.iter().zip(&state.laws).map(start).collect(),
             along: vec![0.0; forces],
             at_rest: vec![0.0; forces],
             memory: LawMemory::for_times(springs, together),
@@ -197,6 +207,10 @@ impl WorkAlong {
             start.inputs.copy_from_slice(&law.inputs);
             start.forces.copy_from_slice(&law.forces);
             start.states.copy_from_slice(&law.states);
+            for (own, now) in start.shapes.iter_mut().zip([&law.bore, &law.bore_force]) {
+                let from = now.len() - own.len();
+                own.copy_from_slice(&now[from..]);
+            }
         }
         self.spins.iter_mut().zip(&state.planes).for_each(|(spin, own)| *spin = own.spin);
     }
@@ -338,6 +352,16 @@ impl WorkAlong {
                 flow.flowed += along;
                 flow.moved += moved;
                 work.add(along, at_rest);
+            }
+            // Of films the ends count, on the shapes of their bores as well.
+            let shapes = start.shapes.iter().zip(shapes_of(law, end));
+            let mut shapes = shapes.map(|(from, to)| from.iter().zip(to));
+            if let (Some(by), Some(forces)) = (shapes.next(), shapes.next()) {
+                for ((from, to), (before, after)) in by.zip(forces) {
+                    let along = 0.5 * (before + after) * (to - from);
+                    taken.flowed += along;
+                    work.add(along, 0.0);
+                }
             }
             let (made, others_made) = (&made[..count], &made_in_others[..count]);
             taken.made = sum_over([made], |[made]| made.abs());

@@ -16,6 +16,8 @@ pub struct Motion {
     pub stored_gap: Vec<f64>,
     /// Whether h̃ is that of Newmark's rate, or h alone where that changes too fast.
     pub shifted: Vec<bool>,
+    /// By how much the gap is opened where the bore deforms (m), and the rate of that (m/s); none where it does not.
+    pub deformed: Option<[Vec<f64>; 2]>,
     /// ḣ where there is no step (m/s).
     pub squeeze: Vec<f64>,
     /// Mean speed of both surfaces around (m/s).
@@ -102,6 +104,7 @@ impl Balance {
                 gap: rows(nodes),
                 stored_gap: rows(nodes),
                 shifted: vec![true; nodes],
+                deformed: None,
                 squeeze: rows(nodes),
                 speed: 0.0,
                 per_step: 0.0,

@@ -1,4 +1,4 @@
-//! A rigid journal in a rigid bore: its film as forces and moments over displacement, tilts, their rates and the speed.
+//! A rigid journal in its bore: the film as forces and moments over displacement, tilts, their rates and the speed.
 
 use std::f64::consts::TAU;
 
@@ -13,6 +13,9 @@ use super::solve::Unsolved;
 /// Sides to which a journal is displaced to see whether its film ever has a pressure.
 const DIRECTIONS: u32 = 6;
 
+/// Place of the gap among the measures of a clearance.
+const GAP: usize = 0;
+
 /// A journal in a bore with a film between them.
 #[derive(Debug, Clone)]
 pub struct Journal {
@@ -20,12 +23,14 @@ pub struct Journal {
     pub film: OilFilm,
     /// Of every force, by place of a node around: slopes of its measure by e_x, e_y and the turn.
     gradients: Gradients,
+    /// Which of the forces push the surfaces apart.
+    pub(super) pushes: Vec<bool>,
     /// Slopes of the gap, with which they begin.
-    gap: Vec<[f64; 3]>,
+    pub(super) gap: Vec<[f64; 3]>,
     /// Gap of every node where the journal is centred (m).
     centred: Vec<f64>,
     /// Mean speed of both surfaces by the speed of the journal (m).
-    speed: f64,
+    pub(super) speed: f64,
 }
 
 impl Journal {
@@ -76,14 +81,17 @@ impl Journal {
             }),
         };
         let mut gradients = Gradients::new();
+        let mut pushes = Vec::with_capacity(film.kernel.forces.len());
         for force in film.kernel.forces {
-            gradients.push(slopes_of(place(force.on)?));
+            let measure = place(force.on)?;
+            pushes.push(measure == GAP);
+            gradients.push(slopes_of(measure));
         }
-        let gap = slopes_of(0);
+        let gap = slopes_of(GAP);
         let slip = slopes_of(place("s")?);
         let centred = vec![clearance; grid.nodes()];
         let speed = slip[0][2] / 2.0;
-        Ok(Journal { gradients, gap, centred, speed, film })
+        Ok(Journal { gradients, pushes, gap, centred, speed, film })
     }
 
     /// Adds to the gap of every node: a bore that is not round, or steps and pockets in it (m). From angle and z.
@@ -94,6 +102,12 @@ impl Journal {
                 self.centred[j * grid.around + i] += profile(grid.angle(i), grid.z(j));
             }
         }
+    }
+
+    /// By how much displacements and tilts of the journal open the gap at the i-th node around in the j-th row.
+    pub fn opening(&self, i: usize, j: usize) -> [f64; 4] {
+        let [x, y, about_x, about_y, ..] = arms(self.gap[i], self.film.grid.z(j));
+        [x, y, about_x, about_y]
     }
 
     /// The smallest and the largest gap at a node where the journal is in the middle (m).
@@ -141,8 +155,12 @@ impl Journal {
             let [vx, vy] = section(motion.velocity, motion.tilting);
             for (i, [gx, gy, _]) in self.gap.iter().enumerate() {
                 let a = j * grid.around + i;
-                let gap = self.centred[a] + gx * x + gy * y;
-                let rate = gx * vx + gy * vy;
+                let mut gap = self.centred[a] + gx * x + gy * y;
+                let mut rate = gx * vx + gy * vy;
+                if let Some([opened, opening]) = &own.deformed {
+                    gap += opened[a];
+                    rate += opening[a];
+                }
                 let shift = half * rate;
                 let slow = shift.abs() <= 0.5 * gap;
                 fast += usize::from(!slow);
@@ -201,13 +219,11 @@ impl Journal {
         let grid = &self.film.grid;
         let half = step.map(|step| 0.5 * step);
         for j in 0..grid.along {
-            let z = grid.z(j);
-            for (i, gradient) in self.gap.iter().enumerate() {
+            for i in 0..grid.around {
                 let a = j * grid.around + i;
                 let own = &balance.motion;
                 // The turn does not change the gap.
-                let [x, y, about_x, about_y, ..] = arms(*gradient, z);
-                let gradient = [x, y, about_x, about_y];
+                let gradient = self.opening(i, j);
                 let shifted = own.shifted[a];
                 let [by_gap, by_stored] = [balance.by_node[0][a], balance.by_node[1][a]];
                 for n in 0..OUTPUTS {

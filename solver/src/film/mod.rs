@@ -6,6 +6,7 @@
 //! state:       Oil                         (pressure and fill of the nodes)
 //! Balance:     residual ─▶ active set ─▶ elimination ─▶ next state, until the balance of oil holds
 //! Journal:     displacement, tilts, rates ─▶ gaps ─▶ forces, moments and their slopes
+//! Shapes:      a bore that gives way ─▶ gaps; the film pushes on its shapes
 //! ```
 //!
 //! A node holds oil, and its rate balances what flows between cells:
@@ -19,6 +20,7 @@ mod journal;
 mod oil;
 mod openings;
 mod reaction;
+mod shapes;
 mod slopes;
 mod solve;
 #[cfg(test)]
@@ -30,4 +32,5 @@ pub use journal::Journal;
 pub use oil::Oil;
 pub use openings::{OilFilm, Opening, Reach, WrongFilm};
 pub use reaction::{INPUTS, JournalMotion, OUTPUTS, Reaction};
+pub use shapes::{ShapeSlopes, Shapes};
 pub use solve::Unsolved;

@@ -7,6 +7,32 @@ use super::openings::OilFilm;
 use super::reaction::{Gradients, OUTPUTS, WIDE, arms};
 use crate::linalg::widely;
 
+/// What a force at a node does to as many outputs as fill a register.
+pub(super) trait Weights {
+    /// Whether one of the film's forces counts.
+    fn of_force(&self, force: usize) -> bool;
+
+    /// Outputs by a unit of a force at a node of a row at z (m).
+    fn at(&self, force: usize, node: usize, z: f64) -> [f64; WIDE];
+}
+
+/// Forces and moments on the journal.
+struct OnJournal<'a> {
+    gradients: &'a Gradients,
+    around: usize,
+}
+
+impl Weights for OnJournal<'_> {
+    fn of_force(&self, force: usize) -> bool {
+        force < self.gradients.len()
+    }
+
+    #[inline(always)]
+    fn at(&self, force: usize, node: usize, z: f64) -> [f64; WIDE] {
+        arms(self.gradients[force][node % self.around], z)
+    }
+}
+
 impl Balance {
     /// Forces and moments on the journal; the integrals of the outputs.
     pub(super) fn forces(
@@ -56,12 +82,23 @@ impl Balance {
         oil: &Oil,
         gradients: &Gradients,
     ) -> [f64; WIDE] {
+        self.factor(film, oil);
+        self.factors(film, oil, 1);
+        let around = film.grid.around;
+        self.slopes_by_nodes(film, oil, &OnJournal { gradients, around })
+    }
+
+    /// The same of other outputs, right after it.
+    pub(super) fn slopes_by_nodes(
+        &mut self,
+        film: &OilFilm,
+        oil: &Oil,
+        weights: &impl Weights,
+    ) -> [f64; WIDE] {
         let (kernel, grid) = (film.kernel, &film.grid);
         let nodes = grid.nodes();
         let [across, up] = grid.cells();
         let count = kernel.nodes[0] * kernel.nodes[1];
-        self.factor(film, oil);
-        self.factors(film, oil, 1);
         let mut by_speed = [0.0; WIDE];
         let Balance { surface, flow, places, order, by_active, by_gap, adjoint, by_node, .. } =
             self;
@@ -73,24 +110,30 @@ impl Balance {
             for k in 0..up {
                 let out = &surface[k * kernel.surface.count * across..];
                 for slope in kernel.surface.slopes {
-                    let Some(gradients) = gradients.get(slope.value / count) else { continue };
+                    let force = slope.value / count;
+                    if !weights.of_force(force) {
+                        continue;
+                    }
                     let (own, by) = (places(k, slope.value % count), places(k, slope.node));
                     let z = grid.z(own[0] / grid.around);
                     let values = &out[slope.row * across..][..across];
                     let active = &by_active[1][slope.field * nodes..][..nodes];
                     let gap = &by_gap[1][slope.field * nodes..][..nodes];
                     for ((value, node), by) in values.iter().zip(own).zip(by) {
-                        let arms = arms(gradients[node % grid.around], z);
-                        add(&mut adjoint[order[*by]], value * active[*by], &arms);
-                        add(&mut by_own[*by], value * gap[*by], &arms);
+                        let own = weights.at(force, *node, z);
+                        add(&mut adjoint[order[*by]], value * active[*by], &own);
+                        add(&mut by_own[*by], value * gap[*by], &own);
                     }
                 }
                 for (row, value) in kernel.surface.by_speed {
-                    let Some(gradients) = gradients.get(value / count) else { continue };
+                    let force = value / count;
+                    if !weights.of_force(force) {
+                        continue;
+                    }
                     let own = places(k, value % count);
                     let z = grid.z(own[0] / grid.around);
                     for (value, node) in out[row * across..][..across].iter().zip(own) {
-                        add(&mut by_speed, *value, &arms(gradients[node % grid.around], z));
+                        add(&mut by_speed, *value, &weights.at(force, *node, z));
                     }
                 }
             }

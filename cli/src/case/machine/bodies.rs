@@ -67,7 +67,7 @@ fn read_support(store: FileStore, table: &Table, materials: &Materials) -> Optio
 }
 
 /// What static answers can be to.
-const ANSWERED: [&str; 3] = ["loads", "outputs", "bores"];
+const ANSWERED: [&str; 4] = ["loads", "outputs", "bores", "pressure"];
 
 /// Static answers that are kept: to loads if nothing is said, to loads on bores, too, to what a list names, or none.
 pub(in crate::case) fn static_correction(table: &Table) -> StaticCorrection {
@@ -75,13 +75,15 @@ pub(in crate::case) fn static_correction(table: &Table) -> StaticCorrection {
     if !table.gives_list(KEY) && !table.gives_text(KEY) {
         let said = table.optional_boolean(KEY);
         let bores = (said == Some(true)).then(|| table.written(KEY));
-        return StaticCorrection { loads: said != Some(false), outputs: false, bores };
+        let usual = said != Some(false);
+        return StaticCorrection { loads: usual, outputs: false, pressure: usual, bores };
     }
-    let mut kept = StaticCorrection { loads: false, outputs: false, bores: None };
+    let mut kept = StaticCorrection { loads: false, outputs: false, pressure: false, bores: None };
     for own in table.texts(KEY) {
         match own.text() {
             "loads" => kept.loads = true,
             "outputs" => kept.outputs = true,
+            "pressure" => kept.pressure = true,
             "bores" => kept.bores = Some(own),
             other => {
                 let message = format!("`{other}` is nothing to which static answers are kept");

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_codegen::kinds::law::Acts;
+use whirl_codegen::rational::nearest;
 use whirl_solver::bearing::{Gear, Sides};
 use whirl_solver::mesh::MeanComponent;
 
@@ -84,9 +85,11 @@ pub(super) fn place(
         Some(PlannedBody::Meshed(plan)) if joint.sides[1].surface => {
             let set = &joint.sides[1].sets[0];
             let stations = stations(&bearing, [z[0], z[2]]);
+            let stations: Vec<f64> = stations.iter().map(|s| z[0] + s * (z[2] - z[0])).collect();
             let springs = surfaces::Springs {
                 axis: sides.bore_axis,
-                stations: stations.iter().map(|s| z[0] + s * (z[2] - z[0])).collect(),
+                film: film_nodes(&bearing, plan, (&stations, z)),
+                stations,
                 middle: z[1],
                 angles: &joint.angle.map_or_else(|| angles(bearing.springs), |angle| vec![angle]),
             };
@@ -119,6 +122,20 @@ pub(super) fn place(
     let circles = clearance::circles(joint, bodies).filter(|_| of_bearing);
     let others = others::place(joint, bodies, errors);
     Some(PlannedJoint { bearing, sides, axis: of_journal, journal, bore, z, others, circles })
+}
+
+/// Angle and z of the nodes of a film under which a bore on a mesh gives way; none of other laws.
+fn film_nodes(
+    bearing: &case::Bearing,
+    plan: &BodyPlan,
+    (stations, z): (&[f64], [f64; 3]),
+) -> Vec<[f64; 2]> {
+    let (Some(film), [middle], false) = (bearing.law.source.film(), stations, plan.rigid) else {
+        return Vec::new();
+    };
+    let length = bearing.facts.length.as_ref().map_or(z[2] - z[0], nearest);
+    let nodes = film.nodes_that_give_way(length).unwrap_or_default();
+    nodes.into_iter().map(|[angle, along]| [angle, middle + along]).collect()
 }
 
 /// Whether a bore or a stop that does not turn stands about the axis of its own body.

@@ -47,8 +47,17 @@ impl PlannedJoint {
             None => (self.bore.iter().map(|ring| plan.mesh_nodes(ring)).collect(), None),
         };
         if acts {
-            plan.add_bore(joint.name.text().to_owned(), self.sides.bore_axis, rings);
+            let name = joint.name.text().to_owned();
+            plan.add_bore(name, self.sides.bore_axis, (rings.0, rings.1, self.film_ends()));
         }
+    }
+
+    /// z of both ends of a film under which the bore gives way.
+    fn film_ends(&self) -> Option<[f64; 2]> {
+        let surface = self.sides.surface.as_ref().filter(|own| !own.film.is_empty())?;
+        let length = self.bearing.facts.length.as_ref().map_or(self.z[2] - self.z[0], nearest);
+        let middle = surface.stations.first()?;
+        Some([-0.5, 0.5].map(|part| middle + part * length))
     }
 
     /// Where its rings may stand: between the ends of what its meshes have; along a rigid journal over the length of the

@@ -61,6 +61,8 @@ pub(super) struct Springs<'a> {
     pub(super) middle: f64,
     /// Around the axis (rad).
     pub(super) angles: &'a [f64],
+    /// Angle and z of the nodes of a film under which the bore gives way.
+    pub(super) film: Vec<[f64; 2]>,
 }
 
 /// The points of the faces on which springs stand.
@@ -73,35 +75,51 @@ pub(super) fn bore(
     let mesh = plan.mesh.clone();
     let surface = Surface::of_set(&mesh, set.text(), springs.axis).ok()?;
     let mut places: HashMap<usize, usize> = HashMap::new();
-    let mut points = Vec::with_capacity(springs.stations.len());
-    for &z in &springs.stations {
-        let mut ring = Vec::with_capacity(springs.angles.len());
-        for &angle in springs.angles {
-            let Some(point) = surface.at(angle, z) else {
-                let [from, to] = surface.ends();
-                let message = format!(
-                    "`{}` has no face at {:.1}° and z = {}, where a spring belongs; it extends from z = {} to {}",
-                    set.text(),
-                    angle.to_degrees(),
-                    mm(z),
-                    mm(from),
-                    mm(to)
-                );
-                let help = "list `stations` at which the bore is closed all around, or name a set with all its faces";
-                errors.push(set.error_here(Code::BAD_VALUE, message).help(help));
-                return None;
-            };
-            let placed = point.into_iter().map(|(node, weight)| {
-                let place = *places.entry(node).or_insert_with(|| plan.output_node(node));
-                (place, weight)
-            });
-            ring.push(placed.collect());
+    let mut point = |what: &str, [angle, z]: [f64; 2]| {
+        let Some(point) = surface.at(angle, z) else {
+            let [from, to] = surface.ends();
+            let message = format!(
+                "`{}` has no face at {:.1}° and z = {}, where {what} belongs; it extends from z = {} to {}",
+                set.text(),
+                angle.to_degrees(),
+                mm(z),
+                mm(from),
+                mm(to)
+            );
+            return Err(message);
+        };
+        let placed = point.into_iter().map(|(node, weight)| {
+            let place = *places.entry(node).or_insert_with(|| plan.output_node(node));
+            (place, weight)
+        });
+        Ok(placed.collect::<Vec<(usize, f64)>>())
+    };
+    let mut found = || -> Result<_, (String, &str)> {
+        let mut points = Vec::with_capacity(springs.stations.len());
+        for &z in &springs.stations {
+            let ring = springs.angles.iter().map(|&angle| point("a spring", [angle, z]));
+            points.push(ring.collect::<Result<Vec<_>, _>>().map_err(|own| (own, OF_SPRINGS))?);
         }
-        points.push(ring);
-    }
+        let film = springs.film.iter().map(|&at| point("a node of the film", at));
+        let film = film.collect::<Result<Vec<_>, _>>().map_err(|own| (own, OF_FILM))?;
+        Ok((points, film))
+    };
+    let (points, film) = match found() {
+        Ok(found) => found,
+        Err((message, help)) => {
+            errors.push(set.error_here(Code::BAD_VALUE, message).help(help));
+            return None;
+        }
+    };
     let mean = plan.mean_of(std::slice::from_ref(set), nodes);
-    Some(BoreSurface { stations: springs.stations, middle: springs.middle, points, mean })
+    let Springs { stations, middle, .. } = springs;
+    Some(BoreSurface { stations, middle, points, mean, film })
 }
+
+const OF_SPRINGS: &str =
+    "list `stations` at which the bore is closed all around, or name a set with all its faces";
+const OF_FILM: &str = "name a set with all faces of the bore, give the film a `length` that they have, or write `flexible = false` \
+                       in its table `film`: then it stays as round as it is";
 
 /// The axes of a bore and of its surface are apart by at most this part of the clearance.
 const AXES: f64 = 0.01;
