@@ -15,8 +15,8 @@ use crate::film::{
 
 /// A step so short (s) that a film only follows the rates of its gap.
 const INSTANT: f64 = 1e-7;
-/// What may be lacking at a node, of the largest sum of flows at one: oil of a march is kept to 1e-10.
-const BALANCED: f64 = 1e-16;
+/// What may be lacking at a node, of what flows there: oil of a march is kept to 1e-10.
+const BALANCED: f64 = 1e-13;
 
 /// Places of what is known of a film among what is known of all: the oil, the motion, and what is shown.
 pub(super) struct Known {

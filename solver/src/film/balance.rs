@@ -32,7 +32,7 @@ pub struct Balance {
     pub motion: Motion,
     /// What every node held per area at the step's beginning (m).
     pub before: Vec<f64>,
-    /// What may be lacking at a node, of the largest sum of flows at one.
+    /// What may be lacking at a node, of what flows there.
     pub tolerance: f64,
     /// Lengths of a cell, speed, parameters.
     pub(super) uniform: Vec<f64>,
@@ -64,7 +64,7 @@ pub struct Balance {
     /// Σ |terms| of the largest row.
     pub(super) scale: f64,
     pub(super) matrix: Band,
-    /// Right side and solution in the order of elimination.
+    /// Σ |terms| of every row; then right side and solution in the order of elimination.
     pub(super) change: Vec<f64>,
     /// Right sides of the outputs of a journal.
     pub(super) adjoint: Vec<[f64; WIDE]>,

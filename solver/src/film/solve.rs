@@ -6,9 +6,12 @@ use super::openings::OilFilm;
 
 /// Most changes of a steady film: a front of reformation moves by about a cell each time.
 const MOST: usize = 400;
-/// What may be lacking at a node, of the largest sum of flows at one, where rounding lets it get no smaller.
+/// What may be lacking at a node, of what flows there, where rounding lets it get no smaller.
 const ROUNDED: f64 = 1e-9;
-
+/// Flows at a node count as this part of the largest at least: where the gap is a tenth as wide, a thousandth flows.
+const LEAST: f64 = 1e-6;
+/// What may be lacking where nothing was changed yet: a film that is left as it was does not answer small motions.
+const NOTHING: f64 = 1e-16;
 /// Change of an unknown, of the largest of its kind, that is rounding.
 const RESTS: f64 = 1e-13;
 
@@ -30,6 +33,7 @@ impl Balance {
         oil.supply(film);
         self.evaluate(film, oil);
         let mut best = f64::INFINITY;
+        let mut change = f64::INFINITY;
         for changes in 0..MOST {
             let lacking = self.lacking(film, oil);
             if !lacking.is_finite() {
@@ -38,22 +42,25 @@ impl Balance {
             // Where it has stopped to fall, rounding rules.
             let rounded = lacking <= ROUNDED && lacking >= 0.5 * best;
             best = best.min(lacking);
-            if lacking <= self.tolerance || rounded {
+            let balanced =
+                lacking <= self.tolerance && (change.is_finite() || lacking <= NOTHING);
+            if balanced || rounded {
                 return Ok(changes);
             }
             self.factor(film, oil);
-            let rests = self.advance(film, oil);
+            change = self.advance(film, oil);
             self.evaluate(film, oil);
-            if rests {
+            if change <= RESTS {
                 return Ok(changes + 1);
             }
         }
         Err(Unsolved::Lacking(self.lacking(film, oil), MOST))
     }
 
-    /// The largest R of a node, of the largest sum of flows; what may leave does not count.
+    /// The largest R of a node as it was evaluated last, of what flows there; what may leave does not count.
     fn lacking(&self, film: &OilFilm, oil: &Oil) -> f64 {
         let mut worst: f64 = 0.0;
+        let least = LEAST * self.scale;
         for (a, r) in self.residual.iter().enumerate() {
             let lacks = match film.opening_of[a].map(|own| film.openings[own].edge) {
                 Some(edge) if !edge.out => continue,
@@ -61,19 +68,21 @@ impl Balance {
                 Some(_) if !oil.second[a] => r.max(0.0),
                 _ => r.abs(),
             };
+            let lacks = if self.scale > 0.0 { lacks / (self.change[a] + least) } else { lacks };
             // Not by `max`, which drops what is no number.
             if !(lacks <= worst) {
                 worst = lacks;
             }
         }
-        if self.scale > 0.0 { worst / self.scale } else { worst }
+        worst
     }
 
-    /// One linear solution; unknowns that fell below zero change places with their partners. Whether nothing moved but by
-    /// rounding, as where a film stands under one pressure and nothing flows by which a lack could be measured.
-    fn advance(&mut self, film: &OilFilm, oil: &mut Oil) -> bool {
+    /// One linear solution; unknowns that fell below zero change places with their partners. The largest change, of the largest
+    /// unknown of its kind, without bound where some changed places: where a film stands under one pressure nothing flows by which
+    /// a lack could be measured.
+    fn advance(&mut self, film: &OilFilm, oil: &mut Oil) -> f64 {
         let sizes = oil.unknowns.each_ref().map(|own| own.iter().copied().fold(0.0, f64::max));
-        let mut rests = true;
+        let mut most: f64 = 0.0;
         for (a, r) in self.residual.iter().enumerate() {
             self.change[self.order[a]] = -r;
         }
@@ -86,18 +95,24 @@ impl Balance {
                 // What leaves.
                 (_, None) => {
                     oil.second[a] = change < 0.0;
-                    rests &= !oil.second[a];
+                    if oil.second[a] {
+                        most = f64::INFINITY;
+                    }
                 }
                 (_, Some(unknown)) => {
                     let value = oil.unknowns[unknown][a] + change;
                     let stays = value >= 0.0;
-                    rests &= stays && change.abs() <= RESTS * sizes[unknown];
+                    most = match (stays, change == 0.0) {
+                        (true, true) => most,
+                        (true, false) => most.max(change.abs() / sizes[unknown]),
+                        (false, _) => f64::INFINITY,
+                    };
                     oil.unknowns[unknown][a] = if stays { value } else { 0.0 };
                     oil.second[a] = (unknown == 1) == stays;
                 }
             }
         }
-        rests
+        most
     }
 
     /// What enters at an opening (m³/s); negative where oil leaves.
