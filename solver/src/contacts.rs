@@ -102,7 +102,8 @@ pub fn pressures(mesh: &Mesh, bore: &BoreNodes) -> Result<Vec<Row>, Error> {
                 loads.push(radial(&nodes, |angle, z| {
                     let along = zeta(z);
                     // Beyond the ends there is no film.
-                    let within = if along.abs() <= 1.0 + 1e-6 { legendre(power, along) } else { 0.0 };
+                    let within =
+                        if along.abs() <= 1.0 + 1e-6 { legendre(power, along) } else { 0.0 };
                     within * shape(harmonic as f64 * angle)
                 }));
             }

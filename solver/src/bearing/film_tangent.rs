@@ -61,13 +61,7 @@ impl ShapeSlopes {
     }
 
     /// What forces on the journal change by, with every shape.
-    fn by_shape(
-        &self,
-        bound: &BoundLaw,
-        state: &ContactState,
-        a1: f64,
-        out: &mut ContactTangent,
-    ) {
+    fn by_shape(&self, bound: &BoundLaw, state: &ContactState, a1: f64, out: &mut ContactTangent) {
         let kind = bound.kind;
         let (rigid, count) = (kind.bore.len(), self.by_inputs.len());
         let motions = rigid + count;

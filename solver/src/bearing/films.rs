@@ -9,9 +9,7 @@ use super::hold::{Hold, LawStates};
 use super::placed_law::PlacedLaw;
 use super::plane::Plane;
 use super::springs::Springs;
-use crate::film::{
-    Balance, INPUTS, Journal, JournalMotion, OUTPUTS, Oil, ShapeSlopes, Shapes,
-};
+use crate::film::{Balance, INPUTS, Journal, JournalMotion, OUTPUTS, Oil, ShapeSlopes, Shapes};
 
 /// A step so short (s) that a film only follows the rates of its gap.
 const INSTANT: f64 = 1e-7;
@@ -115,11 +113,7 @@ pub(super) struct DeformedBore {
 impl DeformedBore {
     fn new(shapes: &Shapes) -> Self {
         let none = || vec![0.0; shapes.count()];
-        DeformedBore {
-            taken: [none(), none()],
-            forces: none(),
-            slopes: ShapeSlopes::new(shapes),
-        }
+        DeformedBore { taken: [none(), none()], forces: none(), slopes: ShapeSlopes::new(shapes) }
     }
 }
 

@@ -71,6 +71,8 @@ impl SpringRounding {
                 let offset = bores.offset.as_ref().map_or(0.0, |all| all[row].abs());
                 Some((row, [sizes[0] + offset, sizes[1]]))
             };
+            let bores_moved: Vec<Option<(usize, Sizes)>> =
+                (0..motions * n).map(|k| bore(k / n, k % n)).collect();
             let mut on_ring = [0.0; 3];
             for (i, sum) in on_ring.iter_mut().enumerate() {
                 for (k, sizes) in ring.iter().enumerate() {
@@ -79,7 +81,7 @@ impl SpringRounding {
             }
             for b in 0..motions {
                 for j in 0..n {
-                    let Some((row, sizes)) = bore(b, j) else { continue };
+                    let Some((row, sizes)) = bores_moved[b * n + j] else { continue };
                     for (i, sum) in on_ring.iter_mut().enumerate() {
                         let at = (i * motions + b) * n + j;
                         *sum += change(first.ring_bore[at], both.ring_bore[at], sizes);
@@ -93,7 +95,8 @@ impl SpringRounding {
                         let at = (b * motions + other) * n + j;
                         let slopes = [first.bore_bore[at], both.bore_bore[at]];
                         if slopes != [0.0; 2] {
-                            let sizes = bore(other, j).map_or([0.0; 2], |(_, sizes)| sizes);
+                            let moved = bores_moved[other * n + j];
+                            let sizes = moved.map_or([0.0; 2], |(_, sizes)| sizes);
                             on_bore += change(slopes[0], slopes[1], sizes);
                         }
                     }

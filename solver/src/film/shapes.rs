@@ -136,9 +136,8 @@ impl Journal {
                     *value = product[(shape, WIDE + k)];
                 }
             }
-            let gradients = Matrix::from_fn(nodes, 4, |a, q| {
-                self.opening(a % grid.around, a / grid.around)[q]
-            });
+            let gradients =
+                Matrix::from_fn(nodes, 4, |a, q| self.opening(a % grid.around, a / grid.around)[q]);
             let product = transpose_multiply(gradients.view(), slopes.view());
             for (k, inputs) in out.by_inputs.iter_mut().enumerate() {
                 for q in 0..4 {

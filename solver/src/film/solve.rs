@@ -42,8 +42,7 @@ impl Balance {
             // Where it has stopped to fall, rounding rules.
             let rounded = lacking <= ROUNDED && lacking >= 0.5 * best;
             best = best.min(lacking);
-            let balanced =
-                lacking <= self.tolerance && (change.is_finite() || lacking <= NOTHING);
+            let balanced = lacking <= self.tolerance && (change.is_finite() || lacking <= NOTHING);
             if balanced || rounded {
                 return Ok(changes);
             }

@@ -16,7 +16,7 @@ use crate::dynamics::lengths::ControlMemory;
 use crate::dynamics::marching::{Checkpoint, Clock, March, MarchOptions};
 use crate::equations::{Equations, State};
 use crate::error::Error;
-use crate::film::Grid;
+use crate::film::{Grid, Shapes};
 use crate::loads::Load;
 use crate::machine::{Body, Machine};
 use crate::shaft::Shaft;
@@ -319,7 +319,10 @@ fn films(machine: &Machine) -> Key {
         let joints = joints(machine, law.planes.clone());
         let openings: Vec<&str> = film.openings.iter().map(|own| own.name.as_str()).collect();
         let Grid { around, along, first, arc, .. } = film.grid;
-        Some((joints, film.name(), [around, along], openings, format!("{first:?} {arc:?}")))
+        let shapes = law.shapes.as_ref().map(Shapes::count);
+        let reach =
+            format!("{first:?} {arc:?}{}", shapes.map_or(String::new(), |n| format!(" {n}")));
+        Some((joints, film.name(), [around, along], openings, reach))
     });
     Key::of(&of_law.collect::<Vec<_>>())
 }
