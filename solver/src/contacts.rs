@@ -1,6 +1,8 @@
 //! How well a reduced body follows the loads that bearings bring to its bores: compliances under harmonics of the angle,
 //! reduced against full, and the loads whose static answers correct the reduction.
 
+use std::collections::BTreeMap;
+
 use crate::body::BodySpec;
 use crate::error::Error;
 use crate::mesh::{Mesh, NodeSetMean};
@@ -21,8 +23,8 @@ pub struct BoreNodes {
     pub surface: Option<String>,
     /// x and y of its axis (m).
     pub axis: [f64; 2],
-    /// z of both ends (m) of a film under which it gives way.
-    pub film: Option<[f64; 2]>,
+    /// Pressures of a film under which it gives way; see [`pressures`].
+    pub pressures: Vec<Row>,
 }
 
 /// A radial load on a bore, cos nψ or sin nψ around it: forces on dofs that sum to 1 N without sign, about.
@@ -34,33 +36,13 @@ pub struct Pattern {
     pub load: Row,
 }
 
-/// Nodes of a ring or a surface of a bore: node, part of its face's area, angle, z.
-type Around = Vec<(usize, f64, f64, f64)>;
-
-fn around(mesh: &Mesh, bore: &BoreNodes, ring: &[usize]) -> Result<Around, Error> {
-    let mean = match &bore.surface {
-        Some(set) => NodeSetMean::of_sets(mesh, &[set])?,
-        None => NodeSetMean::new(mesh, ring)?,
-    };
-    let nodes = mean.nodes().iter().zip(mean.weights()).map(|(&node, &weight)| {
-        let [x, y, z] = mesh.nodes()[node];
-        (node, weight, (y - bore.axis[1]).atan2(x - bore.axis[0]), z)
-    });
-    Ok(nodes.collect())
-}
-
-/// Radial forces on nodes: as much of each node's part as a function of angle and z says.
-fn radial(nodes: &Around, shape: impl Fn(f64, f64) -> f64) -> Row {
-    let load = nodes.iter().flat_map(|&(node, weight, angle, z)| {
-        let force = weight * shape(angle, z);
-        let (sin, cos) = angle.sin_cos();
-        [(3 * node, force * cos), (3 * node + 1, force * sin)]
-    });
-    load.collect()
-}
-
 /// cos nψ and sin nψ.
 const AROUND: [fn(f64) -> f64; 2] = [f64::cos, f64::sin];
+
+/// Those of a harmonic; of 0 the first alone.
+fn around(harmonic: usize) -> &'static [fn(f64) -> f64] {
+    &AROUND[..if harmonic == 0 { 1 } else { 2 }]
+}
 
 /// The loads of all harmonics on each ring of a bore; a node has the part of its face's area.
 ///
@@ -69,47 +51,71 @@ const AROUND: [fn(f64) -> f64; 2] = [f64::cos, f64::sin];
 pub fn patterns(mesh: &Mesh, bore: &BoreNodes) -> Result<Vec<Pattern>, Error> {
     let mut patterns = Vec::new();
     for ring in bore.rings.iter().filter(|ring| !ring.is_empty()) {
-        let nodes = around(mesh, bore, ring)?;
+        let mean = match &bore.surface {
+            Some(set) => NodeSetMean::of_sets(mesh, &[set])?,
+            None => NodeSetMean::new(mesh, ring)?,
+        };
+        let nodes: Vec<(usize, f64, f64)> = mean
+            .nodes()
+            .iter()
+            .zip(mean.weights())
+            .map(|(&node, &weight)| {
+                let [x, y, _] = mesh.nodes()[node];
+                (node, weight, (y - bore.axis[1]).atan2(x - bore.axis[0]))
+            })
+            .collect();
         for harmonic in 0..HARMONICS {
-            for shape in &AROUND[..if harmonic == 0 { 1 } else { 2 }] {
-                let load = radial(&nodes, |angle, _| shape(harmonic as f64 * angle));
-                patterns.push(Pattern { harmonic, load });
+            for shape in around(harmonic) {
+                let load = nodes.iter().flat_map(|&(node, weight, angle)| {
+                    let force = weight * shape(harmonic as f64 * angle);
+                    let (sin, cos) = angle.sin_cos();
+                    [(3 * node, force * cos), (3 * node + 1, force * sin)]
+                });
+                patterns.push(Pattern { harmonic, load: load.collect() });
             }
         }
     }
     Ok(patterns)
 }
 
-/// Harmonics of the angle in the pressure of a film, for each power of z from its middle, ζ = 2z/L: even powers as far as
-/// p_max and the smallest gap of an elastic bearing need them (0.4 and 4 % of what the whole mesh has), odd ones for tilts.
-const PRESSURE: [usize; 5] = [12, 4, 12, 4, 12];
+/// A node of a film on its bore.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FilmNode {
+    /// Around the bore (rad).
+    pub angle: f64,
+    /// Along the film, from −1 to 1.
+    pub along: f64,
+    /// Its part of the area.
+    pub area: f64,
+    /// The point of the bore, Σ c u over nodes of the mesh.
+    pub point: Row,
+}
 
-/// Pressures of a film on a bore that gives way under it, cos nψ and sin nψ times Legendre's polynomials in ζ: loads, none of other
-/// bores.
-///
-/// # Errors
-/// As [`NodeSetMean::new`].
-pub fn pressures(mesh: &Mesh, bore: &BoreNodes) -> Result<Vec<Row>, Error> {
-    let (Some([left, right]), [ring]) = (bore.film, bore.rings.as_slice()) else {
-        return Ok(Vec::new());
-    };
-    let nodes = around(mesh, bore, ring)?;
-    let zeta = |z: f64| (2.0 * z - left - right) / (right - left);
+/// Harmonics of the angle in the pressure of a film, for each power along it: even powers as the largest pressure and the
+/// smallest gap of an elastic bearing need them, odd ones for tilts.
+const PRESSURE: [usize; 5] = [16, 4, 16, 4, 16];
+
+/// Pressures of a film on its bore, cos nψ and sin nψ times Legendre's polynomials along it: forces on dofs as the film itself has
+/// them.
+pub fn pressures(nodes: &[FilmNode]) -> Vec<Row> {
     let mut loads = Vec::new();
     for (power, &most) in PRESSURE.iter().enumerate() {
         for harmonic in 0..=most {
-            for shape in &AROUND[..if harmonic == 0 { 1 } else { 2 }] {
-                loads.push(radial(&nodes, |angle, z| {
-                    let along = zeta(z);
-                    // Beyond the ends there is no film.
-                    let within =
-                        if along.abs() <= 1.0 + 1e-6 { legendre(power, along) } else { 0.0 };
-                    within * shape(harmonic as f64 * angle)
-                }));
+            for shape in around(harmonic) {
+                let mut load = BTreeMap::new();
+                for FilmNode { angle, along, area, point } in nodes {
+                    let force = area * legendre(power, *along) * shape(harmonic as f64 * angle);
+                    let (sin, cos) = angle.sin_cos();
+                    for &(node, weight) in point {
+                        *load.entry(3 * node).or_insert(0.0) += force * weight * cos;
+                        *load.entry(3 * node + 1).or_insert(0.0) += force * weight * sin;
+                    }
+                }
+                loads.push(load.into_iter().collect());
             }
         }
     }
-    Ok(loads)
+    loads
 }
 
 /// Legendre's polynomial of this degree.

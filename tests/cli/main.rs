@@ -16,6 +16,7 @@ mod figures;
 mod film_machines;
 mod films;
 mod first_law;
+mod flexible_films;
 mod gears;
 mod good_runs;
 mod ground_motion;

@@ -9,8 +9,10 @@ use whirl_codegen::rational::{Rational, nearest};
 use whirl_codegen::units::{Quantity, Unit};
 use whirl_solver::bearing::FilmLaw;
 use whirl_solver::cache;
+use whirl_solver::contacts::FilmNode;
 use whirl_solver::film::{Journal, OilFilm, Reach, WrongFilm};
 use whirl_solver::output::Integral;
+use whirl_solver::reduction::Row;
 use whirl_specs::{CLEARANCES, FILMS, Film};
 
 use super::film_table::{FilmTable, Opening, Side};
@@ -161,12 +163,15 @@ impl FilmSource {
         Reach { first: arc.map_or(0.0, |own| own.start), arc: arc.map(|own| own.size) }
     }
 
-    /// Angle (rad) and distance from the middle (m) of every node of a film of this length (m), if its bore is to give way; none
-    /// if what is said of its nodes is wrong.
-    pub(crate) fn nodes_that_give_way(&self, length: f64) -> Option<Vec<[f64; 2]>> {
-        // Angles are those of any radius.
+    /// Its nodes on a bore of this length (m) that is to give way; none if what is said of them is wrong.
+    pub(crate) fn nodes_that_give_way(&self, length: f64) -> Option<Vec<FilmNode>> {
+        // Angles and parts are those of any radius.
         let film = OilFilm::reaching(self.kernel, self.told.grid, [1.0, length], self.reach());
-        film.ok().filter(|_| self.told.flexible).map(|own| own.grid.places())
+        let grid = film.ok().filter(|_| self.told.flexible)?.grid;
+        let nodes = grid.places().into_iter().zip(grid.areas()).map(|([angle, z], area)| {
+            FilmNode { angle, along: 2.0 * z / length, area, point: Row::new() }
+        });
+        Some(nodes.collect())
     }
 
     /// The film with its values.

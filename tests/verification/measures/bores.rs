@@ -38,7 +38,7 @@ fn bore(mesh: &Mesh) -> BoreNodes {
         rings: ["LEFT", "MIDDLE"].map(ring).into(),
         surface: None,
         axis: [0.0; 2],
-        film: None,
+        pressures: Vec::new(),
     }
 }
 

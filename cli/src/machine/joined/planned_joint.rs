@@ -4,12 +4,15 @@ use std::collections::BTreeSet;
 
 use whirl_codegen::rational::nearest;
 use whirl_solver::bearing::Sides;
+use whirl_solver::contacts::{FilmNode, pressures};
 use whirl_solver::mesh::measure::Circle;
+use whirl_solver::reduction::Row;
 
 use super::others::PlannedOther;
 use super::planned_body::PlannedBody;
 use crate::case::{self, Joint, JointKind, JointSide};
 use crate::machine::laws::Measured;
+use crate::machine::plan::BodyPlan;
 use crate::machine::plan::geometry::nodes_of;
 use crate::machine::plan::geometry::stations::Extent;
 
@@ -29,6 +32,8 @@ pub(super) struct PlannedJoint {
     pub(super) z: [f64; 3],
     /// Laws on other motions than the displacement in its planes.
     pub(super) others: Vec<PlannedOther>,
+    /// The nodes of a film under which the bore gives way, by angle, place along it and area.
+    pub(super) film: Vec<FilmNode>,
     /// The circles of journal and bore, where the meshes have both.
     pub(super) circles: Option<[Circle; 2]>,
 }
@@ -48,16 +53,21 @@ impl PlannedJoint {
         };
         if acts {
             let name = joint.name.text().to_owned();
-            plan.add_bore(name, self.sides.bore_axis, (rings.0, rings.1, self.film_ends()));
+            let pressures = self.pressures(plan);
+            plan.add_bore(name, self.sides.bore_axis, (rings.0, rings.1, pressures));
         }
     }
 
-    /// z of both ends of a film under which the bore gives way.
-    fn film_ends(&self) -> Option<[f64; 2]> {
-        let surface = self.sides.surface.as_ref().filter(|own| !own.film.is_empty())?;
-        let length = self.bearing.facts.length.as_ref().map_or(self.z[2] - self.z[0], nearest);
-        let middle = surface.stations.first()?;
-        Some([-0.5, 0.5].map(|part| middle + part * length))
+    /// The pressures of a film under which the bore gives way.
+    fn pressures(&self, plan: &BodyPlan) -> Vec<Row> {
+        let Some(surface) = &self.sides.surface else { return Vec::new() };
+        let nodes = self.film.iter().zip(&surface.film).map(|(own, point)| {
+            let places: Vec<usize> = point.iter().map(|(place, _)| *place).collect();
+            let weights = point.iter().map(|(_, weight)| *weight);
+            let point = plan.mesh_nodes(&places).into_iter().zip(weights).collect();
+            FilmNode { point, ..own.clone() }
+        });
+        pressures(&nodes.collect::<Vec<FilmNode>>())
     }
 
     /// Where its rings may stand: between the ends of what its meshes have; along a rigid journal over the length of the

@@ -9,7 +9,7 @@ use whirl_solver::body::{BodySpec, Rayleigh, Retained};
 use whirl_solver::constraints::{
     Constraints, GroundSpring, add_ground_springs, free_motions_of_mesh,
 };
-use whirl_solver::contacts::{BoreNodes, patterns, pressures};
+use whirl_solver::contacts::{BoreNodes, patterns};
 use whirl_solver::error::{Error, ReductionError};
 use whirl_solver::mesh::{MeanComponent, Mesh, NodeSetMean};
 use whirl_solver::model::{Form, MeshModel, Point};
@@ -124,15 +124,15 @@ impl BodyPlan {
         }
     }
 
-    /// Adds a bore with its rings, or with a surface as one, of which the node set is given, too, and the ends of a film under which
-    /// it gives way.
+    /// Adds a bore with its rings, or with a surface as one, of which the node set is given, too, and the pressures of a film under
+    /// which it gives way.
     pub(in crate::machine) fn add_bore(
         &mut self,
         name: String,
         axis: [f64; 2],
-        (rings, surface, film): (Vec<Vec<usize>>, Option<String>, Option<[f64; 2]>),
+        (rings, surface, pressures): (Vec<Vec<usize>>, Option<String>, Vec<Row>),
     ) {
-        self.bores.push(BoreNodes { name, rings, surface, axis, film });
+        self.bores.push(BoreNodes { name, rings, surface, axis, pressures });
     }
 
     /// Asks for static answers to the loads of the case and to films under which its bores give way, unless it says otherwise, and
@@ -150,10 +150,8 @@ impl BodyPlan {
         }
         self.correct_bores(errors);
         if self.static_correction.pressure {
-            for bore in &self.bores {
-                let Ok(loads) = pressures(&self.mesh, bore) else { continue };
-                self.spec.corrections.extend(loads);
-            }
+            let pressures = self.bores.iter().flat_map(|own| &own.pressures);
+            self.spec.corrections.extend(pressures.cloned());
         }
     }
 
