@@ -296,7 +296,7 @@ fn a_ring_with_a_shank_gives_way_as_the_whole_mesh_does() {
         let side = if load < 0.0 { "shank" } else { "cap" };
         let what = format!("{theirs:?}, rigid {rigid:?}, ten modes {few:?}, ours {ours:?}");
         section.compare(&format!("largest pressure, {side} (MPa)"), theirs[0], ours[0], 0.02);
-        section.compare(&format!("smallest gap, {side} (µm)"), theirs[1], ours[1], 0.005);
+        section.compare(&format!("smallest gap, {side} (µm)"), theirs[1], ours[1], 0.01);
         // A rigid bore is another bearing, and modes alone do not make it this one.
         assert!(rigid[0] > 1.2 * theirs[0] && few[0] > 1.1 * theirs[0], "{what}");
     }

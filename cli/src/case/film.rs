@@ -163,11 +163,16 @@ impl FilmSource {
         Reach { first: arc.map_or(0.0, |own| own.start), arc: arc.map(|own| own.size) }
     }
 
+    /// Where the case says that its bore gives way.
+    pub(crate) fn asked_to_give_way(&self) -> Option<&Located> {
+        self.told.flexible.1.as_ref()
+    }
+
     /// Its nodes on a bore of this length (m) that is to give way; none if what is said of them is wrong.
     pub(crate) fn nodes_that_give_way(&self, length: f64) -> Option<Vec<FilmNode>> {
         // Angles and parts are those of any radius.
         let film = OilFilm::reaching(self.kernel, self.told.grid, [1.0, length], self.reach());
-        let grid = film.ok().filter(|_| self.told.flexible)?.grid;
+        let grid = film.ok().filter(|_| self.told.flexible.0)?.grid;
         let nodes = grid.places().into_iter().zip(grid.areas()).map(|([angle, z], area)| {
             FilmNode { angle, along: 2.0 * z / length, area, point: Row::new() }
         });

@@ -67,8 +67,8 @@ pub(super) struct FilmTable {
     pub(super) sides: Vec<(Side, Located)>,
     pub(super) openings: Vec<Opening>,
     pub(super) bore: BoreShape,
-    /// Whether a bore with a mesh deforms.
-    pub(super) flexible: bool,
+    /// Whether a bore with a mesh deforms, and where the case says that it does.
+    pub(super) flexible: (bool, Option<Located>),
     /// Where the joint names the film.
     pub(super) place: Located,
 }
@@ -117,7 +117,7 @@ impl FilmTable {
             sides: vec![(Side::Open, name.clone()); 2],
             openings: Vec::new(),
             bore: BoreShape::default(),
-            flexible: true,
+            flexible: (true, None),
             place: name.clone(),
         }
     }
@@ -150,7 +150,9 @@ impl FilmTable {
         let openings =
             all.into_iter().filter_map(|(name, own)| own.read(|own| Opening::read(own, name)));
         let (openings, bore) = (openings.collect(), BoreShape::read(store, table, arc));
-        let flexible = table.optional_boolean("flexible").unwrap_or(true);
+        let said = table.optional_boolean("flexible");
+        let at = (said == Some(true)).then(|| table.written("flexible"));
+        let flexible = (said != Some(false), at);
         FilmTable { grid, grid_place, arc, sides, openings, bore, flexible, place: name.clone() }
     }
 

@@ -131,6 +131,8 @@ pub(crate) struct StaticCorrection {
     pub(crate) outputs: bool,
     /// To the pressure of films under which its bores give way.
     pub(crate) pressure: bool,
+    /// Where a list of the case names that.
+    pub(crate) pressure_named: Option<Located>,
     /// To loads on its bores; where the case says so, if it does.
     pub(crate) bores: Option<Located>,
 }
@@ -138,7 +140,13 @@ pub(crate) struct StaticCorrection {
 impl Default for StaticCorrection {
     /// What holds where a case says nothing.
     fn default() -> Self {
-        StaticCorrection { loads: true, outputs: false, pressure: true, bores: None }
+        StaticCorrection {
+            loads: true,
+            outputs: false,
+            pressure: true,
+            pressure_named: None,
+            bores: None,
+        }
     }
 }
 

@@ -34,6 +34,16 @@ pub(super) fn all(joined: &JoinedMachine, plan: &JoinedPlan) -> Vec<(String, Vec
             ));
         }
         more.extend(law.film().into_iter().flat_map(|own| own.described()));
+        more.extend(plan.pressures(place).map(|count| {
+            let bore = joint.sides[1].place.text();
+            match count {
+                0 => format!(
+                    "the bore gives way under the film by the modes of {bore} alone: \
+                     `static_correction` keeps no answers to its pressure"
+                ),
+                _ => format!("the bore gives way under the film: {bore} keeps its answers to {count} pressures"),
+            }
+        }));
         let turns = |body: usize| joined.bodies[body].turns();
         let turning = joint.sides[1].body.filter(|body| turns(*body));
         if let Some(bore) = turning.filter(|_| law.damps_against_bore()) {

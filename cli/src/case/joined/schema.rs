@@ -55,8 +55,8 @@ pub(crate) const BODY: &[Key] = &[
     key(
         "static_correction",
         ANSWERS,
-        "static answers kept beside the modes: to its loads if left out; true: to loads on its bores, too; false: none; \
-         or a list of \"loads\", \"outputs\" and \"bores\"",
+        "static answers kept beside the modes: to its loads and to films on its bores if left out; true: to loads on its bores, too; false: none; \
+         or a list of \"loads\", \"outputs\", \"bores\" and \"pressure\"",
     ),
     key(
         "damping",

@@ -76,14 +76,16 @@ pub(in crate::case) fn static_correction(table: &Table) -> StaticCorrection {
         let said = table.optional_boolean(KEY);
         let bores = (said == Some(true)).then(|| table.written(KEY));
         let usual = said != Some(false);
-        return StaticCorrection { loads: usual, outputs: false, pressure: usual, bores };
+        let none = StaticCorrection::default();
+        return StaticCorrection { loads: usual, pressure: usual, bores, ..none };
     }
-    let mut kept = StaticCorrection { loads: false, outputs: false, pressure: false, bores: None };
+    let none = StaticCorrection::default();
+    let mut kept = StaticCorrection { loads: false, pressure: false, ..none };
     for own in table.texts(KEY) {
         match own.text() {
             "loads" => kept.loads = true,
             "outputs" => kept.outputs = true,
-            "pressure" => kept.pressure = true,
+            "pressure" => (kept.pressure, kept.pressure_named) = (true, Some(own)),
             "bores" => kept.bores = Some(own),
             other => {
                 let message = format!("`{other}` is nothing to which static answers are kept");

@@ -110,6 +110,16 @@ pub(super) fn place(
         }
         _ => [const { Vec::new() }; 3],
     };
+    let asked = bearing.law.source.film().and_then(|own| own.asked_to_give_way());
+    let meshed = bodies.get(second).and_then(PlannedBody::meshed);
+    if let (Some(at), false) =
+        (asked, meshed.is_some_and(|own| sides.surface.is_some() && !own.rigid))
+    {
+        let message =
+            "the bore of this film cannot give way: it is no `surface` of a flexible body";
+        let help = "write `bore = { body = \"NAME\", surface = \"SET\" }` with a set of all its faces on a mesh, or leave `flexible` out";
+        errors.push(at.error_here(Code::BAD_VALUE, message).help(help));
+    }
     let rigid = !matches!(bodies.get(second), Some(PlannedBody::Meshed(_)));
     if let (true, None, Some(what)) =
         (rigid, bearing.journal_radius, bearing.law.source.at_surface())

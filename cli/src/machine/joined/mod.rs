@@ -145,6 +145,13 @@ impl JoinedPlan {
         (own.bearing.radial_clearance, own.circles)
     }
 
+    /// To how many pressures of the film of a joint the answers of its bore are kept; none where it does not give way.
+    pub(crate) fn pressures(&self, joint: usize) -> Option<usize> {
+        let own = &self.joints[joint];
+        let body = self.bodies.get(own.sides.bodies[1])?.meshed()?;
+        (!own.film.is_empty()).then(|| body.pressures_of_films())
+    }
+
     /// z of the rings of springs of a joint, or of the planes in which its law acts (m).
     pub(crate) fn stations(&self, joint: usize) -> Vec<f64> {
         let own = &self.joints[joint];

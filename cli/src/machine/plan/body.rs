@@ -149,10 +149,26 @@ impl BodyPlan {
             }
         }
         self.correct_bores(errors);
+        let pressures = self.bores.iter().any(|own| !own.pressures.is_empty());
+        if let (Some(place), false) = (&self.static_correction.pressure_named, pressures) {
+            let message = format!(
+                "`static_correction` keeps the answers to pressures of films, and no bore of {} gives way under one",
+                self.mesh.origin()
+            );
+            let help =
+                "leave `pressure` out, or name the bore of a film as the `surface` of this mesh";
+            errors.push(place.error_here(Code::BAD_VALUE, message).help(help));
+        }
         if self.static_correction.pressure {
             let pressures = self.bores.iter().flat_map(|own| &own.pressures);
             self.spec.corrections.extend(pressures.cloned());
         }
+    }
+
+    /// To how many pressures of films on its bores the static answers are kept.
+    pub(in crate::machine) fn pressures_of_films(&self) -> usize {
+        let all = self.bores.iter().map(|own| own.pressures.len()).sum();
+        if self.static_correction.pressure { all } else { 0 }
     }
 
     /// Notes that the motion of an output point along these axes is asked for.
