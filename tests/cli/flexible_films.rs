@@ -302,3 +302,68 @@ fn a_ring_with_a_shank_gives_way_as_the_whole_mesh_does() {
     }
     section.finish();
 }
+
+#[test]
+fn what_cannot_give_way_is_refused() {
+    let case = |body: &str, rest: &str| {
+        format!(
+            r#"title = "a ring"
+[body.journal]
+turns = "prescribed"
+speed = "3000 rpm"
+mass = "2 kg"
+polar_inertia = "0.001 kg*m^2"
+[body.ring]
+turns = "no"
+mesh = "ring.inp"
+units = "m, N, kg"
+modes = 2
+held = "FOOT"
+{body}
+[joint.b]
+kind = "bearing"
+journal = {{ body = "journal" }}
+law = "reynolds"
+radial_clearance = "30 um"
+journal_radius = "24.97 mm"
+{rest}
+[march]
+time_step = "5e-5 s"
+steps = 2
+"#
+        )
+    };
+    let on_ring = "bore = { body = \"ring\", surface = \"BORE\" }";
+    let cases = [
+        (
+            case("", "length = \"20 mm\"\nfilm = { flexible = true }"),
+            "the bore of this film cannot give way: it is no `surface` of a flexible body",
+            "bore = { body = \"NAME\", surface = \"SET\" }",
+        ),
+        (
+            case(
+                "static_correction = [\"pressure\"]",
+                &format!("{on_ring}\nfilm = {{ flexible = false }}"),
+            ),
+            "no bore of ring.inp gives way under one",
+            "leave `pressure` out",
+        ),
+        (
+            case("", &format!("{on_ring}\nlength = \"30 mm\"")),
+            "`BORE` has no face at 0.0° and z = -15 mm, where a node of the film belongs",
+            "or write `flexible = false` in its table `film`",
+        ),
+    ];
+    for (case, what, help) in cases {
+        let bench = Workbench::new().file("case.toml", &case).file("ring.inp", &ring());
+        let outcome = bench.whirl(&["run", "case.toml", "--out", "out"]);
+        assert_eq!(outcome.status, 2, "{}", outcome.stderr);
+        let said = outcome.stderr.replace("\n", " ");
+        assert!(said.contains(what) && said.contains(help), "{said}");
+        assert!(!bench.path("out").exists());
+    }
+    // Long enough, and as round as it is.
+    let short = case("", &format!("{on_ring}\nlength = \"30 mm\"\nfilm = {{ flexible = false }}"));
+    let bench = Workbench::new().file("case.toml", &short).file("ring.inp", &ring());
+    assert_eq!(bench.whirl(&["check", "case.toml"]).status, 0);
+}

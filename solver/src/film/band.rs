@@ -1,6 +1,7 @@
 //! Elimination in a band without pivots: columns of a film's matrix sum to no less than zero, so that the diagonal rules.
 
-use crate::linalg::widely;
+use whirl_specs::Registers;
+use whirl_specs::registers::{Register, Task};
 
 /// A square band matrix, row by row, and its factors L·U in its place.
 #[derive(Debug, Clone)]
@@ -38,37 +39,7 @@ impl Band {
     /// Factors the matrix. A row that is left without a pivot is not determined: its unknown stays as it is.
     #[inline(never)]
     pub(super) fn factor(&mut self) {
-        let (size, half, width) = (self.size, self.half, self.width());
-        let values = &mut self.values;
-        widely(|| {
-            for k in 0..size {
-                let end = (k + half + 1).min(size);
-                let (before, below) = values.split_at_mut((k + 1) * width);
-                let own = &mut before[k * width..];
-                if own[half] == 0.0 {
-                    own.fill(0.0);
-                    own[half] = f64::INFINITY;
-                    for (n, row) in below.chunks_exact_mut(width).take(end - k - 1).enumerate() {
-                        row[half - 1 - n] = 0.0;
-                    }
-                    continue;
-                }
-                let pivot = 1.0 / own[half];
-                let right = &own[half + 1..];
-                for (n, row) in below.chunks_exact_mut(width).take(end - k - 1).enumerate() {
-                    let at = half - 1 - n;
-                    if row[at] == 0.0 {
-                        continue;
-                    }
-                    let factor = row[at] * pivot;
-                    row[at] = factor;
-                    let rest = &mut row[at + 1..][..half];
-                    for (value, other) in rest.iter_mut().zip(right) {
-                        *value -= factor * other;
-                    }
-                }
-            }
-        });
+        Registers::current().run(Factor(self));
     }
 
     /// x of A x = b in the place of b, from factors.
@@ -92,30 +63,95 @@ impl Band {
     /// X of Aᵀ X = B in the place of B, from factors; `N` right sides, side by side in every row.
     #[inline(never)]
     pub(super) fn solve_transposed<const N: usize>(&self, x: &mut [[f64; N]]) {
-        let (size, half, width) = (self.size, self.half, self.width());
-        widely(|| {
-            for i in 0..size {
-                let end = (i + half + 1).min(size);
-                let row = &self.values[i * width + half..][..end - i];
-                let (own, below) = x[i..end].split_at_mut(1);
-                own[0] = own[0].map(|value| value / row[0]);
-                for (value, factor) in below.iter_mut().zip(&row[1..]) {
-                    for n in 0..N {
-                        value[n] -= factor * own[0][n];
-                    }
+        Registers::current().run(SolveTransposed { band: self, x });
+    }
+}
+
+/// See [`Band::factor`].
+struct Factor<'a>(&'a mut Band);
+
+impl Task for Factor<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Register>(self) {
+        let (size, half, width) = (self.0.size, self.0.half, self.0.width());
+        let values = &mut self.0.values;
+        for k in 0..size {
+            let end = (k + half + 1).min(size);
+            let (before, below) = values.split_at_mut((k + 1) * width);
+            let own = &mut before[k * width..];
+            if own[half] == 0.0 {
+                own.fill(0.0);
+                own[half] = f64::INFINITY;
+                for (n, row) in below.chunks_exact_mut(width).take(end - k - 1).enumerate() {
+                    row[half - 1 - n] = 0.0;
+                }
+                continue;
+            }
+            let pivot = 1.0 / own[half];
+            let right = &own[half + 1..];
+            for (n, row) in below.chunks_exact_mut(width).take(end - k - 1).enumerate() {
+                let at = half - 1 - n;
+                if row[at] == 0.0 {
+                    continue;
+                }
+                let factor = row[at] * pivot;
+                row[at] = factor;
+                let rest = &mut row[at + 1..][..half];
+                for (value, other) in rest.iter_mut().zip(right) {
+                    *value -= factor * other;
                 }
             }
-            for i in (0..size).rev() {
-                let first = i.saturating_sub(half);
-                let row = &self.values[i * width + half - (i - first)..][..i - first];
-                let (above, own) = x[first..=i].split_at_mut(i - first);
-                for (value, factor) in above.iter_mut().zip(row) {
-                    for n in 0..N {
-                        value[n] -= factor * own[0][n];
-                    }
-                }
+        }
+    }
+}
+
+/// See [`Band::solve_transposed`].
+struct SolveTransposed<'a, const N: usize> {
+    band: &'a Band,
+    x: &'a mut [[f64; N]],
+}
+
+impl<const N: usize> Task for SolveTransposed<'_, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Register>(self) {
+        let SolveTransposed { band, x } = self;
+        let (size, half, width) = (band.size, band.half, band.width());
+        for i in 0..size {
+            let end = (i + half + 1).min(size);
+            let row = &band.values[i * width + half..][..end - i];
+            let (own, below) = x[i..end].split_at_mut(1);
+            let solved = own[0].map(|value| value / row[0]);
+            own[0] = solved;
+            for (value, factor) in below.iter_mut().zip(&row[1..]) {
+                add::<L>(value, -factor, &solved);
             }
-        });
+        }
+        for i in (0..size).rev() {
+            let first = i.saturating_sub(half);
+            let row = &band.values[i * width + half - (i - first)..][..i - first];
+            let (above, own) = x[first..=i].split_at_mut(i - first);
+            let solved = own[0];
+            for (value, factor) in above.iter_mut().zip(row) {
+                add::<L>(value, -factor, &solved);
+            }
+        }
+    }
+}
+
+/// sum += factor · values, not fused.
+#[inline(always)]
+pub(super) fn add<L: Register>(sum: &mut [f64], factor: f64, values: &[f64]) {
+    let whole = sum.len() / L::WIDTH * L::WIDTH;
+    let wide = L::splat(factor);
+    for (sum, own) in L::chunks_mut(sum).iter_mut().zip(L::chunks(values)) {
+        (L::load(sum) + wide * L::load(own)).store(sum);
+    }
+    for (sum, own) in sum[whole..].iter_mut().zip(&values[whole..]) {
+        *sum += factor * own;
     }
 }
 

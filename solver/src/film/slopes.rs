@@ -1,11 +1,14 @@
 //! Forces of a solved film on a rigid journal, and their slopes, by one solution with the transposed matrix for each: with
 //! Jᵀ λ = ∂F/∂y, dF = (∂F/∂h − λᵀ ∂R/∂h) dh.
 
+use whirl_specs::Registers;
+use whirl_specs::registers::{Register, Task};
+
 use super::balance::Balance;
+use super::band::add;
 use super::oil::Oil;
 use super::openings::OilFilm;
 use super::reaction::{Gradients, OUTPUTS, WIDE, arms};
-use crate::linalg::widely;
 
 /// What a force at a node does to as many outputs as fill a register.
 pub(super) trait Weights {
@@ -95,68 +98,34 @@ impl Balance {
         oil: &Oil,
         weights: &impl Weights,
     ) -> [f64; WIDE] {
-        let (kernel, grid) = (film.kernel, &film.grid);
-        let nodes = grid.nodes();
-        let [across, up] = grid.cells();
-        let count = kernel.nodes[0] * kernel.nodes[1];
+        let nodes = film.grid.nodes();
         let mut by_speed = [0.0; WIDE];
         let Balance { surface, flow, places, order, by_active, by_gap, adjoint, by_node, .. } =
             self;
         let [by_own, by_stored] = by_node;
         adjoint.fill([0.0; WIDE]);
         by_own.fill([0.0; WIDE]);
-        let places = |k: usize, a: usize| &places[(k * count + a) * across..][..across];
-        widely(|| {
-            for k in 0..up {
-                let out = &surface[k * kernel.surface.count * across..];
-                for slope in kernel.surface.slopes {
-                    let force = slope.value / count;
-                    if !weights.of_force(force) {
-                        continue;
-                    }
-                    let (own, by) = (places(k, slope.value % count), places(k, slope.node));
-                    let z = grid.z(own[0] / grid.around);
-                    let values = &out[slope.row * across..][..across];
-                    let active = &by_active[1][slope.field * nodes..][..nodes];
-                    let gap = &by_gap[1][slope.field * nodes..][..nodes];
-                    for ((value, node), by) in values.iter().zip(own).zip(by) {
-                        let own = weights.at(force, *node, z);
-                        add(&mut adjoint[order[*by]], value * active[*by], &own);
-                        add(&mut by_own[*by], value * gap[*by], &own);
-                    }
-                }
-                for (row, value) in kernel.surface.by_speed {
-                    let force = value / count;
-                    if !weights.of_force(force) {
-                        continue;
-                    }
-                    let own = places(k, value % count);
-                    let z = grid.z(own[0] / grid.around);
-                    for (value, node) in out[row * across..][..across].iter().zip(own) {
-                        add(&mut by_speed, *value, &weights.at(force, *node, z));
-                    }
-                }
-            }
+        let cells = Cells { film, places };
+        Registers::current().run(OfForces {
+            cells: &cells,
+            values: surface,
+            order,
+            by_active: &by_active[1],
+            by_gap: &by_gap[1],
+            weights,
+            adjoint,
+            by_own,
+            by_speed: &mut by_speed,
         });
         self.matrix.solve_transposed(adjoint);
-        widely(|| {
-            for k in 0..up {
-                let out = &flow[k * kernel.flow.count * across..];
-                for slope in kernel.flow.slopes {
-                    let (rows, by) = (places(k, slope.value), places(k, slope.node));
-                    let gap = &by_gap[0][slope.field * nodes..][..nodes];
-                    let values = &out[slope.row * across..][..across];
-                    for ((value, row), by) in values.iter().zip(rows).zip(by) {
-                        add(&mut by_own[*by], -value * gap[*by], &adjoint[order[*row]]);
-                    }
-                }
-                for (row, value) in kernel.flow.by_speed {
-                    for (value, node) in out[row * across..][..across].iter().zip(places(k, *value))
-                    {
-                        add(&mut by_speed, -value, &adjoint[order[*node]]);
-                    }
-                }
-            }
+        Registers::current().run(OfFlows {
+            cells: &cells,
+            values: flow,
+            order,
+            by_gap: &by_gap[0],
+            adjoint,
+            by_own,
+            by_speed: &mut by_speed,
         });
         // Of a step by what nodes hold, of a steady film by the rate of that: the same slope of it by the gap. What a cavity of a
         // steady film holds stays, so that its fill follows the gap there and nothing else.
@@ -173,10 +142,117 @@ impl Balance {
     }
 }
 
-/// sum += factor · values
-#[inline(always)]
-fn add(sum: &mut [f64; WIDE], factor: f64, values: &[f64; WIDE]) {
-    for (sum, value) in sum.iter_mut().zip(values) {
-        *sum += factor * value;
+/// Cells of a film, row after row of them.
+struct Cells<'a> {
+    film: &'a OilFilm,
+    /// Of every row of cells, node of a cell and cell around: the node.
+    places: &'a [usize],
+}
+
+impl Cells<'_> {
+    /// Cells around and along, and nodes of one.
+    #[inline(always)]
+    fn sizes(&self) -> ([usize; 2], usize) {
+        (self.film.grid.cells(), self.film.kernel.nodes[0] * self.film.kernel.nodes[1])
+    }
+
+    /// The nodes of all cells of a row that are the a-th of their cells.
+    #[inline(always)]
+    fn nodes(&self, k: usize, a: usize) -> &[usize] {
+        let ([across, _], count) = self.sizes();
+        &self.places[(k * count + a) * across..][..across]
+    }
+}
+
+/// Slopes of outputs by the unknowns that are not zero, by the gap and by the speed, as forces at the nodes have them.
+struct OfForces<'a, W> {
+    cells: &'a Cells<'a>,
+    values: &'a [f64],
+    order: &'a [usize],
+    by_active: &'a [f64],
+    by_gap: &'a [f64],
+    weights: &'a W,
+    adjoint: &'a mut [[f64; WIDE]],
+    by_own: &'a mut [[f64; WIDE]],
+    by_speed: &'a mut [f64; WIDE],
+}
+
+impl<W: Weights> Task for OfForces<'_, W> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Register>(self) {
+        let OfForces { cells, values, order, by_active, by_gap, weights, .. } = self;
+        let (kernel, grid) = (&cells.film.kernel.surface, &cells.film.grid);
+        let (([across, up], count), nodes) = (cells.sizes(), grid.nodes());
+        for k in 0..up {
+            let out = &values[k * kernel.count * across..];
+            for slope in kernel.slopes {
+                let force = slope.value / count;
+                if !weights.of_force(force) {
+                    continue;
+                }
+                let (own, by) = (cells.nodes(k, slope.value % count), cells.nodes(k, slope.node));
+                let z = grid.z(own[0] / grid.around);
+                let values = &out[slope.row * across..][..across];
+                let active = &by_active[slope.field * nodes..][..nodes];
+                let gap = &by_gap[slope.field * nodes..][..nodes];
+                for ((value, node), by) in values.iter().zip(own).zip(by) {
+                    let own = weights.at(force, *node, z);
+                    add::<L>(&mut self.adjoint[order[*by]], value * active[*by], &own);
+                    add::<L>(&mut self.by_own[*by], value * gap[*by], &own);
+                }
+            }
+            for (row, value) in kernel.by_speed {
+                let force = value / count;
+                if !weights.of_force(force) {
+                    continue;
+                }
+                let own = cells.nodes(k, value % count);
+                let z = grid.z(own[0] / grid.around);
+                for (value, node) in out[row * across..][..across].iter().zip(own) {
+                    add::<L>(self.by_speed, *value, &weights.at(force, *node, z));
+                }
+            }
+        }
+    }
+}
+
+/// What the balance of flows adds to slopes by the gap and by the speed.
+struct OfFlows<'a> {
+    cells: &'a Cells<'a>,
+    values: &'a [f64],
+    order: &'a [usize],
+    by_gap: &'a [f64],
+    adjoint: &'a [[f64; WIDE]],
+    by_own: &'a mut [[f64; WIDE]],
+    by_speed: &'a mut [f64; WIDE],
+}
+
+impl Task for OfFlows<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Register>(self) {
+        let OfFlows { cells, values, order, by_gap, adjoint, .. } = self;
+        let (kernel, grid) = (&cells.film.kernel.flow, &cells.film.grid);
+        let (([across, up], _), nodes) = (cells.sizes(), grid.nodes());
+        for k in 0..up {
+            let out = &values[k * kernel.count * across..];
+            for slope in kernel.slopes {
+                let (rows, by) = (cells.nodes(k, slope.value), cells.nodes(k, slope.node));
+                let gap = &by_gap[slope.field * nodes..][..nodes];
+                let values = &out[slope.row * across..][..across];
+                for ((value, row), by) in values.iter().zip(rows).zip(by) {
+                    add::<L>(&mut self.by_own[*by], -value * gap[*by], &adjoint[order[*row]]);
+                }
+            }
+            for (row, value) in kernel.by_speed {
+                let nodes = cells.nodes(k, *value);
+                for (value, node) in out[row * across..][..across].iter().zip(nodes) {
+                    add::<L>(self.by_speed, -value, &adjoint[order[*node]]);
+                }
+            }
+        }
     }
 }

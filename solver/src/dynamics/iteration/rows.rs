@@ -1,5 +1,8 @@
 //! How far the rows of the equations are from solved, each compared with its own terms.
 
+use whirl_specs::Registers;
+use whirl_specs::registers::{Register, Task};
+
 use super::newton::{CONTRACTION, NewtonOptions, UNSQUARED};
 use crate::equations::{Equations, State, TurningBody, instant};
 use crate::linalg::{largest_and_sum, sum_of, sum_over, widely};
@@ -135,22 +138,13 @@ impl Equations<'_> {
     /// products that cancel in it explain.
     fn bound_rows(&mut self, options: &NewtonOptions) {
         let n = self.residual.len();
-        let (tolerance, missing) = (options.residual_tolerance, MISSING * options.force_tolerance);
-        let [inertia, damper, elastic, load, spring] =
-            [&self.inertia, &self.damper, &self.elastic, &self.load, &self.spring]
-                .map(|terms| &terms[..n]);
-        let (reach, bounds) = (&self.machine.springs.reach[..n], &mut self.row_bounds[..n]);
-        widely(|| {
-            for i in 0..n {
-                let terms = [inertia[i], damper[i], elastic[i], load[i], spring[i]].map(f64::abs);
-                let larger = |a: f64, b: f64| if a > b { a } else { b };
-                let largest = terms.into_iter().fold(0.0, larger);
-                let sum: f64 = terms.into_iter().sum();
-                bounds[i] = tolerance * largest
-                    + missing * reach[i]
-                    + ROUNDING * f64::EPSILON * sum
-                    + NOTHING;
-            }
+        let terms = [&self.inertia, &self.damper, &self.elastic, &self.load, &self.spring];
+        Registers::current().run(Bounds {
+            terms: terms.map(|own| &own[..n]),
+            reach: &self.machine.springs.reach[..n],
+            tolerance: options.residual_tolerance,
+            missing: MISSING * options.force_tolerance,
+            bounds: &mut self.row_bounds[..n],
         });
     }
 
@@ -234,6 +228,37 @@ impl Equations<'_> {
             };
         });
         (largest, sum)
+    }
+}
+
+/// See [`Equations::bound_rows`].
+struct Bounds<'a> {
+    terms: [&'a [f64]; 5],
+    reach: &'a [f64],
+    tolerance: f64,
+    missing: f64,
+    bounds: &'a mut [f64],
+}
+
+impl Task for Bounds<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Register>(self) {
+        // Of one length, so that no bound is checked on the way.
+        let n = self.bounds.len();
+        let [inertia, damper, elastic, load, spring] = self.terms.map(|own| &own[..n]);
+        let (reach, bounds) = (&self.reach[..n], &mut self.bounds[..n]);
+        for i in 0..n {
+            let terms = [inertia[i], damper[i], elastic[i], load[i], spring[i]].map(f64::abs);
+            let larger = |a: f64, b: f64| if a > b { a } else { b };
+            let largest = terms.into_iter().fold(0.0, larger);
+            let sum: f64 = terms.into_iter().sum();
+            bounds[i] = self.tolerance * largest
+                + self.missing * reach[i]
+                + ROUNDING * f64::EPSILON * sum
+                + NOTHING;
+        }
     }
 }
 
