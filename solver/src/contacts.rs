@@ -87,7 +87,7 @@ pub struct FilmNode {
     pub along: f64,
     /// Its part of the area.
     pub area: f64,
-    /// The point of the bore, Σ c u over nodes of the mesh.
+    /// The mean of the bore around it, Σ c u over nodes of the mesh.
     pub point: Row,
 }
 

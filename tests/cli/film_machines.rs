@@ -55,3 +55,76 @@ fn the_rotor_under_its_weight_sinks_deeper_into_films_than_into_short_bearings()
         assert!(short < film && more > 1.07 && more < 1.3, "{more} {what}");
     }
 }
+
+/// A journal in the middle of a film under no pressure, whose housing takes the heat.
+fn warming(step: &str, steps: usize, start: &str) -> String {
+    format!(
+        r#"title = "a film warms up"
+[body.rotor]
+turns = "prescribed"
+speed = "6000 rpm"
+mass = "3 kg"
+polar_inertia = "0.01 kg*m^2"
+[joint.b]
+kind = "bearing"
+journal = {{ body = "rotor" }}
+law = "jfo"
+parameters = {{ mu_0 = "30 mPa*s", sigma = "0.01 um" }}
+radial_clearance = "50 um"
+journal_radius = "20 mm"
+length = "20 mm"
+[joint.b.film]
+grid = [24, 3]
+left = "0 bar"
+right = "0 bar"
+heat = {{ inlet = "310 K", vogel = ["178 K", "800 K"], housing = "2 W/K", metal = "0.5 J/K" }}
+[output.f]
+quantity = "film"
+joint = "b"
+[march]
+time_step = "{step}"
+steps = {steps}
+{start}"#
+    )
+}
+
+/// (ρ c V + C) dT/dt = 2π μ(T) ω² R³ L/c − G (T − T_h) by Runge and Kutta's method; the film follows it to first order in its steps.
+#[test]
+fn a_film_warms_up_as_its_heat_balances() {
+    let (radius, length, clearance, omega): (f64, f64, f64, f64) =
+        (0.02, 0.02, 50e-6, 628.318_530_717_958_6);
+    let held = 870.0 * 1950.0 * std::f64::consts::TAU * radius * length * clearance + 0.5;
+    let rate = |t: f64| {
+        let mu = 0.03 * (800.0 / (t - 178.0) - 800.0 / 132.0).exp();
+        let loss = std::f64::consts::TAU * mu * omega * omega * radius.powi(3) * length / clearance;
+        (loss - 2.0 * (t - 310.0)) / held
+    };
+    let mut exact: f64 = 310.0;
+    for _ in 0..2000 {
+        let h = 0.2 / 2000.0;
+        let a = rate(exact);
+        let b = rate(exact + 0.5 * h * a);
+        let c = rate(exact + 0.5 * h * b);
+        let d = rate(exact + h * c);
+        exact += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
+    }
+    let found = |step: &str, steps: usize, start: &str| -> f64 {
+        let bench = Workbench::new().file("case.toml", &warming(step, steps, start));
+        let outcome = bench.whirl(&["run", "case.toml", "--out", "out", "--no-figures"]);
+        assert!(outcome.status < 2, "{}", outcome.stderr);
+        bench.history("out").last("temperature_f_K")
+    };
+    let errors = [found("5e-4 s", 400, "") - exact, found("2.5e-4 s", 800, "") - exact];
+    assert!(exact > 320.0 && errors[1].abs() < 2e-3 * (exact - 310.0), "{errors:?} at {exact}");
+    assert!((errors[0] / errors[1] - 2.0).abs() < 0.1, "{errors:?}");
+    // In equilibrium nothing warms up any more.
+    let mut still: f64 = 330.0;
+    for _ in 0..200 {
+        still -= rate(still) / ((rate(still + 1e-4) - rate(still - 1e-4)) / 2e-4);
+    }
+    let start = "[start]\nkind = \"equilibrium\"\n";
+    for steps in [1, 50] {
+        let found = found("5e-4 s", steps, start);
+        assert!((found - still).abs() < 1e-6 * still, "{found} K for {still}");
+    }
+}

@@ -9,15 +9,16 @@ use whirl_codegen::rational::{Rational, nearest};
 use whirl_codegen::units::{Quantity, Unit};
 use whirl_solver::bearing::FilmLaw;
 use whirl_solver::cache;
-use whirl_solver::contacts::FilmNode;
-use whirl_solver::film::{Journal, OilFilm, Reach, WrongFilm};
+use whirl_solver::film::{Grid, Journal, OilFilm, Reach, WrongFilm};
 use whirl_solver::output::Integral;
-use whirl_solver::reduction::Row;
 use whirl_specs::{CLEARANCES, FILMS, Film};
 
 use super::film_table::{FilmTable, Opening, Side};
 use super::library::FileStore;
 use super::values::listed;
+
+/// The parameter that changes with the temperature.
+const VISCOSITY: &str = "mu_0";
 
 /// Values that a film takes from its joint.
 const OF_JOINT: [(&str, &str, BearingValue, &str); 3] = [
@@ -90,7 +91,12 @@ impl FilmSource {
             unit: own.unit,
             meaning: own.title.to_owned(),
         });
-        (self.told.called(), integrals.collect())
+        let mut integrals: Vec<Integral> = integrals.collect();
+        if self.told.heat.as_ref().is_some_and(|own| own.given().is_none()) {
+            let (name, meaning) = ("temperature".to_owned(), "temperature of the film".to_owned());
+            integrals.push(Integral { name, unit: "K", meaning });
+        }
+        (self.told.called(), integrals)
     }
 
     /// How results call it.
@@ -121,6 +127,7 @@ impl FilmSource {
             lines
                 .push(format!("gaps from {least} to {most} µm where the journal is in the middle"));
         }
+        lines.extend(self.told.heat.iter().map(|own| own.described()));
         for (place, own) in openings.iter().enumerate() {
             let ([i, j], size) = film.covered(film.sides() + place);
             let [width, length] = size.map(|own| whirl_text::rounded(1e3 * own, 4));
@@ -169,14 +176,10 @@ impl FilmSource {
     }
 
     /// Its nodes on a bore of this length (m) that is to give way; none if what is said of them is wrong.
-    pub(crate) fn nodes_that_give_way(&self, length: f64) -> Option<Vec<FilmNode>> {
-        // Angles and parts are those of any radius.
+    pub(crate) fn grid_that_gives_way(&self, length: f64) -> Option<Grid> {
+        // Angles and shares are those of any radius.
         let film = OilFilm::reaching(self.kernel, self.told.grid, [1.0, length], self.reach());
-        let grid = film.ok().filter(|_| self.told.flexible.0)?.grid;
-        let nodes = grid.places().into_iter().zip(grid.areas()).map(|([angle, z], area)| {
-            FilmNode { angle, along: 2.0 * z / length, area, point: Row::new() }
-        });
-        Some(nodes.collect())
+        film.ok().filter(|_| self.told.flexible.0).map(|own| own.grid)
     }
 
     /// The film with its values.
@@ -254,6 +257,10 @@ impl FilmSource {
             sides.iter().map(|(side, _)| *side).collect::<Vec<_>>(),
             if bore.is_round() { String::new() } else { bore.numbers() }
         ));
+        let hash = match &self.told.heat {
+            Some(heat) => cache::Key::of(&format!("{} {}", hash.hex(), heat.numbers())),
+            None => hash,
+        };
         let hash = match arc {
             Some(arc) => cache::Key::of(&format!("{} {arc:?}", hash.hex())),
             None => hash,
@@ -265,6 +272,27 @@ impl FilmSource {
                 return Err(errors);
             }
         };
+        if let Some(heat) = &self.told.heat {
+            let parameters = self.kernel.parameters.iter();
+            let own = parameters.clone().find(|own| own.name == VISCOSITY).map(|own| own.value);
+            let mu = value(VISCOSITY).or(own).unwrap_or_default();
+            let own = heat.heat(mu);
+            if heat.has_rows() && value(VISCOSITY).is_some() {
+                let what =
+                    format!("`{VISCOSITY}` is given beside the viscosity over the temperature");
+                let help = format!(
+                    "leave `{VISCOSITY}` out of `parameters`, or `viscosity` out of `heat`"
+                );
+                note(&heat.place, WrongFilm { what, help });
+            }
+            let done = match heat.given() {
+                Some(given) => journal.film.set(VISCOSITY, own.viscosity.at(given)),
+                None => journal.warm(own),
+            };
+            if let Err(wrong) = done {
+                note(&heat.place, wrong);
+            }
+        }
         if !bore.is_round() {
             journal.shape(|angle, z| bore.depth([angle, z], [clearance, radius, length]));
             let nodes = journal.film.grid.places();

@@ -7,6 +7,7 @@ use whirl_codegen::document::schema::{Key, Shape, key, merged};
 
 use super::film_arc::Arc;
 use super::film_bore::{Around, BoreShape, POCKET};
+use super::film_heat::{HEAT, HeatTable};
 use super::library::FileStore;
 use super::names;
 use super::shapes::{ANGLE, ARC, LENGTH, POSITION, SUPPLY};
@@ -26,6 +27,11 @@ pub(super) const FILM: &[Key] = &[
     key("start", SIDE, START).like("\"0 bar\""),
     key("end", SIDE, "the same of the edge at the second angle of `arc`").like("\"open\""),
     key("flexible", Flag, FLEXIBLE),
+    key(
+        "heat",
+        Shape::Table(&[HEAT]),
+        "its temperature, on which its viscosity depends; none if left out",
+    ),
     key("opening", Named(&Shape::Table(&[OPENING])), "holes and grooves in the bore, by name"),
     key("pocket", Named(&Shape::Table(&[POCKET])), "places of the bore that are deeper, by name"),
 ];
@@ -69,6 +75,7 @@ pub(super) struct FilmTable {
     pub(super) bore: BoreShape,
     /// Whether a bore with a mesh deforms, and where the case says that it does.
     pub(super) flexible: (bool, Option<Located>),
+    pub(super) heat: Option<HeatTable>,
     /// Where the joint names the film.
     pub(super) place: Located,
 }
@@ -118,6 +125,7 @@ impl FilmTable {
             openings: Vec::new(),
             bore: BoreShape::default(),
             flexible: (true, None),
+            heat: None,
             place: name.clone(),
         }
     }
@@ -153,7 +161,19 @@ impl FilmTable {
         let said = table.optional_boolean("flexible");
         let at = (said == Some(true)).then(|| table.written("flexible"));
         let flexible = (said != Some(false), at);
-        FilmTable { grid, grid_place, arc, sides, openings, bore, flexible, place: name.clone() }
+        let heat = table.optional_table("heat");
+        let heat = heat.and_then(|own| own.read(|own| HeatTable::read(store, own)));
+        FilmTable {
+            grid,
+            grid_place,
+            arc,
+            sides,
+            openings,
+            bore,
+            flexible,
+            heat,
+            place: name.clone(),
+        }
     }
 
     /// What results call its sides and openings.

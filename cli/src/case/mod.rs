@@ -10,6 +10,7 @@ mod files;
 mod film;
 mod film_arc;
 mod film_bore;
+mod film_heat;
 mod film_march;
 mod film_table;
 mod gears;

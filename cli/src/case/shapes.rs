@@ -56,6 +56,11 @@ measures! {
     SUPPLY: PRESSURE, "2 bar", NotNegative;
     ARC: ANGLE, "20 deg", Positive;
     GAS_DENSITY: DENSITY, "45 kg/m^3", Positive;
+    OIL_DENSITY: DENSITY, "870 kg/m^3", Positive;
+    TEMPERATURE: TEMPERATURE, "313.15 K", Positive;
+    HEAT_CAPACITY: HEAT_CAPACITY, "1950 J/kg/K", Positive;
+    HELD_HEAT: HELD_HEAT, "50 J/K", NotNegative;
+    HEAT_FLOW: HEAT_FLOW, "5 W/K", NotNegative;
 }
 
 /// Springs of a bearing in all its rings.

@@ -35,7 +35,7 @@ impl Dimension {
     /// s.
     pub const TIME: Dimension = Dimension::of(0, 0, 1);
     /// K.
-    pub(crate) const TEMPERATURE: Dimension = Dimension::of(0, 0, 0).with(3, 1);
+    pub const TEMPERATURE: Dimension = Dimension::of(0, 0, 0).with(3, 1);
     /// rad.
     pub const ANGLE: Dimension = Dimension::of(0, 0, 0).with(ANGLE, 1);
     /// rad/s.
@@ -57,9 +57,15 @@ impl Dimension {
     /// Pa.
     pub const PRESSURE: Dimension = Dimension::of(-1, 1, -2);
     /// Pa·s.
-    pub(crate) const VISCOSITY: Dimension = Dimension::of(-1, 1, -1);
+    pub const VISCOSITY: Dimension = Dimension::of(-1, 1, -1);
     /// kg/m³.
     pub const DENSITY: Dimension = Dimension::of(-3, 1, 0);
+    /// J/(kg·K).
+    pub const HEAT_CAPACITY: Dimension = Dimension::of(2, 0, -2).with(3, -1);
+    /// J/K.
+    pub const HELD_HEAT: Dimension = Dimension::of(2, 1, -2).with(3, -1);
+    /// W/K.
+    pub const HEAT_FLOW: Dimension = Dimension::of(2, 1, -3).with(3, -1);
     /// rad/s².
     pub const ANGULAR_ACCELERATION: Dimension = Dimension::of(0, 0, -2).with(ANGLE, 1);
     /// W.
@@ -235,6 +241,9 @@ const KNOWN: &[(Dimension, &str, &str)] = &[
     (Dimension::PRESSURE, "a pressure", "200 GPa"),
     (Dimension::VISCOSITY, "a viscosity", "0.02 Pa*s"),
     (Dimension::DENSITY, "a density", "7860 kg/m^3"),
+    (Dimension::HEAT_CAPACITY, "a heat capacity of a substance", "1950 J/kg/K"),
+    (Dimension::HELD_HEAT, "a heat capacity", "50 J/K"),
+    (Dimension::HEAT_FLOW, "a heat flow over a temperature", "5 W/K"),
     (Dimension::INERTIA, "a moment of inertia", "1 kg*m^2"),
     (Dimension::ANGULAR_ACCELERATION, "an angular acceleration", "600 rpm/s"),
 ];

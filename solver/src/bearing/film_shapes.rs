@@ -27,6 +27,12 @@ pub(super) struct AtRest<'a> {
     pub(super) clearance: f64,
 }
 
+/// Whether a law is a film whose bore is to give way.
+pub(super) fn gives_way(law: &BoundLaw, bearing: &Bearing) -> bool {
+    let surface = bearing.sides.surface.as_ref();
+    law.law.film().is_some() && surface.is_some_and(|own| !own.film.is_empty())
+}
+
 /// The shapes of a bore with a film, and the rows of w over the coordinates of its body. `rows`: for every motion of the bore that
 /// the film takes its row there. None of a bore that does not deform, or whose faces are not known.
 pub(super) fn shapes_of(

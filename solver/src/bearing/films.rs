@@ -16,6 +16,10 @@ const INSTANT: f64 = 1e-7;
 /// What may be lacking at a node, of what flows there: oil of a march is kept to 1e-10.
 const BALANCED: f64 = 1e-13;
 
+/// What may be lacking of a temperature in balance, of itself, and after how many trials it is found.
+const BALANCED_HEAT: f64 = 1e-11;
+const WARMEST: usize = 60;
+
 /// Places of what is known of a film among what is known of all: the oil, the motion, and what is shown.
 pub(super) struct Known {
     first: usize,
@@ -32,7 +36,7 @@ impl Known {
             first,
             oil: 2 * film.grid.nodes(),
             shapes: shapes.map_or(0, Shapes::count),
-            shown: film.openings.len() + film.outputs(),
+            shown: film.openings.len() + film.outputs() + usize::from(journal.heat().is_some()),
         }
     }
 
@@ -67,6 +71,17 @@ impl Known {
         &all[self.first + self.oil + self.moved()..][..self.shown]
     }
 
+    /// The temperature of a film that has one (K).
+    pub(super) fn temperature(&self, all: &[f64]) -> f64 {
+        *self.shown(all).last().expect("its last value")
+    }
+
+    /// The same, to be written.
+    pub(super) fn temperature_mut<'a>(&self, all: &'a mut [f64]) -> &'a mut f64 {
+        let [.., shown] = self.parts(all);
+        shown.last_mut().expect("its last value")
+    }
+
     pub(super) fn parts<'a>(&self, all: &'a mut [f64]) -> [&'a mut [f64]; 3] {
         let own = &mut all[self.first..][..self.count()];
         let (oil, rest) = own.split_at_mut(self.oil);
@@ -88,7 +103,7 @@ pub(super) struct FilmAt {
     /// What it takes, and the length of its step (s).
     pub(super) taken: [f64; INPUTS],
     pub(super) step: Option<f64>,
-    /// What enters at its openings (m³/s), then the outputs of its spec.
+    /// What enters at its openings (m³/s), then the outputs of its spec, then the temperature of a film that has one (K).
     pub(super) shown: Vec<f64>,
     /// Oil between the surfaces (m³).
     pub(super) volume: f64,
@@ -243,11 +258,19 @@ impl FilmAt {
         self.step = None;
         let steady = motion(&self.taken, None);
         let still = JournalMotion { velocity: [0.0; 2], tilting: [0.0; 2], ..steady };
+        let in_step = matches!(given.hold, Hold::Implicit(_));
+        let mut temperature = match journal.heat() {
+            Some(_) if in_step => self.known.temperature(&given.films),
+            Some(heat) => heat.inlet,
+            None => 0.0,
+        };
+        journal.heat_to(temperature, &mut self.balance);
         self.solved = match given.hold {
             Hold::Rest | Hold::Settled => {
-                self.oil = Oil::full(&journal.film);
-                self.open(shapes, squeezed);
-                self.settle(journal, if squeezed { &steady } else { &still })
+                let motion = if squeezed { &steady } else { &still };
+                let found = self.rest((journal, shapes), motion, squeezed);
+                temperature = found.unwrap_or(f64::NAN);
+                found.is_some()
             }
             Hold::Start => self.start((journal, shapes), [&still, &steady]),
             Hold::Implicit(weight) if weight > 0.0 => {
@@ -265,9 +288,18 @@ impl FilmAt {
         };
         let openings = journal.film.openings.len();
         let (flows, outputs) = self.shown.split_at_mut(openings);
-        let forces = journal.forces(&mut self.balance, outputs);
+        let forces = journal.forces(&mut self.balance, &mut outputs[..journal.film.outputs()]);
         if let (Some(shapes), Some(own)) = (shapes, &mut self.deformed) {
             journal.push(&self.balance, shapes, &mut own.forces);
+        }
+        if let (Some(heat), Some(last)) = (journal.heat(), outputs.last_mut()) {
+            *last = temperature;
+            if let Hold::Implicit(weight) = given.hold
+                && weight > 0.0
+            {
+                let warming = journal.warming(&mut self.balance, outputs);
+                outputs[journal.film.outputs()] = heat.after(temperature, &warming, given.step);
+            }
         }
         self.volume = self.balance.oil(&journal.film);
         if given.hold == Hold::Implicit(0.0) {
@@ -278,6 +310,51 @@ impl FilmAt {
             }
         }
         if self.solved { forces } else { [f64::NAN; OUTPUTS] }
+    }
+
+    /// Solves the film as it is after a long time, at the temperature that balances its heat: that (K), or 0 of a film without one; none
+    /// where that fails.
+    fn rest(
+        &mut self,
+        (journal, shapes): (&Journal, Option<&Shapes>),
+        motion: &JournalMotion,
+        squeezed: bool,
+    ) -> Option<f64> {
+        self.oil = Oil::full(&journal.film);
+        self.open(shapes, squeezed);
+        if !self.settle(journal, motion) {
+            return None;
+        }
+        let Some(heat) = journal.heat() else { return Some(0.0) };
+        // The loss falls with the temperature, so that what would balance it less what it is has one zero.
+        let mut outputs = vec![0.0; journal.film.outputs()];
+        let mut lacks = |own: &mut Self, temperature: f64| -> Option<f64> {
+            journal.heat_to(temperature, &mut own.balance);
+            let found = own.settle(journal, motion);
+            journal.forces(&mut own.balance, &mut outputs);
+            let warming = journal.warming(&mut own.balance, &outputs);
+            Some(heat.balanced(&warming) - temperature).filter(|lack| found && lack.is_finite())
+        };
+        let mut low = (heat.inlet, lacks(self, heat.inlet)?);
+        let mut high = (low.0 + low.1, 0.0);
+        high.1 = lacks(self, high.0)?;
+        let mut last = high;
+        for _ in 0..WARMEST {
+            if last.1.abs() <= BALANCED_HEAT * last.0 {
+                return Some(last.0);
+            }
+            let secant = high.0 - high.1 * (high.0 - low.0) / (high.1 - low.1);
+            let next = if secant.is_finite() { secant } else { 0.5 * (low.0 + high.0) };
+            last = (next, lacks(self, next)?);
+            // The side that stays counts half, so that both ends come near.
+            if (last.1 > 0.0) == (high.1 > 0.0) {
+                low.1 *= 0.5;
+            } else {
+                low = high;
+            }
+            high = last;
+        }
+        None
     }
 
     fn settle(&mut self, journal: &Journal, motion: &JournalMotion) -> bool {

@@ -1,4 +1,5 @@
-//! What laws and films remember from one step to the next, as plain values: states of laws, then of every film one value a node.
+//! What laws and films remember from one step to the next, as plain values: states of laws, then of every film one value a node
+//! and its temperature, where it has one.
 //!
 //! Of the two unknowns of a node one is zero: the value is the first where that is the one which is not, less the second otherwise.
 
@@ -12,8 +13,9 @@ use crate::film::{Journal, Oil};
 /// Part of its range that a state may have and be nothing; without a range, so much of its SI unit.
 const RANGE: f64 = 1e-6;
 const NOTHING: f64 = 1e-12;
-/// Of a film: pressure (Pa), and the empty part of its gap.
+/// Of a film: pressure (Pa), and the empty part of its gap; its temperature (K).
 const LEAST_OIL: [f64; 2] = [1.0, 1e-3];
+const LEAST_HEAT: f64 = 1e-3;
 
 /// Values that are alike.
 pub(crate) struct Alike {
@@ -72,6 +74,11 @@ impl Springs {
             let begin = end;
             end += journal.film.grid.nodes();
             all.push(Alike { place: begin..end, unit: None, least: LEAST_OIL });
+            if journal.heat().is_some() {
+                end += 1;
+                let unit = Some("K".to_owned());
+                all.push(Alike { place: end - 1..end, unit, least: [LEAST_HEAT; 2] });
+            }
         }
         all
     }
@@ -81,10 +88,13 @@ impl Springs {
         let (states, films) = out.split_at_mut(self.states());
         states.copy_from_slice(&laws.known[..states.len()]);
         let mut films = films.iter_mut();
-        for (_, known) in self.known_films() {
+        for (journal, known) in self.known_films() {
             let (first, second) = known.oil(&laws.films).split_at(known.nodes());
             for ((first, second), out) in first.iter().zip(second).zip(films.by_ref()) {
                 *out = if second.is_sign_positive() { -second } else { *first };
+            }
+            if let Some(out) = journal.heat().and_then(|_| films.next()) {
+                *out = known.temperature(&laws.films);
             }
         }
     }
@@ -100,6 +110,11 @@ impl Springs {
             let mut oil = Oil::full(&journal.film);
             oil.take_values(&journal.film, own);
             oil.write(known.parts(&mut laws.films)[0]);
+            if journal.heat().is_some() {
+                let (temperature, rest) = films.split_first().expect("its temperature");
+                films = rest;
+                *known.temperature_mut(&mut laws.films) = *temperature;
+            }
         }
         if !values.is_empty() {
             laws.hold = Hold::Implicit(0.0);

@@ -145,8 +145,8 @@ pub struct BoreSurface {
     pub points: Vec<Vec<Vec<(usize, f64)>>>,
     /// The mean motion of the whole bore, among the measures of the body.
     pub mean: usize,
-    /// Of every node of a film, in the order of its grid, the point of the bore, as those of `points`; none of a bore that is
-    /// to stay round.
+    /// Of every node of a film, in the order of its grid, the mean of the bore around it ([`crate::film::Grid::samples`]), as those of
+    /// `points`; none of a bore that is to stay round.
     pub film: Vec<Vec<(usize, f64)>>,
 }
 

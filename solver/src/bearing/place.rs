@@ -223,7 +223,7 @@ impl Placing<'_> {
         (kind.prepare)(&angles, &mut table);
         // The joint of a film has a law of its own.
         let shapes = match (users, &self.planes[first..]) {
-            ([part], [plane]) => {
+            ([part], [plane]) if film_shapes::gives_way(&law, part.bearing) => {
                 let own = |row: &Vec<f64>| {
                     let from = self.sites.places[body].flexible.start - place.start;
                     row[from..][..self.sites.bodies[body].size()].to_vec()

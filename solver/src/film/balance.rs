@@ -139,6 +139,11 @@ impl Balance {
         self.motion.shifted.iter().filter(|shifted| !**shifted).count()
     }
 
+    /// Sets a parameter of the film's spec (SI), by its place.
+    pub(super) fn set_parameter(&mut self, place: usize, value: f64) {
+        self.uniform[3 + place] = value;
+    }
+
     /// Oil between the surfaces (m³): what nodes hold by the gap itself, as they were evaluated last.
     pub fn oil(&mut self, film: &OilFilm) -> f64 {
         let nodes = film.grid.nodes();

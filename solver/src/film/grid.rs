@@ -23,6 +23,32 @@ pub struct Grid {
     pub(super) cell: [usize; 2],
 }
 
+/// A point at which what bounds a film is seen.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sample {
+    /// Around (rad).
+    pub angle: f64,
+    /// From the middle of the film (m).
+    pub z: f64,
+    /// What of each node it is.
+    pub shares: Vec<(usize, f64)>,
+}
+
+/// Gauss's rule of three points: places from 0 to 1, and weights.
+const GAUSS: [[f64; 2]; 3] = [
+    [0.112_701_665_379_258_31, 5.0 / 18.0],
+    [0.5, 8.0 / 18.0],
+    [0.887_298_334_620_741_7, 5.0 / 18.0],
+];
+
+/// Functions of two or three nodes along a line at a place from 0 to 1.
+fn functions(nodes: usize, s: f64) -> Vec<f64> {
+    match nodes {
+        2 => vec![1.0 - s, s],
+        _ => vec![(1.0 - s) * (1.0 - 2.0 * s), 4.0 * s * (1.0 - s), s * (2.0 * s - 1.0)],
+    }
+}
+
 impl Grid {
     /// Angle of the i-th node around (rad).
     pub fn angle(&self, i: usize) -> f64 {
@@ -91,6 +117,38 @@ impl Grid {
             }
         }
         areas
+    }
+
+    /// Points at which what bounds a film is seen, with the shares of the nodes: of each node they add up to one, and are those of its
+    /// function in the cells. What stands between nodes so counts as much as the film's pressure pushes on it.
+    pub fn samples(&self) -> Vec<Sample> {
+        let [across, up] = self.cells();
+        let (areas, [dx, dz]) = (self.areas(), self.cell_lengths());
+        let [wide, high] = self.cell;
+        // In each half of a cell along, so that there are as many between all rows.
+        let parts = high - 1;
+        let mut samples = Vec::with_capacity(across * up * parts * GAUSS.len().pow(2));
+        for (c, k) in (0..across).flat_map(|c| (0..up).map(move |k| (c, k))) {
+            for part in 0..parts {
+                for ([s, weight], [t, other]) in
+                    GAUSS.iter().flat_map(|own| GAUSS.iter().map(move |other| (own, other)))
+                {
+                    let t = (part as f64 + t) / parts as f64;
+                    let area = dx * dz * weight * other / parts as f64;
+                    let (around, along) = (functions(wide, *s), functions(high, t));
+                    let shares = (0..wide * high).map(|a| {
+                        let node = self.node(c, k, a);
+                        (node, area * around[a % wide] * along[a / wide] / areas[node])
+                    });
+                    samples.push(Sample {
+                        angle: self.first + (c as f64 + s) * dx / self.radius,
+                        z: (k as f64 + t) * dz - 0.5 * self.length,
+                        shares: shares.collect(),
+                    });
+                }
+            }
+        }
+        samples
     }
 
     /// Place of node a of the c-th cell around in the k-th row of cells.
@@ -188,6 +246,24 @@ mod tests {
         let total: f64 = grid.areas().iter().sum();
         assert!((total / (1.2 * 0.02 * 0.03) - 1.0).abs() < 1e-13);
         assert!((grid.angle(12) - 1.3).abs() < 1e-15 && grid.angle(0) == 0.1);
+    }
+
+    #[test]
+    fn samples_of_a_node_add_up_to_it() {
+        for grid in [grid(12, 7), pad(13, 5)] {
+            let mut sums = vec![[0.0; 2]; grid.nodes()];
+            for Sample { z, shares, .. } in grid.samples() {
+                for (node, share) in shares {
+                    sums[node][0] += share;
+                    sums[node][1] += share * z;
+                }
+            }
+            for (a, [one, z]) in sums.into_iter().enumerate() {
+                assert!((one - 1.0).abs() < 1e-13, "{a}: {one}");
+                // What is linear along the film is seen where the node is.
+                assert!((z - grid.z(a / grid.around)).abs() < 1e-15, "{a}: {z}");
+            }
+        }
     }
 
     #[test]

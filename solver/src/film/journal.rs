@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use whirl_specs::Clearance;
 
 use super::balance::Balance;
+use super::heat::Heated;
 use super::oil::Oil;
 use super::openings::{OilFilm, WrongFilm};
 use super::reaction::{Gradients, INPUTS, JournalMotion, OUTPUTS, Reaction, arms};
@@ -31,6 +32,8 @@ pub struct Journal {
     centred: Vec<f64>,
     /// Mean speed of both surfaces by the speed of the journal (m).
     pub(super) speed: f64,
+    /// Its heat, if it has a temperature.
+    pub(super) heated: Option<Heated>,
 }
 
 impl Journal {
@@ -91,7 +94,7 @@ impl Journal {
         let slip = slopes_of(place("s")?);
         let centred = vec![clearance; grid.nodes()];
         let speed = slip[0][2] / 2.0;
-        Ok(Journal { gradients, pushes, gap, centred, speed, film })
+        Ok(Journal { gradients, pushes, gap, centred, speed, heated: None, film })
     }
 
     /// Adds to the gap of every node: a bore that is not round, or steps and pockets in it (m). From angle and z.

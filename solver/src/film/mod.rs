@@ -6,6 +6,7 @@
 //! state:       Oil                         (pressure and fill of the nodes)
 //! Balance:     residual ─▶ active set ─▶ elimination ─▶ next state, until the balance of oil holds
 //! Journal:     displacement, tilts, rates ─▶ gaps ─▶ forces, moments and their slopes
+//! Heat:        loss, oil that passes, housing ─▶ temperature ─▶ viscosity of the next step
 //! Shapes:      a bore that gives way ─▶ gaps; the film pushes on its shapes
 //! ```
 //!
@@ -16,6 +17,7 @@
 mod balance;
 mod band;
 mod grid;
+mod heat;
 mod journal;
 mod oil;
 mod openings;
@@ -27,7 +29,8 @@ mod solve;
 mod tests;
 
 pub use balance::{Balance, Motion};
-pub use grid::Grid;
+pub use grid::{Grid, Sample};
+pub use heat::{Heat, Viscosity, Warming};
 pub use journal::Journal;
 pub use oil::Oil;
 pub use openings::{OilFilm, Opening, Reach, WrongFilm};

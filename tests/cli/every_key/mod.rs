@@ -7,6 +7,7 @@
 mod built;
 mod by_hand;
 mod films;
+mod heated;
 mod mass;
 mod rotor;
 mod rows;
@@ -20,7 +21,9 @@ use whirl_tests::History;
 use crate::workbench::Workbench;
 
 /// Everything that the cases name, by its name.
-const FILES: [(&str, &str); 26] = [
+const FILES: [(&str, &str); 28] = [
+    ("heated.toml", include_str!("heated.toml")),
+    ("oil.csv", include_str!("oil.csv")),
     ("bore.csv", include_str!("bore.csv")),
     ("films.toml", include_str!("films.toml")),
     ("pads.toml", include_str!("pads.toml")),
@@ -50,8 +53,9 @@ const FILES: [(&str, &str); 26] = [
 ];
 
 /// Those of them that are cases.
-const CASES: [&str; 15] = [
+const CASES: [&str; 16] = [
     "films.toml",
+    "heated.toml",
     "pads.toml",
     "generated.toml",
     "base.toml",

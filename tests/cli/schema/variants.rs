@@ -31,6 +31,7 @@ const PERIODIC: &str = "/analysis/chosen/self_excited /analysis/chosen/near /ana
 const NAMED: [&str; 8] = [
     "/body/chosen/turns=free /body/chosen/mass_damping /output/chosen/joint /fields/bodies matrices rigid moves_along_z static_correction dimensions /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z \
      /body/chosen/stiffness /body/chosen/damping /body/chosen/speed /body/chosen/table acceleration held ground_spring \
+     /joint/chosen/film/heat/temperature /joint/chosen/film/heat/viscosity \
      /joint/chosen/kind=bearing first second side gap /joint/chosen/stiffness /joint/chosen/damping \
      /joint/chosen/table tilting_stiffness tilting_damping axial_stiffness axial_damping \
      teeth pitch_radii internal pressure_angle mesh_stiffness mesh_damping backlash",

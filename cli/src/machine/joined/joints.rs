@@ -6,7 +6,7 @@ use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_codegen::kinds::law::Acts;
 use whirl_codegen::rational::nearest;
 use whirl_solver::bearing::{Gear, Sides};
-use whirl_solver::contacts::FilmNode;
+use whirl_solver::film::Grid;
 use whirl_solver::mesh::MeanComponent;
 
 use super::bodies::retain_in_plane;
@@ -82,17 +82,16 @@ pub(super) fn place(
         let turned = turns(joined, first);
         sides.bore_axis = if turned { [own[0] + x, own[1] + y] } else { [x, y] };
     }
-    let mut film = Vec::new();
+    let mut film = None;
     let bore = match bodies.get_mut(second) {
         Some(PlannedBody::Meshed(plan)) if joint.sides[1].surface => {
             let set = &joint.sides[1].sets[0];
             let stations = stations(&bearing, [z[0], z[2]]);
             let stations: Vec<f64> = stations.iter().map(|s| z[0] + s * (z[2] - z[0])).collect();
-            let (nodes_of_film, [middle, half]) = film_nodes(&bearing, plan, (&stations, z));
-            let place = |own: &FilmNode| [own.angle, middle + half * own.along];
+            film = film_grid(&bearing, plan, (&stations, z));
             let springs = surfaces::Springs {
                 axis: sides.bore_axis,
-                film: nodes_of_film.iter().map(place).collect(),
+                film: film.as_ref(),
                 stations,
                 middle: z[1],
                 angles: &joint.angle.map_or_else(|| angles(bearing.springs), |angle| vec![angle]),
@@ -102,7 +101,6 @@ pub(super) fn place(
                 retain_ends(plan, joint, &nodes);
             }
             sides.surface = Some(surfaces::bore(plan, (set, &nodes), springs, errors)?);
-            film = nodes_of_film;
             [const { Vec::new() }; 3]
         }
         Some(body) if !coupling && !gear => {
@@ -136,21 +134,30 @@ pub(super) fn place(
     let of_bearing = joint.kind == JointKind::Bearing;
     let circles = clearance::circles(joint, bodies).filter(|_| of_bearing);
     let others = others::place(joint, bodies, errors);
-    Some(PlannedJoint { bearing, sides, axis: of_journal, journal, bore, z, others, film, circles })
+    Some(PlannedJoint {
+        bearing,
+        sides,
+        axis: of_journal,
+        journal,
+        bore,
+        z,
+        others,
+        film: film.map(|(grid, _)| grid),
+        circles,
+    })
 }
 
-/// The nodes of a film under which a bore on a mesh gives way, and z of its middle and half its length; none of other laws.
-fn film_nodes(
+/// The nodes of a film under which a bore on a mesh gives way, and z of its middle; none of other laws.
+fn film_grid(
     bearing: &case::Bearing,
     plan: &BodyPlan,
     (stations, z): (&[f64], [f64; 3]),
-) -> (Vec<FilmNode>, [f64; 2]) {
+) -> Option<(Grid, f64)> {
     let (Some(film), [middle], false) = (bearing.law.source.film(), stations, plan.rigid) else {
-        return (Vec::new(), [0.0; 2]);
+        return None;
     };
     let length = bearing.facts.length.as_ref().map_or(z[2] - z[0], nearest);
-    let nodes = film.nodes_that_give_way(length).unwrap_or_default();
-    (nodes, [*middle, 0.5 * length])
+    Some((film.grid_that_gives_way(length)?, *middle))
 }
 
 /// Whether a bore or a stop that does not turn stands about the axis of its own body.

@@ -149,7 +149,7 @@ impl JoinedPlan {
     pub(crate) fn pressures(&self, joint: usize) -> Option<usize> {
         let own = &self.joints[joint];
         let body = self.bodies.get(own.sides.bodies[1])?.meshed()?;
-        (!own.film.is_empty()).then(|| body.pressures_of_films())
+        own.film.as_ref().map(|_| body.pressures_of_films())
     }
 
     /// z of the rings of springs of a joint, or of the planes in which its law acts (m).

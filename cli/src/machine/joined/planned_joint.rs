@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use whirl_codegen::rational::nearest;
 use whirl_solver::bearing::Sides;
 use whirl_solver::contacts::{FilmNode, pressures};
+use whirl_solver::film::Grid;
 use whirl_solver::mesh::measure::Circle;
 use whirl_solver::reduction::Row;
 
@@ -32,8 +33,8 @@ pub(super) struct PlannedJoint {
     pub(super) z: [f64; 3],
     /// Laws on other motions than the displacement in its planes.
     pub(super) others: Vec<PlannedOther>,
-    /// The nodes of a film under which the bore gives way, by angle, place along it and area.
-    pub(super) film: Vec<FilmNode>,
+    /// The nodes of a film under which the bore gives way.
+    pub(super) film: Option<Grid>,
     /// The circles of journal and bore, where the meshes have both.
     pub(super) circles: Option<[Circle; 2]>,
 }
@@ -60,12 +61,15 @@ impl PlannedJoint {
 
     /// The pressures of a film under which the bore gives way.
     fn pressures(&self, plan: &BodyPlan) -> Vec<Row> {
-        let Some(surface) = &self.sides.surface else { return Vec::new() };
-        let nodes = self.film.iter().zip(&surface.film).map(|(own, point)| {
+        let (Some(surface), Some(grid)) = (&self.sides.surface, &self.film) else {
+            return Vec::new();
+        };
+        let places = grid.places().into_iter().zip(grid.areas());
+        let nodes = places.zip(&surface.film).map(|(([angle, z], area), point)| {
             let places: Vec<usize> = point.iter().map(|(place, _)| *place).collect();
             let weights = point.iter().map(|(_, weight)| *weight);
             let point = plan.mesh_nodes(&places).into_iter().zip(weights).collect();
-            FilmNode { point, ..own.clone() }
+            FilmNode { angle, along: 2.0 * z / grid.length, area, point }
         });
         pressures(&nodes.collect::<Vec<FilmNode>>())
     }

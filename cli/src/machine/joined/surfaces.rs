@@ -1,9 +1,10 @@
 //! Journals and bores that are surfaces of meshes, with springs on the faces of a bore.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::bearing::BoreSurface;
+use whirl_solver::film::{Grid, Sample};
 use whirl_solver::mesh::{MeanComponent, Surface};
 
 use super::clearance;
@@ -61,8 +62,8 @@ pub(super) struct Springs<'a> {
     pub(super) middle: f64,
     /// Around the axis (rad).
     pub(super) angles: &'a [f64],
-    /// Angle and z of the nodes of a film under which the bore gives way.
-    pub(super) film: Vec<[f64; 2]>,
+    /// The nodes of a film under which the bore gives way, and z of its middle.
+    pub(super) film: Option<&'a (Grid, f64)>,
 }
 
 /// The points of the faces on which springs stand.
@@ -97,12 +98,24 @@ pub(super) fn bore(
     let mut found = || -> Result<_, (String, &str)> {
         let mut points = Vec::with_capacity(springs.stations.len());
         for &z in &springs.stations {
-            let ring = springs.angles.iter().map(|&angle| point("a spring", [angle, z]));
-            points.push(ring.collect::<Result<Vec<_>, _>>().map_err(|own| (own, OF_SPRINGS))?);
+            let (what, help) = match springs.film {
+                Some(_) => ("the film", OF_FILM),
+                None => ("a spring", OF_SPRINGS),
+            };
+            let ring = springs.angles.iter().map(|&angle| point(what, [angle, z]));
+            points.push(ring.collect::<Result<Vec<_>, _>>().map_err(|own| (own, help))?);
         }
-        let film = springs.film.iter().map(|&at| point("a node of the film", at));
-        let film = film.collect::<Result<Vec<_>, _>>().map_err(|own| (own, OF_FILM))?;
-        Ok((points, film))
+        let Some((grid, middle)) = springs.film else { return Ok((points, Vec::new())) };
+        let mut film = vec![BTreeMap::new(); grid.nodes()];
+        for Sample { angle, z, shares } in grid.samples() {
+            let seen = point("the film", [angle, middle + z]).map_err(|own| (own, OF_FILM))?;
+            for (node, share) in shares {
+                for &(place, weight) in &seen {
+                    *film[node].entry(place).or_insert(0.0) += share * weight;
+                }
+            }
+        }
+        Ok((points, film.into_iter().map(|own| own.into_iter().collect()).collect()))
     };
     let (points, film) = match found() {
         Ok(found) => found,
@@ -171,6 +184,23 @@ pub(super) fn compare(
             };
             errors.push(set.error_here(Code::BAD_VALUE, message).help(help));
         }
+    }
+    if let ([bore], Some(journal), true) = (
+        &radii[..],
+        planned.bearing.journal_radius,
+        joint.sides[1].surface && !joint.sides[0].surface,
+    ) && (bore - journal - c).abs() > GAP * c + DIGITS * bore
+    {
+        warnings.push(format!(
+            "{}: between the journal of radius {} of the joint `{}` and its bore in the mesh (radius {}) are {}, but the case \
+             gives a clearance of {}, which is used",
+            joint.name.source().path.display(),
+            mm(journal),
+            joint.name.text(),
+            mm(*bore),
+            mm(bore - journal),
+            mm(c)
+        ));
     }
     if let [journal, bore] = radii[..]
         && (bore - journal - c).abs() > GAP * c + DIGITS * bore

@@ -319,9 +319,10 @@ fn films(machine: &Machine) -> Key {
         let joints = joints(machine, law.planes.clone());
         let openings: Vec<&str> = film.openings.iter().map(|own| own.name.as_str()).collect();
         let Grid { around, along, first, arc, .. } = film.grid;
+        let heated = if law.bound.law.film()?.heat().is_some() { " heated" } else { "" };
         let shapes = law.shapes.as_ref().map(Shapes::count);
-        let reach =
-            format!("{first:?} {arc:?}{}", shapes.map_or(String::new(), |n| format!(" {n}")));
+        let shapes = shapes.map_or(String::new(), |n| format!(" {n}"));
+        let reach = format!("{first:?} {arc:?}{shapes}{heated}");
         Some((joints, film.name(), [around, along], openings, reach))
     });
     Key::of(&of_law.collect::<Vec<_>>())
