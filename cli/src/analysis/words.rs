@@ -3,11 +3,11 @@
 use std::fmt::Write;
 
 use whirl_solver::linear::{Campbell, Doubt, LinearMachine, Mode, Whirl};
-use whirl_text::{rounded, shown};
+use whirl_text::{as_given, rounded, shown};
 
 /// rad/s in rpm.
 pub(super) fn rpm(speed: f64) -> f64 {
-    speed * 60.0 / std::f64::consts::TAU
+    as_given(speed * 60.0 / std::f64::consts::TAU)
 }
 
 /// A speed for people (rpm).

@@ -7,6 +7,17 @@ pub fn rounded(value: f64, digits: usize) -> f64 {
     format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value)
 }
 
+/// Digits of numbers that people give.
+const GIVEN: usize = 12;
+/// Share of a number that changes of units, there and back, may add.
+const CHANGED: f64 = 4.0 * f64::EPSILON;
+
+/// A number of few digits as it was given, of which changes of units have left the last bits wrong; any other as it is.
+pub fn as_given(value: f64) -> f64 {
+    let own = rounded(value, GIVEN);
+    if (own - value).abs() <= CHANGED * value.abs() { own } else { value }
+}
+
 /// A number to so many digits at most, without zeros behind them: plain where its size is in `plain`, elsewhere with
 /// a power of ten.
 pub fn shown(value: f64, digits: usize, plain: Range<f64>) -> String {

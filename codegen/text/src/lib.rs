@@ -3,5 +3,5 @@
 mod digits;
 mod nearest;
 
-pub use digits::{rounded, shown};
+pub use digits::{as_given, rounded, shown};
 pub use nearest::{nearest, nearest_in_any_case};

@@ -11,7 +11,7 @@ use num_complex::Complex64;
 use whirl_solver::cache::Cache;
 use whirl_solver::linear::{Along, Excited, LinearMachine, Linearised, Standstill};
 use whirl_solver::section::planes;
-use whirl_text::shown;
+use whirl_text::{as_given, shown};
 
 use self::quantities::{QUANTITIES, size, values};
 use super::facts::Facts;
@@ -386,7 +386,7 @@ impl Rows {
         for (body, sections) in all {
             for own in sections {
                 let cells = values(own).map(&cell).join(",");
-                writeln!(self.text, "{before},{body},{},{cells}", 1e3 * own.z)
+                writeln!(self.text, "{before},{body},{},{cells}", as_given(1e3 * own.z))
                     .expect("text can be written");
             }
         }
