@@ -301,16 +301,21 @@ impl<'d> Table<'d> {
             self.wrong(key, node, "numbers", &self.example(key));
             return Vec::new();
         };
-        let number = |item: &Node| match &item.content {
-            Content::Number(number) => number.float().filter(|own| *own > 0.0),
-            _ => None,
-        };
         let mut numbers = Vec::with_capacity(list.len());
         for item in list {
-            match number(item) {
-                Some(value) => numbers.push(value),
-                None => self.wrong(key, item, "positive numbers", &self.example(key)),
+            let Content::Number(number) = &item.content else {
+                self.wrong(key, item, "positive numbers", &self.example(key));
+                continue;
+            };
+            if let Some(value) = number.float().filter(|own| *own > 0.0) {
+                numbers.push(value);
+                continue;
             }
+            let written = item.place.written();
+            let message = format!("`{key}` takes positive numbers, and {} is none", written.text());
+            let example = self.example(key);
+            let help = format!("write numbers above zero, such as `{key} = {example}`");
+            self.push(item.place.error(Code::BAD_VALUE, message).help(help));
         }
         numbers
     }
