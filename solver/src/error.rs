@@ -366,6 +366,20 @@ pub enum Error {
         /// See `had_angle`.
         had_speed: f64,
     },
+    /// A joint beside which nothing else of a machine is seen, in an analysis of small motions.
+    #[error(
+        "{joint} with the law {law} has a stiffness or damping of {stiffness:.3e} (SI), beside which rounding hides how the machine moves: give it {most:.0e} at most, as what is a thousand times as stiff as the bodies that it joins already holds them"
+    )]
+    StiffJoint {
+        /// The joint.
+        joint: String,
+        /// Its law.
+        law: String,
+        /// The largest of its stiffness and damping (SI).
+        stiffness: f64,
+        /// The largest that is taken.
+        most: f64,
+    },
     /// Linear algebra failed.
     #[error(transparent)]
     LinearAlgebra(#[from] LinearAlgebraError),
@@ -389,7 +403,13 @@ impl Error {
 
     /// Whether it says that the machine does not stand at a speed, as at others it may.
     pub fn is_of_balance(&self) -> bool {
-        matches!(self, Error::NotStanding { .. } | Error::NoForce { .. } | Error::Jumps { .. })
+        matches!(
+            self,
+            Error::NotStanding { .. }
+                | Error::NoForce { .. }
+                | Error::Jumps { .. }
+                | Error::StiffJoint { .. }
+        )
     }
 
     /// Whether a matrix is singular: of a response at a critical speed without damping.

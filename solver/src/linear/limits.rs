@@ -10,6 +10,8 @@ use crate::bearing::{Measure, Poses, SpringState, Springs, Worst};
 use crate::error::Error;
 use crate::machine::Machine;
 
+/// Stiffness and damping of a joint (SI), at most: beside more rounding hides slow motions.
+const STIFFEST: f64 = 1e16;
 /// Share of the largest stiffness and damping of a joint by which they may change.
 const TENTH: f64 = 0.1;
 /// Directions in the plane in which journals are moved.
@@ -86,6 +88,27 @@ impl LinearMachine {
         let first = machine.monitors.iter().zip(jumps).find_map(|(own, jump)| Some((own, jump?)));
         let Some((joint, jump)) = first else { return Ok(()) };
         Err(Error::Jumps { at: self.told(speeds), joint: joint.name.clone(), jump })
+    }
+
+    /// Whether rounding lets the machine be seen beside the stiffness and damping of its joints.
+    ///
+    /// # Errors
+    /// The stiffest joint, if not.
+    pub(super) fn has_no_stiff_joint(&self, at: &Standstill) -> Result<(), Error> {
+        let machine = self.machine_of(at);
+        let planes = machine.springs.planes.iter().zip(&at.found.tangents.planes);
+        let sized = planes.map(|(plane, own)| {
+            let all = own.iter().flatten().flatten();
+            (plane, all.fold(0.0, |most: f64, own| most.max(own.abs())))
+        });
+        let Some((plane, stiffness)) = sized.max_by(|a, b| a.1.total_cmp(&b.1)) else {
+            return Ok(());
+        };
+        if stiffness <= STIFFEST {
+            return Ok(());
+        }
+        let (joint, law) = machine.names_of(plane);
+        Err(Error::StiffJoint { joint, law, stiffness, most: STIFFEST })
     }
 }
 

@@ -150,6 +150,7 @@ impl LinearMachine {
         let is_mean = std::ptr::eq(machine, &raw const self.machine);
         let stood = Standstill { speeds: speeds.collect(), found, angles, is_mean };
         self.has_no_jump(at, &stood)?;
+        self.has_no_stiff_joint(&stood)?;
         Ok(stood)
     }
 

@@ -25,6 +25,9 @@ const OVER_SPEED: (&str, &str) = ("bushing-over-speed", "bushing-over-speed.csv"
 /// Stiffness and damping, as a case names them and as the law does.
 const BOTH: [(&str, &str); 2] = [("stiffness", "k"), ("damping", "c")];
 
+/// Stiffness and damping of a joint (SI), at most: beside more rounding hides slow motions.
+const MOST: f64 = 1e16;
+
 /// Keys of which one is enough.
 const ANY: [&str; 7] = [
     "stiffness",
@@ -84,7 +87,11 @@ fn coefficients(table: &Table, prefix: &str) -> Option<Vec<SetParameter>> {
     for (called, letter) in BOTH {
         let key = format!("{prefix}{called}");
         let values = |own: &Table| {
-            DIRECTIONS.map(|direction| (own.written(direction), own.exact_quantity(direction)))
+            DIRECTIONS.map(|direction| {
+                let value = own.exact_quantity(direction);
+                limited(own, (table, &format!("{key}.{direction}")), direction, value.as_ref());
+                (own.written(direction), value)
+            })
         };
         let of_text = names::is_text(table, &key, |text| format!("{{ xx = {text}, yy = {text} }}"));
         let given = if of_text { None } else { table.in_table(&key, values) };
@@ -103,12 +110,35 @@ fn axial(table: &Table) -> Option<Vec<SetParameter>> {
     for (called, letter) in BOTH {
         let key = format!("axial_{called}");
         let (at, value) = (table.written(&key), table.exact_quantity(&key));
+        limited(table, (table, &key), &key, value.as_ref());
         for direction in DIRECTIONS {
             let own = value.as_ref().filter(|_| direction == "xx");
             set.push(coefficient(&format!("{letter}_{direction}"), &at, own, letter)?);
         }
     }
     Some(set)
+}
+
+/// Notes a value of `table` that no joint has, as `called` of the table of a joint.
+pub(super) fn limited(
+    table: &Table,
+    (joint, called): (&Table, &str),
+    key: &str,
+    value: Option<&Quantity>,
+) {
+    if value.is_none_or(|own| own.si().abs() <= MOST) {
+        return;
+    }
+    let at = table.written(key);
+    let message = format!(
+        "`{called}` of the joint `{}` is {}: beside it rounding hides how the machine moves",
+        joint.heading().written().text(),
+        at.text().trim_matches(['"', '\''])
+    );
+    let help = format!(
+        "write {MOST:e} in SI units at most; what is a thousand times as stiff as the bodies that it joins already holds them"
+    );
+    table.push(at.error_here(Code::BAD_VALUE, message).help(help));
 }
 
 /// A coefficient in the units of the law: a moment for 1 rad is the force for 1 m at an arm of 1 m.

@@ -33,7 +33,13 @@ pub(super) fn read(table: &Table) -> Option<Parts> {
     let radii = table.quantity_pair("pitch_radii");
     let internal = table.optional_boolean("internal").unwrap_or(false);
     let pressure_angle = table.quantity("pressure_angle").unwrap_or(PRESSURE_ANGLE);
-    let given = |key: &str| table.exact_quantity(key);
+    let given = |key: &str| {
+        let value = table.exact_quantity(key);
+        if key != "backlash" {
+            bushing::limited(table, (table, key), key, value.as_ref());
+        }
+        value
+    };
     let [stiffness, damping, backlash] = ["mesh_stiffness", "mesh_damping", "backlash"].map(given);
     if !table.has("mesh_stiffness") {
         table.absent(

@@ -302,6 +302,7 @@ fn coupling(table: &Table) -> Option<Parts> {
     for (key, name, zero) in [("stiffness", "k", "0 N*m/rad"), ("damping", "c", "0 N*m*s/rad")] {
         let before = table.errors();
         let value = table.exact_quantity(key);
+        bushing::limited(table, (table, key), key, value.as_ref());
         right &= table.errors() == before;
         let value = value.map_or_else(|| Quantity::parse(zero), Ok).ok()?;
         set.push(SetParameter::new(name, &table.written(key), value));
