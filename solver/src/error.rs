@@ -380,6 +380,9 @@ pub enum Error {
         /// The largest that is taken.
         most: f64,
     },
+    /// An analysis of small motions was asked to end within a speed.
+    #[error("interrupted")]
+    Interrupted,
     /// Linear algebra failed.
     #[error(transparent)]
     LinearAlgebra(#[from] LinearAlgebraError),

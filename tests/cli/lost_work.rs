@@ -135,6 +135,46 @@ fn a_killed_run_leaves_its_history_and_is_resumed_with_the_same_bytes() {
     resumes(&bench);
 }
 
+/// One speed of a machine that is not round takes seconds: a signal ends it within it, and analyses before it are kept.
+#[cfg(unix)]
+#[test]
+fn an_analysis_is_interrupted_within_a_costly_speed() {
+    let analyses = "include = \"crank.toml\"\ntitle = \"a crank\"\n[analysis.quick]\nkind = \"coefficients\"\nspeeds = \"2000 rpm\"\n\
+                    [analysis.slow]\nkind = \"modes\"\nspeeds = \"2000 rpm\"\ncount = 80\n";
+    let bench = Workbench::new().file("case.toml", analyses);
+    let quick = bench.whirl(&["analyse", "case.toml", "quick", "--out", "quick", "--no-figures"]);
+    assert_eq!(quick.status, 0, "{}", quick.stderr);
+    for (arguments, words, kept) in [
+        (
+            &["modes", "case.toml", "--speed", "2000 rpm", "--count", "80", "--out", "one"][..],
+            "interrupted before anything was found",
+            false,
+        ),
+        (
+            &["analyse", "case.toml", "--out", "both", "--no-figures"],
+            "`slow` was interrupted before anything was found",
+            true,
+        ),
+    ] {
+        let mut running = Running::start(&bench, arguments);
+        let mut lines = BufReader::new(running.0.stdout.take().expect("piped")).lines();
+        if kept {
+            let is_told = |line: &String| line.contains("main2");
+            assert!(lines.by_ref().map_while(Result::ok).any(|line| is_told(&line)), "a table");
+        }
+        std::thread::sleep(Duration::from_millis(1500));
+        let start = Instant::now();
+        running.signal("TERM");
+        let (status, said) = running.end();
+        let took = start.elapsed();
+        assert!(took < Duration::from_secs(4), "{took:?}: {said}");
+        assert_eq!(status, Some(1), "{said}");
+        assert!(said.contains(words), "{said}");
+        assert_eq!(bench.path("both/quick.csv").is_file(), kept);
+        assert!(!bench.path("both/slow.csv").exists());
+    }
+}
+
 /// Steps that are chosen go on as they were chosen; and the same case twice has the same bytes.
 #[cfg(unix)]
 #[test]

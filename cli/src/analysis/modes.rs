@@ -41,7 +41,7 @@ pub(super) fn found(
     let mut facts = Facts::default();
     let mut work = |speed: f64, at: &Standstill| -> Result<(), Failure> {
         let equations = linear.linearised(at)?;
-        let modes = linear.modes(&equations, analysis.count)?;
+        let modes = linear.modes_while(&equations, analysis.count, &|| !interruption.asked())?;
         line(&mut text, &format!("{}: {}", case.name, case.title));
         for (body, own) in linear.machine().bodies.iter().enumerate() {
             if at.speeds[body] != 0.0 {

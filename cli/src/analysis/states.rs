@@ -19,7 +19,7 @@ pub(super) struct Ended {
     pub(super) interrupted: bool,
 }
 
-/// Does something in the state at every speed.
+/// Does something in the state at every speed. Where `work` says that it was interrupted, its speed counts as not done.
 ///
 /// # Errors
 /// The machine stands at none of them, none was done, or `work` fails.
@@ -33,16 +33,20 @@ pub(super) fn at_each_speed(
     let mut states = StateDoubts::default();
     let mut done = 0;
     for &speed in wanted.speeds.iter().take_while(|_| !interruption.asked()) {
-        done += 1;
         let speeds = match wanted.of {
             Some(of) => linear.speeds(of, speed, &analysis.ratios),
             None => Vec::new(),
         };
         let before = near.as_ref().map(|own| &own.1);
-        let Some(at) = lost.take(speed, linear.standing(&speeds, before))? else { continue };
-        states.take(linear, speed, &at);
-        work(speed, &at)?;
-        near = Some((speed, at));
+        if let Some(at) = lost.take(speed, linear.standing(&speeds, before))? {
+            match work(speed, &at) {
+                Err(Failure::Machine(Error::Interrupted)) => break,
+                own => own?,
+            }
+            states.take(linear, speed, &at);
+            near = Some((speed, at));
+        }
+        done += 1;
     }
     let lost = lost.words(near.is_some())?;
     let Some((speed, at)) = &near else { return Err(nothing()) };

@@ -84,7 +84,7 @@ pub struct Reduced {
 }
 
 impl LinearMachine {
-    /// Follows the modes over the speeds, on all processors. `goes_on` is asked before every speed.
+    /// Follows the modes over the speeds, on all processors. `goes_on` is asked before every speed, and at one that takes long.
     ///
     /// # Errors
     /// A speed at which the machine does not stand, or values that are not finite.

@@ -38,20 +38,26 @@ const LARGE: usize = 350;
 const INSIDE: f64 = 1e-12;
 
 impl LinearMachine {
-    /// Those of equations that vary with an angle; of many coordinates the slowest `count`.
+    /// Those of equations that vary with an angle; of many coordinates the slowest `count`. `goes_on` is asked between them.
+    ///
+    /// # Errors
+    /// It was asked to end; values that are not finite.
     pub(super) fn varying_motions(
         &self,
         equations: &Linearised,
         periodic: &Periodic,
         count: usize,
+        goes_on: &dyn Fn() -> bool,
     ) -> Result<Vec<Motion>, Error> {
+        let asked = || if goes_on() { Ok(()) } else { Err(Error::Interrupted) };
         let mass = &equations.mass;
         if mass.rows <= MANY {
-            return all_motions(periodic, count);
+            return all_motions(periodic, count, &asked);
         }
         // Few motions that are asked for make too poor a basis.
         let count = count.max(FEW);
         let basis = self.slow(equations, periodic, count)?;
+        asked()?;
         let step = f64::from(periodic.step()) * periodic.speed;
         let mut all: Vec<Motion> = Vec::with_capacity(count);
         for pair in roughly(&periodic.in_basis(&basis))? {
@@ -60,7 +66,9 @@ impl LinearMachine {
             }
             let parts = pair.parts.iter().map(|(k, z)| (*k, apply(&basis, z))).collect();
             let near = PeriodicPair { value: pair.value, parts };
-            let Some(own) = periodic.refined(&near)? else { continue };
+            let own = periodic.refined(&near, goes_on)?;
+            asked()?;
+            let Some(own) = own else { continue };
             let (motion, _) = seen(&own, periodic.speed, mass);
             if all.iter().all(|other| !is_same(other.value, motion.value, step)) {
                 all.push(motion);
@@ -131,8 +139,13 @@ fn roughly(periodic: &Periodic) -> Result<Vec<PeriodicPair>, Error> {
 }
 
 /// All motions with as many harmonics as it takes for the slowest `count` to stand.
-fn all_motions(periodic: &Periodic, count: usize) -> Result<Vec<Motion>, Error> {
+fn all_motions(
+    periodic: &Periodic,
+    count: usize,
+    asked: &dyn Fn() -> Result<(), Error>,
+) -> Result<Vec<Motion>, Error> {
     let found = |harmonics: i32| -> Result<Vec<Motion>, Error> {
+        asked()?;
         let pairs = periodic.eigen(harmonics)?;
         let motions = pairs.iter().map(|own| seen(own, periodic.speed, &periodic.means[0]));
         let mut motions: Vec<Motion> =

@@ -145,7 +145,20 @@ impl LinearMachine {
     /// # Errors
     /// A mass that is not positive definite, or values that are not finite.
     pub fn modes(&self, equations: &Linearised, count: usize) -> Result<Modes, Error> {
-        self.modes_in(equations, None, count)
+        self.modes_while(equations, count, &|| true)
+    }
+
+    /// The same; `goes_on` is asked on the way where they take long, as of a body that turns and is not round.
+    ///
+    /// # Errors
+    /// As [`LinearMachine::modes`], and [`Error::Interrupted`].
+    pub fn modes_while(
+        &self,
+        equations: &Linearised,
+        count: usize,
+        goes_on: &dyn Fn() -> bool,
+    ) -> Result<Modes, Error> {
+        self.modes_in(equations, None, count, goes_on)
     }
 
     /// The same of motions in a basis of slow ones, if there is one.
@@ -154,8 +167,9 @@ impl LinearMachine {
         equations: &Linearised,
         basis: Option<&Matrix>,
         count: usize,
+        goes_on: &dyn Fn() -> bool,
     ) -> Result<Modes, Error> {
-        self.modes_of(equations, self.motions(equations, basis, count)?, count)
+        self.modes_of(equations, self.motions(equations, basis, count, goes_on)?, count)
     }
 
     /// The modes among all motions.

@@ -36,22 +36,23 @@ pub(super) struct Motion {
 impl LinearMachine {
     /// All motions that go round or to and fro with a frequency above zero, and those that do not; in a basis of slow ones, if
     /// there is one. `count`: how many of the slowest must stand where harmonics are cut off. Those that nothing holds are left
-    /// out.
+    /// out. `goes_on` is asked where they are costly, as of equations that vary.
     ///
     /// # Errors
-    /// A mass that is not positive definite, or values that are not finite.
+    /// It was asked to end; a mass that is not positive definite, or values that are not finite.
     pub(super) fn motions(
         &self,
         equations: &Linearised,
         basis: Option<&Matrix>,
         count: usize,
+        goes_on: &dyn Fn() -> bool,
     ) -> Result<Vec<Motion>, Error> {
         let Linearised { mass, damping, stiffness, remembered, .. } = equations;
         let is_held = |own: &Motion, largest: f64| {
             own.value.norm_sqr() > self.unheld_below(mass.rows, largest)
         };
         if let Some(periodic) = &equations.varying {
-            let mut all = self.varying_motions(equations, periodic, count)?;
+            let mut all = self.varying_motions(equations, periodic, count, goes_on)?;
             let squares = generalised_symmetric_eigen(&stiffness.symmetric_part(), mass)?.values;
             let largest = squares.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
             all.retain(|own| is_held(own, largest));

@@ -42,16 +42,20 @@ pub(super) struct Along {
 
 impl LinearMachine {
     /// The machine at a speed, from a state nearby if there is one.
+    ///
+    /// # Errors
+    /// It does not stand there; it was asked to end; values that are not finite.
     pub(super) fn point(
         &self,
         range: &Range,
         slow: Option<&Slow>,
         speed: f64,
         near: Option<&Standstill>,
+        goes_on: &dyn Fn() -> bool,
     ) -> Result<Point, Error> {
         let Stood { at, equations, .. } = self.stood(range, speed, near)?;
         let basis = slow.map(|own| own.at(speed));
-        let modes = self.modes_in(&equations, basis, range.looked_for())?;
+        let modes = self.modes_in(&equations, basis, range.looked_for(), goes_on)?;
         let is_uneven = equations.frame != 0.0 || equations.varying.is_some();
         let is_costly = equations.varying.is_some() && equations.mass.rows > FEW;
         let harmonics = equations.varying.as_ref().map(Periodic::step);
@@ -69,8 +73,9 @@ impl LinearMachine {
             let mut own: Vec<(f64, Result<Point, Error>)> = Vec::with_capacity(speeds.len());
             for &speed in speeds.iter().take_while(|_| goes_on()) {
                 let near = own.iter().rev().find_map(|(_, point)| point.as_ref().ok());
-                let point = self.point(range, slow.as_ref(), speed, near.map(|own| &own.at));
-                match point {
+                let near = near.map(|own| &own.at);
+                match self.point(range, slow.as_ref(), speed, near, goes_on) {
+                    Err(Error::Interrupted) => break,
                     Err(error) if !error.is_of_balance() => return Err(error),
                     point => own.push((speed, point)),
                 }

@@ -54,20 +54,27 @@ impl LinearMachine {
         let fastest = order * first.abs().max(last.abs());
         let mut count = range.count;
         for speed in [*first, *last] {
-            count = count.max(self.slower_than(range, speed, fastest)?.min(MOST));
+            count = count.max(self.slower_than(range, (speed, fastest), goes_on)?.min(MOST));
         }
         let mut speeds: Vec<f64> = (0..SPEEDS).map(at).collect();
         speeds[SPEEDS - 1] = *last;
         self.campbell(&Range { speeds, count, ..range.clone() }, goes_on)
     }
 
-    /// How many modes are slower than a frequency (rad/s) at a speed; none where the machine does not stand there.
-    fn slower_than(&self, range: &Range, speed: f64, frequency: f64) -> Result<usize, Error> {
-        match self.stood(range, speed, None) {
-            Ok(own) => {
-                let modes = self.modes(&own.equations, MOST)?.oscillating;
-                Ok(modes.iter().filter(|own| own.value.im < frequency).count())
+    /// How many modes are slower than a frequency (rad/s) at a speed; none where the machine does not stand there, or where it was
+    /// asked to end.
+    fn slower_than(
+        &self,
+        range: &Range,
+        (speed, frequency): (f64, f64),
+        goes_on: &dyn Fn() -> bool,
+    ) -> Result<usize, Error> {
+        let stood = self.stood(range, speed, None);
+        match stood.and_then(|own| self.modes_while(&own.equations, MOST, goes_on)) {
+            Ok(modes) => {
+                Ok(modes.oscillating.iter().filter(|own| own.value.im < frequency).count())
             }
+            Err(Error::Interrupted) => Ok(0),
             Err(error) if error.is_of_balance() => Ok(0),
             Err(error) => Err(error),
         }

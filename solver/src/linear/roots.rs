@@ -57,7 +57,7 @@ pub(super) struct Roots<'a> {
     pub(super) range: &'a Range,
     pub(super) slow: Option<&'a Slow>,
     pub(super) points: &'a [Point],
-    /// Asked before every speed.
+    /// Asked before every speed, and at one that takes long.
     pub(super) goes_on: &'a (dyn Fn() -> bool + Sync),
 }
 
@@ -67,7 +67,10 @@ impl Roots<'_> {
         if !(self.goes_on)() {
             return Ok(None);
         }
-        self.machine.point(self.range, self.slow, speed, Some(&near.at)).map(Some)
+        match self.machine.point(self.range, self.slow, speed, Some(&near.at), &self.goes_on) {
+            Err(Error::Interrupted) => Ok(None),
+            own => own.map(Some),
+        }
     }
 
     /// Speeds at which something of a branch changes its sign. Of a machine that is not round it may be zero over whole

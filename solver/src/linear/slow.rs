@@ -53,7 +53,8 @@ impl Whole {
         range: &Range,
         basis: &Matrix,
     ) -> Result<f64, Error> {
-        let found = machine.motions(&self.stood.equations, Some(basis), range.looked_for())?;
+        let equations = &self.stood.equations;
+        let found = machine.motions(equations, Some(basis), range.looked_for(), &|| true)?;
         let apart = |value: &Complex64| {
             let all = found.iter().map(|own| (own.value - value).norm());
             all.fold(f64::INFINITY, f64::min) / value.norm()
@@ -159,7 +160,7 @@ fn whole(
 ) -> Result<Whole, Error> {
     let stood = machine.stood(range, speed, near)?;
     let count = range.looked_for();
-    let motions = machine.motions(&stood.equations, None, count)?;
+    let motions = machine.motions(&stood.equations, None, count, &|| true)?;
     let modes = machine.modes_of(&stood.equations, motions.clone(), count)?;
     let asked = modes.oscillating.iter().map(|own| own.value).collect();
     Ok(Whole { stood, motions, asked })

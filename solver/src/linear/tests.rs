@@ -1,10 +1,14 @@
 //! Frames: what is constant, and that all of them have the same motions.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use whirl_specs::{CLEARANCES, LAWS, MOTIONS};
 
 use super::linearised::Linearised;
+use super::range::Range;
 use super::round::LinearMachine;
 use crate::bearing::{Bearing, Sides};
+use crate::error::Error;
 use crate::gravity::weights;
 use crate::linalg::Matrix;
 use crate::machine::{Body, Machine, MachineParts, Rotation};
@@ -17,14 +21,19 @@ const SPEED: f64 = 700.0;
 
 /// A shaft of eight sides in two bushings on the ground, under its weight or not.
 fn machine(gravity: f64) -> Machine {
-    let mut shaft = Prism::solid(8).shaft();
+    machine_of(&Prism::solid(8), "bushing", gravity)
+}
+
+/// A prism in two joints with a law.
+fn machine_of(prism: &Prism, law: &str, gravity: f64) -> Machine {
+    let mut shaft = prism.shaft();
     shaft.nodes = shaft.measures.iter().map(|own| own.node_at([0.0, 0.0, own.centre[2]])).collect();
     let bodies = vec![
         Body::turning("rotor", shaft, Rotation::Prescribed { speed: SPEED, acceleration: 0.0 }),
         Body::standing("ground", Support::rigid(&[])),
     ];
     let loads = weights(&bodies, [-gravity, 0.0, 0.0]);
-    let law = LAWS.iter().find(|law| law.origin.name == "bushing").expect("is shipped");
+    let law = LAWS.iter().find(|own| own.origin.name == law).expect("is shipped");
     let at = |name: &str, node: usize| Bearing {
         others: Vec::new(),
         name: name.to_owned(),
@@ -97,4 +106,30 @@ fn the_frame_of_the_rotor_has_the_motions_of_space() {
         let nearest = nearest.expect("a mode");
         assert!(apart(nearest) < 1e-9, "{}: {}", own.value, nearest.value);
     }
+}
+
+/// An interruption within a speed of a body that is not round, in films: what was found at the speeds before is kept.
+#[test]
+fn an_interruption_within_a_speed_keeps_the_speeds_before() {
+    let mut flat = Prism::solid(8);
+    flat.shape = |[x, y, z]| [0.8 * x, y, z];
+    let linear = LinearMachine::new(machine_of(&flat, "ocvirk", 9.81)).expect("a machine");
+    let at = linear.standing(&[Some(SPEED), None], None).expect("stands");
+    let equations = linear.linearised(&at).expect("equations");
+    assert!(equations.varying.is_some() && equations.mass.rows > 24, "{}", equations.mass.rows);
+    assert_eq!(linear.modes_while(&equations, 4, &|| false), Err(Error::Interrupted));
+    let followed = |speeds: &[f64], most: usize| {
+        let asked = AtomicUsize::new(0);
+        let goes_on = || asked.fetch_add(1, Ordering::Relaxed) < most;
+        let (ratios, orders) = (Vec::new(), Vec::new());
+        let range = Range { of: 0, speeds: speeds.to_vec(), ratios, count: 4, orders };
+        (linear.campbell(&range, &goes_on).expect("modes"), asked.into_inner())
+    };
+    let (first, asked) = followed(&[SPEED], usize::MAX);
+    let (all, interrupted) = (first.speeds, first.interrupted);
+    assert!(all == [SPEED] && !interrupted && asked > 3, "{all:?}, asked {asked} times");
+    // Asked once before the second speed, then among its motions.
+    let (cut, _) = followed(&[SPEED, 1.1 * SPEED], asked + 2);
+    assert_eq!((cut.speeds, cut.interrupted), (vec![SPEED], true));
+    assert_eq!(cut.branches, first.branches);
 }

@@ -94,6 +94,31 @@ fn prescribed_speeds_hold_no_end_of_a_train() {
     }
 }
 
+/// A coupling between displaced axes carries the couple alone, so that the frequency is that of two inertias on one axis; it says so.
+#[test]
+fn a_coupling_between_displaced_axes_carries_the_couple_alone() {
+    for (axis, apart) in [("0 mm", false), ("180 mm", true)] {
+        let case = format!(
+            "title = \"two bodies\"\n[body.first]\nturns = \"free\"\ninitial_speed = \"3000 rpm\"\nmass = \"10 kg\"\n\
+             polar_inertia = \"0.1 kg*m^2\"\n[body.second]\nturns = \"free\"\ninitial_speed = \"3000 rpm\"\n\
+             axis = [\"0 mm\", \"{axis}\"]\nmass = \"10 kg\"\npolar_inertia = \"0.05 kg*m^2\"\n\
+             [joint.between]\nkind = \"coupling\"\nfirst = {{ body = \"first\" }}\nsecond = {{ body = \"second\" }}\n\
+             stiffness = \"1e4 N*m/rad\"\n\
+             [joint.one]\nkind = \"bushing\"\nfirst = {{ body = \"first\" }}\n\
+             stiffness = {{ xx = \"1e7 N/m\", yy = \"2e7 N/m\" }}\n\
+             [joint.other]\nkind = \"bushing\"\nfirst = {{ body = \"second\" }}\n\
+             stiffness = {{ xx = \"1e7 N/m\", yy = \"2e7 N/m\" }}\n"
+        );
+        let bench = Workbench::new().file("case.toml", &case);
+        let said = ran(&bench, &["torsion", "case.toml", "--of", "first", "--out", "out"]).stdout;
+        let found = numbers(&bench, "out/torsion.modes.csv", "frequency_hz");
+        let expected = (1e4 * (1.0 / 0.1 + 1.0 / 0.05_f64)).sqrt() / std::f64::consts::TAU;
+        assert!((found[0] / expected - 1.0).abs() < 1e-9, "{found:?}, not {expected}");
+        let words = "the axes of first and second are 180 mm apart: the coupling between carries the couple between them and no force";
+        assert_eq!(said.contains(words), apart, "{said}");
+    }
+}
+
 #[test]
 fn gears_that_cannot_be_are_refused() {
     let case = PLAIN.case([0.0; 2], "[march]\ntime_step = \"5e-6 s\"\nsteps = 10\n");

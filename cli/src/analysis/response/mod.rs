@@ -10,6 +10,7 @@ mod source;
 
 use std::fmt::Write;
 
+use whirl_solver::Error;
 use whirl_solver::linear::{LinearMachine, Peak, Point, Standstill, Vibration};
 use whirl_text::{rounded, shown};
 
@@ -111,8 +112,16 @@ pub(super) fn found(
     }
     if let ([speed], false) = (speeds.as_slice(), interrupted) {
         let here = at(*speed, None)?;
-        if !linear.modes(&linear.linearised(&here)?, 1)?.is_stable() {
-            notes += "the machine is NOT STABLE in this state: a motion grows, and this response is not reached\n";
+        let goes_on = || !interruption.asked();
+        match linear.modes_while(&linear.linearised(&here)?, 1, &goes_on) {
+            Ok(modes) if modes.is_stable() => {}
+            Ok(_) => {
+                notes += "the machine is NOT STABLE in this state: a motion grows, and this response is not reached\n";
+            }
+            Err(Error::Interrupted) => {
+                notes += "note: whether the machine is stable in this state was not looked at\n";
+            }
+            Err(error) => return Err(error.into()),
         }
     }
     sources.iter_mut().for_each(|own| own.motions.resize(speeds.len(), still(points.len())));

@@ -10,22 +10,26 @@ mod train;
 
 use std::fmt::Write;
 
+use whirl_solver::Error;
 use whirl_solver::bodies::Rotation;
 use whirl_solver::cache::Cache;
 use whirl_solver::linear::{LinearMachine, Mode};
+use whirl_text::rounded;
 
 use self::excitation::excitations;
 use self::train::{Own, Train};
-use super::found::{Found, drawn, followed};
+use super::found::{Found, drawn, followed, nothing};
 use super::speeds::Wanted;
 use super::words;
-use crate::case::{Analysis, Case};
+use crate::case::{Analysis, Case, JointKind};
 use crate::errors::Failure;
 use crate::machine;
 use crate::signals::Interruption;
 
 /// Share of torsion from which on a mode is one of the train.
 const SHARE: f64 = 0.1;
+/// Distance (m) up to which two axes are one.
+const ONE_AXIS: f64 = 1e-9;
 /// Modes that are looked for beside each that is asked for: most move sideways.
 const BESIDE: usize = 3;
 
@@ -77,7 +81,11 @@ pub(super) fn found(
     let torsion = |mode: &Mode| linear.torsion(&equations.turning, &equations.mass, mode);
     let looked_for = analysis.count * (1 + BESIDE) + 2 * BESIDE;
     let mut modes = Vec::new();
-    for mode in linear.modes(&equations, looked_for)?.oscillating {
+    let all = match linear.modes_while(&equations, looked_for, &|| !interruption.asked()) {
+        Err(Error::Interrupted) => return Err(nothing()),
+        own => own?,
+    };
+    for mode in all.oscillating {
         let torsion = torsion(&mode)?;
         if torsion.share >= SHARE && modes.len() < analysis.count {
             modes.push(Own { mode, torsion });
@@ -138,6 +146,9 @@ pub(super) fn found(
             "note: {name} turns freely in these modes, though its speed is prescribed: a drive holds no end of a train"
         );
     }
+    for own in apart(case) {
+        let _ = writeln!(text, "note: {own}");
+    }
     let exciting = linear.exciting_torsion(of);
     if !exciting.is_empty() {
         let _ = writeln!(
@@ -150,6 +161,31 @@ pub(super) fn found(
     text += &words::doubts(&campbell.doubts);
     facts.doubts(&campbell.doubts);
     Ok(Found { text, files, interrupted: campbell.interrupted, facts })
+}
+
+/// What is to be said of couplings between bodies whose axes are not the same.
+fn apart(case: &Case) -> Vec<String> {
+    let couplings = case.machine.joints.iter().filter(|own| own.kind == JointKind::Coupling);
+    let told = couplings.filter_map(|joint| {
+        let [first, second] = [0, 1].map(|side| joint.sides.get(side)?.body);
+        let [first, second] = [first?, second?].map(|body| &case.machine.bodies[body]);
+        if !first.turns() || !second.turns() {
+            return None;
+        }
+        let [x, y] = [0, 1].map(|k| second.axis[k] - first.axis[k]);
+        let distance = x.hypot(y);
+        (distance > ONE_AXIS).then(|| {
+            format!(
+                "the axes of {} and {} are {} mm apart: the coupling {} carries the couple between them and no force, as one of constant \
+                 speed with two universal joints does. Give both the same `axis` if that is not meant",
+                first.name.text(),
+                second.name.text(),
+                rounded(1e3 * distance, 6),
+                joint.name.text()
+            )
+        })
+    });
+    told.collect()
 }
 
 /// The speed that a case gives a body (rad/s), with its sign.

@@ -25,13 +25,14 @@ const NEAR: f64 = 0.05;
 
 impl Periodic {
     /// The motion to which the iteration settles from another one, with as many harmonics as it takes; none where it settles
-    /// to none.
+    /// to none, or `goes_on`, which is asked before factors are made, says no.
     ///
     /// # Errors
     /// Values that are not finite.
     pub(crate) fn refined(
         &self,
         from: &PeriodicPair,
+        goes_on: &dyn Fn() -> bool,
     ) -> Result<Option<PeriodicPair>, LinearAlgebraError> {
         let step = self.step();
         let mut count = (from.parts.len() / 2) as i32;
@@ -40,6 +41,9 @@ impl Periodic {
         count += MORE;
         let mut lambda = from.value;
         for turn in 0..FACTORS {
+            if !goes_on() {
+                return Ok(None);
+            }
             let blocks = Blocks::new(self, count);
             let factors = blocks.factors(lambda)?;
             let sigma = lambda;
