@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use whirl_solver::linear::{JointCoefficients, LinearMachine, Standstill};
-use whirl_text::shown;
+use whirl_text::{rounded, shown};
 
 use super::facts::Facts;
 use super::found::{Found, drawn};
@@ -51,8 +51,15 @@ pub(super) fn found(
         "c_yy",
     ];
     let mut rows = vec![head.map(str::to_owned).to_vec()];
+    let mut varying: Vec<(String, String, f64)> = Vec::new();
     let mut work = |speed: f64, at: &Standstill| -> Result<(), Failure> {
         facts.numbers.clear();
+        for own in linear.varying_joints(at) {
+            match varying.iter_mut().find(|known| known.0 == own.0) {
+                Some(known) => known.2 = known.2.max(own.2),
+                None => varying.push(own),
+            }
+        }
         for own in linear.coefficients_at(at, speed)? {
             let label = own.label.trim_start_matches('_').to_owned();
             let values = values(&own);
@@ -95,8 +102,15 @@ pub(super) fn found(
         }
         Ok(())
     };
-    let Ended { notes, interrupted } =
+    let Ended { mut notes, interrupted } =
         at_each_speed(linear, (analysis, wanted), interruption, &mut work)?;
+    for (joint, body, share) in &varying {
+        let _ = writeln!(
+            notes,
+            "note: stiffness and damping of {joint} vary by {} % with the angle of {body}: the table holds where that is 0",
+            rounded(100.0 * share, 2)
+        );
+    }
     let name = &analysis.name;
     let mut files = vec![(format!("{name}.csv"), all.into_bytes())];
     let alone =

@@ -5,9 +5,16 @@ use std::array;
 use super::dependent::Dependent;
 use super::linearised::Standstill;
 use super::round::LinearMachine;
+use super::varying::ANGLES;
 use crate::bearing::OnJournal;
 use crate::error::Error;
 use crate::loads::Position;
+use crate::monitor::Monitor;
+
+/// Share of the coefficients of a joint by which they may vary with an angle unsaid.
+const VARIES: f64 = 1e-4;
+/// Stiffness (N/m) that is none.
+const NOTHING: f64 = 1e-6;
 
 /// What a joint does against small motions of its journal, its bore at rest: −∂F/∂e and −∂F/∂ė of the force on the journal, row
 /// the force along x or y of space, column the motion.
@@ -42,29 +49,16 @@ impl LinearMachine {
         let joints = self.machine.monitors.iter().zip(&found.eccentricities);
         let joints = joints.zip(found.displacements.iter().zip(&found.forces));
         let joints = joints.map(|((joint, (name, ratio)), (moved, force))| {
-            let mut sums = [[[0.0; 2]; 2]; 2];
-            for &plane in &joint.planes {
-                for (sum, own) in sums.iter_mut().zip(&found.tangents.planes[plane]) {
-                    let cells =
-                        sum.iter_mut().zip(own).flat_map(|(sum, own)| sum.iter_mut().zip(own));
-                    cells.for_each(|(sum, own)| *sum += own);
-                }
-            }
             let journal = joint.bodies[0];
             let theta = self.machine.places()[journal].rotation;
             let position = Position::new(theta.map_or(0.0, |theta| found.state.q[theta]));
-            let [held, damping] = sums;
             let speed = at.speeds[journal];
-            // C J: the first column is the second of C, the second minus the first.
-            let stiffness = [0, 1].map(|i| {
-                let turned = [damping[i][1], -damping[i][0]];
-                [0, 1].map(|j| held[i][j] - speed * turned[j])
-            });
+            let [stiffness, damping] = in_plane(joint, &found.tangents.planes, (position, speed));
             JointCoefficients {
                 name: name.clone(),
                 label: joint.label.clone(),
-                stiffness: in_space(position, stiffness),
-                damping: in_space(position, damping),
+                stiffness,
+                damping,
                 displacement: *moved,
                 force: *force,
                 eccentricity: *ratio,
@@ -125,6 +119,78 @@ impl LinearMachine {
         }
         Ok(all)
     }
+}
+
+impl LinearMachine {
+    /// Joints whose coefficients at a state depend on the angle of a body that turns, such as that of balls: names of the joint and of
+    /// the body of its journal, or of its bore, with the largest share by which an entry differs.
+    pub fn varying_joints(&self, at: &Standstill) -> Vec<(String, String, f64)> {
+        let machine = self.machine_of(at);
+        let theta = |body: usize| machine.places()[body].rotation;
+        let joints: Vec<&Monitor> = (machine.monitors.iter())
+            .filter(|joint| joint.bodies.iter().any(|body| theta(*body).is_some()))
+            .collect();
+        let sample = |angle: f64| -> Vec<[[[f64; 2]; 2]; 2]> {
+            let on = |_: usize| angle;
+            let (state, tangents) = (self.turned_on(at, &on), self.tangents(machine, at, &on));
+            let of = |joint: &&Monitor| {
+                let journal = joint.bodies[0];
+                let position = Position::new(theta(journal).map_or(0.0, |own| state.q[own]));
+                in_plane(joint, &tangents.planes, (position, at.speeds[journal]))
+            };
+            joints.iter().map(of).collect()
+        };
+        // Damping at the speed of the rotation as stiffness, so that rounding of what is not there counts for nothing.
+        let fastest = at.speeds.iter().map(|own| own.abs()).fold(1.0, f64::max);
+        let largest = |[k, c]: &[[[f64; 2]; 2]; 2]| {
+            let size = |all: &[[f64; 2]; 2]| {
+                all.iter().flatten().fold(0.0, |most: f64, own| most.max(own.abs()))
+            };
+            size(k).max(fastest * size(c))
+        };
+        let apart = |[a, b]: [&[[[f64; 2]; 2]; 2]; 2]| {
+            let change =
+                [0, 1].map(|own| [0, 1].map(|i| [0, 1].map(|j| a[own][i][j] - b[own][i][j])));
+            let scale = largest(a).max(largest(b));
+            if scale > NOTHING { largest(&change) / scale } else { 0.0 }
+        };
+        let first = sample(0.0);
+        let mut most = vec![0.0_f64; joints.len()];
+        for angle in ANGLES {
+            let own = sample(angle);
+            let both = own.iter().zip(&first).map(|(own, first)| apart([own, first]));
+            most.iter_mut().zip(both).for_each(|(most, own)| *most = most.max(own));
+        }
+        let varying = joints.iter().zip(most).filter(|(_, share)| *share > VARIES);
+        let told = varying.map(|(joint, share)| {
+            let turning = joint.bodies.iter().find(|body| theta(**body).is_some());
+            let body = turning.map_or(String::new(), |own| machine.bodies[*own].name().to_owned());
+            (joint.name.clone(), body, share)
+        });
+        told.collect()
+    }
+}
+
+/// K and C of a joint in space from those of its planes, its journal at a position and a speed.
+fn in_plane(
+    joint: &Monitor,
+    planes: &[[OnJournal; 2]],
+    (position, speed): (Position, f64),
+) -> [[[f64; 2]; 2]; 2] {
+    let mut sums = [[[0.0; 2]; 2]; 2];
+    for &plane in &joint.planes {
+        for (sum, own) in sums.iter_mut().zip(&planes[plane]) {
+            let cells = sum.iter_mut().zip(own).flat_map(|(sum, own)| sum.iter_mut().zip(own));
+            cells.for_each(|(sum, own)| *sum += own);
+        }
+    }
+    let [held, damping] = sums;
+    // C J: the first column is the second of C, the second minus the first.
+    let stiffness = [0, 1].map(|i| {
+        let turned = [damping[i][1], -damping[i][0]];
+        [0, 1].map(|j| held[i][j] - speed * turned[j])
+    });
+    [stiffness, damping].map(|own| in_space(position, own))
 }
 
 /// From the load, against the force that carries it, to the eccentricity, as a journal turns.

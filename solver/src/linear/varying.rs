@@ -14,7 +14,7 @@ use crate::linalg::{Harmonic, Matrix, Periodic};
 use crate::machine::Machine;
 
 /// Angles (rad) at which matrices are compared; no even part of a turn.
-const ANGLES: [f64; 3] = [0.7297, 2.1131, 4.4569];
+pub(super) const ANGLES: [f64; 3] = [0.7297, 2.1131, 4.4569];
 /// What other bodies are turned by beside, so that nothing is taken for constant as angles happen to agree.
 const OTHERS: f64 = 1.9371;
 /// Entries that differ by less, measured by those on the diagonal, are the same.

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use super::{numbers, ran};
+use super::{column, numbers, ran};
 use crate::workbench::Workbench;
 
 /// A rotor of 10 kg on a joint.
@@ -46,4 +46,40 @@ fn a_bushing_with_the_table_of_a_film_is_the_same_linear_machine() {
             assert!(apart <= 1e-9 * largest, "{kind}, {name}: {apart} of {largest}");
         }
     }
+}
+
+/// Balls that have turned on by half a pitch hold a rotor with another stiffness: the table says for which angle it is. A film has no angle.
+#[test]
+fn a_table_of_balls_says_where_they_stand() {
+    const BALLS: &str = "kind = \"bearing\"\njournal = { body = \"rotor\" }\nlaw = \"ball-bearing\"\n\
+                         radial_clearance = \"10 um\"\n";
+    for (joint, varies) in [(BALLS, true), (FILM, false)] {
+        let bench = Workbench::new().file("case.toml", &rotor(joint));
+        let said = ran(&bench, &["coefficients", "case.toml", "--speed", "6000 rpm"]).stdout;
+        let words = "with the angle of rotor: the table holds where that is 0";
+        assert_eq!(
+            said.contains("note: stiffness and damping of bearing seat vary by"),
+            varies,
+            "{said}"
+        );
+        assert_eq!(said.contains(words), varies, "{said}");
+    }
+}
+
+/// What was given in whole rpm is written in whole rpm, and reads back to the same speed.
+#[test]
+fn speeds_are_written_as_they_were_given() {
+    let bench = Workbench::new().file("case.toml", &rotor(FILM));
+    let out = ["--out", "out", "--no-figures"];
+    let speeds = "0.7 rpm .. 7000.7 rpm, 11";
+    ran(&bench, &[&["coefficients", "case.toml", "--speeds", speeds][..], &out].concat());
+    let found = column(&bench, "out/coefficients.csv", "speed_rpm");
+    let expected: Vec<String> = (0..11).map(|k| format!("{}.7", 700 * k)).collect();
+    assert_eq!(found, expected);
+    let found = column(&bench, "out/coefficients.seat.csv", "speed [rpm]");
+    assert_eq!(found, expected);
+    ran(&bench, &[&["modes", "case.toml", "--speeds", "0 rpm .. 1100 rpm, 12"][..], &out].concat());
+    let mut found = column(&bench, "out/modes.csv", "speed_rpm");
+    found.dedup();
+    assert!(found.iter().all(|own| own.ends_with("00")), "{found:?}");
 }
