@@ -96,7 +96,7 @@ fn an_unbalanced_rotor_runs_through_two_critical_speeds() {
     assert!(second > 3.0 * between, "{between} {second}");
 }
 
-/// From equilibrium the journal hardly moves until, beyond the threshold of linear theory (6230 rpm), it whirls at half the
+/// From equilibrium the journal hardly moves until, beyond the threshold of linear theory (6183 rpm), it whirls at half the
 /// speed of the shaft.
 #[test]
 fn a_heavy_rotor_begins_in_equilibrium_and_whirls_in_its_films() {

@@ -71,14 +71,17 @@ fn a_table_of_balls_says_where_they_stand() {
 fn speeds_are_written_as_they_were_given() {
     let bench = Workbench::new().file("case.toml", &rotor(FILM));
     let out = ["--out", "out", "--no-figures"];
-    let speeds = "0.7 rpm .. 7000.7 rpm, 11";
+    let speeds = "1000.7 rpm .. 8000.7 rpm, 11";
     ran(&bench, &[&["coefficients", "case.toml", "--speeds", speeds][..], &out].concat());
     let found = column(&bench, "out/coefficients.csv", "speed_rpm");
-    let expected: Vec<String> = (0..11).map(|k| format!("{}.7", 700 * k)).collect();
+    let expected: Vec<String> = (0..11).map(|k| format!("{}.7", 1000 + 700 * k)).collect();
     assert_eq!(found, expected);
     let found = column(&bench, "out/coefficients.seat.csv", "speed [rpm]");
     assert_eq!(found, expected);
-    ran(&bench, &[&["modes", "case.toml", "--speeds", "0 rpm .. 1100 rpm, 12"][..], &out].concat());
+    ran(
+        &bench,
+        &[&["modes", "case.toml", "--speeds", "1100 rpm .. 2200 rpm, 12"][..], &out].concat(),
+    );
     let mut found = column(&bench, "out/modes.csv", "speed_rpm");
     found.dedup();
     assert!(found.iter().all(|own| own.ends_with("00")), "{found:?}");

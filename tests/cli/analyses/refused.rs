@@ -70,8 +70,13 @@ fn bodies_that_stand_have_neither_speeds_nor_orders() {
     for kind in ["campbell", "response", "stability", "map", "torsion"] {
         refused(&still, &[kind, "case.toml"], &["nothing turns in `case`", "whirl modes"]);
     }
-    let orders = format!("{case}[analysis.own]\nkind = \"campbell\"\norders = [-1]\n");
-    refused(&orders, &["analyse", "case.toml"], &["orders", "case.toml"]);
+    for (list, none) in [("[-1]", "-1"), ("[1, 0]", "0"), ("[-0.5, 1]", "-0.5")] {
+        let orders = format!("{case}[analysis.own]\nkind = \"campbell\"\norders = {list}\n");
+        let what = format!("`orders` takes positive numbers, and {none} is none");
+        let words =
+            [what.as_str(), "write numbers above zero, such as `orders = [1, 2]`", "case.toml"];
+        refused(&orders, &["analyse", "case.toml"], &words);
+    }
     let of = format!("{case}[analysis.own]\nkind = \"campbell\"\nof = \"block\"\n");
     refused(&of, &["analyse", "case.toml"], &["block", "case.toml:"]);
 }
@@ -81,6 +86,29 @@ fn columns_of_a_table_with_other_units_are_named() {
     let case = ROTOR.replace("TABLE", "table = \"table.csv\"");
     let words =
         ["`k_xx` of `table.csv` is in N", "`k_xx [N/m]`", "`c_yy` of `table.csv` is in N/m"];
+    refused(&case, &["modes", "case.toml"], &words);
+}
+
+/// Beside such a joint rounding hides the motions of a machine: as keys at their place, as values of a law by its joint.
+#[test]
+fn joints_that_hide_the_machine_from_rounding_are_named() {
+    for (key, unit, other) in [
+        ("stiffness", "N/m", "xx = \"1e300 N/m\", yy = \"1e6 N/m\""),
+        ("damping", "N*s/m", "xx = \"1e300 N*s/m\""),
+        ("tilting_stiffness", "N*m/rad", "yy = \"1e300 N*m/rad\""),
+    ] {
+        let case = ROTOR.replace("TABLE", &format!("{key} = {{ {other} }}"));
+        let called = other.split(' ').next().expect("a direction");
+        let what = format!("`{key}.{called}` of the joint `spring` is 1e300 {unit}");
+        let words = [what.as_str(), "write 1e16 in SI units at most", "case.toml:15:"];
+        refused(&case, &["modes", "case.toml"], &words);
+    }
+    let law = "kind = \"bearing\"\njournal = { body = \"rotor\" }\nlaw = \"linear-5x5\"\n\
+               parameters = { k_x_x = \"1e300 N/m\", k_y_y = \"1e6 N/m\" }";
+    let bushing =
+        "kind = \"bushing\"\nfirst = { body = \"rotor\" }\nsecond = { body = \"block\" }\nTABLE";
+    let case = ROTOR.replace(bushing, law);
+    let words = ["bearing spring with the law linear-5x5 has a stiffness or damping of 1.000e300"];
     refused(&case, &["modes", "case.toml"], &words);
 }
 
