@@ -139,10 +139,12 @@ fn a_killed_run_leaves_its_history_and_is_resumed_with_the_same_bytes() {
 #[cfg(unix)]
 #[test]
 fn an_analysis_is_interrupted_within_a_costly_speed() {
-    let analyses = "include = \"crank.toml\"\ntitle = \"a crank\"\n[analysis.quick]\nkind = \"coefficients\"\nspeeds = \"2000 rpm\"\n\
-                    [analysis.slow]\nkind = \"modes\"\nspeeds = \"2000 rpm\"\ncount = 80\n";
+    // The two analyses of the built-in case, as other ones.
+    let analyses = "include = \"crank.toml\"\ntitle = \"a crank\"\n[analysis.campbell]\nkind = \"coefficients\"\n\
+                    [analysis.response]\nkind = \"modes\"\ncount = 80\n";
     let bench = Workbench::new().file("case.toml", analyses);
-    let quick = bench.whirl(&["analyse", "case.toml", "quick", "--out", "quick", "--no-figures"]);
+    let quick =
+        bench.whirl(&["analyse", "case.toml", "campbell", "--out", "quick", "--no-figures"]);
     assert_eq!(quick.status, 0, "{}", quick.stderr);
     for (arguments, words, kept) in [
         (
@@ -152,7 +154,7 @@ fn an_analysis_is_interrupted_within_a_costly_speed() {
         ),
         (
             &["analyse", "case.toml", "--out", "both", "--no-figures"],
-            "`slow` was interrupted before anything was found",
+            "`response` was interrupted before anything was found",
             true,
         ),
     ] {
@@ -170,8 +172,8 @@ fn an_analysis_is_interrupted_within_a_costly_speed() {
         assert!(took < Duration::from_secs(4), "{took:?}: {said}");
         assert_eq!(status, Some(1), "{said}");
         assert!(said.contains(words), "{said}");
-        assert_eq!(bench.path("both/quick.csv").is_file(), kept);
-        assert!(!bench.path("both/slow.csv").exists());
+        assert_eq!(bench.path("both/campbell.csv").is_file(), kept);
+        assert!(!bench.path("both/response.csv").exists());
     }
 }
 
