@@ -94,12 +94,12 @@ impl HeatTable {
             let message = "`share` is a part of the loss, from 0 to 1".to_owned();
             refuse("share", message, "such as `share = 0.8`");
         }
-        if table.gives("temperature") {
-            if let Some(key) = BALANCE.into_iter().find(|key| table.gives(key)) {
-                let message =
-                    format!("`{key}` is of the balance of heat, and the `temperature` is given");
-                refuse(key, message, "leave one of both out");
-            }
+        if table.gives("temperature")
+            && let Some(key) = BALANCE.into_iter().find(|key| table.gives(key))
+        {
+            let message =
+                format!("`{key}` is of the balance of heat, and the `temperature` is given");
+            refuse(key, message, "leave one of both out");
         }
         if table.gives("housing_temperature") && !table.gives("housing") {
             let message = "without `housing` nothing flows to the housing".to_owned();
