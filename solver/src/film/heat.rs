@@ -3,14 +3,6 @@
 //! (ρ c_p V + C) dT/dt = λ P − ρ c_p Q (T − T_in) − G (T − T_h), with the loss P, the oil V in the film and what passes through it,
 //! Q. The temperature changes slowly: a step has the viscosity of its beginning.
 
-use super::balance::Balance;
-use super::journal::Journal;
-use super::openings::WrongFilm;
-
-/// Parameter of a film's spec that changes with the temperature, and the integral that heats.
-const VISCOSITY: &str = "mu_0";
-const LOSS: &str = "loss";
-
 /// Viscosity over the temperature.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Viscosity {
@@ -63,10 +55,10 @@ pub struct Heat {
 /// The heat of a film, and where it acts.
 #[derive(Debug, Clone)]
 pub(super) struct Heated {
-    heat: Heat,
+    pub(super) heat: Heat,
     /// Place of the viscosity among the parameters, and of the loss among the outputs.
-    viscosity: usize,
-    loss: usize,
+    pub(super) viscosity: usize,
+    pub(super) loss: usize,
 }
 
 /// What flows through a film (m³/s), what heats it (W), and the oil in it (m³).
@@ -78,54 +70,6 @@ pub struct Warming {
     pub loss: f64,
     /// V.
     pub oil: f64,
-}
-
-impl Journal {
-    /// Gives the film a temperature.
-    ///
-    /// # Errors
-    /// A film without viscosity or loss.
-    pub fn warm(&mut self, heat: Heat) -> Result<(), WrongFilm> {
-        let kernel = self.film.kernel;
-        let viscosity = kernel.parameters.iter().position(|own| own.name == VISCOSITY);
-        let loss = kernel.outputs.iter().position(|own| own.name == LOSS);
-        match (viscosity, loss) {
-            (Some(viscosity), Some(loss)) => {
-                self.heated = Some(Heated { heat, viscosity, loss });
-                Ok(())
-            }
-            _ => Err(WrongFilm {
-                what: format!(
-                    "the film `{}` has no parameter `{VISCOSITY}` or no output `{LOSS}`, by which it is heated",
-                    kernel.origin.name
-                ),
-                help: "leave `heat` out, or take a film that has both, such as `jfo`".to_owned(),
-            }),
-        }
-    }
-
-    /// What heats and cools the film, if it has a temperature.
-    pub fn heat(&self) -> Option<&Heat> {
-        self.heated.as_ref().map(|own| &own.heat)
-    }
-
-    /// Gives the oil the viscosity that it has at a temperature (K).
-    pub fn heat_to(&self, temperature: f64, balance: &mut Balance) {
-        if let Some(Heated { heat, viscosity, .. }) = &self.heated {
-            balance.set_parameter(*viscosity, heat.viscosity.at(temperature));
-        }
-    }
-
-    /// What warms a film as it was solved last, from its integrals after [`Journal::forces`]: what enters passes through it, or, of
-    /// films that carry no fill, what leaves.
-    pub fn warming(&self, balance: &mut Balance, outputs: &[f64]) -> Warming {
-        let film = &self.film;
-        let flows = (0..film.openings.len()).map(|opening| balance.inflow(film, opening));
-        let sign = if film.carries_fill() { 1.0 } else { -1.0 };
-        let flow = flows.map(|own| (sign * own).max(0.0)).sum();
-        let loss = self.heated.as_ref().map_or(0.0, |own| outputs[own.loss]);
-        Warming { flow, loss, oil: balance.oil(film) }
-    }
 }
 
 impl Heat {

@@ -27,6 +27,7 @@ mod slopes;
 mod solve;
 #[cfg(test)]
 mod tests;
+mod warmed;
 
 pub use balance::{Balance, Motion};
 pub use grid::{Grid, Sample};
