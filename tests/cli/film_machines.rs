@@ -128,3 +128,22 @@ fn a_film_warms_up_as_its_heat_balances() {
         assert!((found - still).abs() < 1e-6 * still, "{found} K for {still}");
     }
 }
+
+/// An equilibrium is sought from where the journal is in the middle, and no oil passes through an adiabatic film.
+#[test]
+fn adiabatic_films_are_cooled_by_what_passes_through_them() {
+    for (law, ends) in [("reynolds", ""), ("jfo", "left = \"1 bar\"\nright = \"1 bar\"\n")] {
+        let case = warming("5e-4 s", 2, "[start]\nkind = \"equilibrium\"\n")
+            .replace("\"jfo\"", &format!("{law:?}"))
+            .replace("left = \"0 bar\"\nright = \"0 bar\"\n", ends)
+            .replace(", housing = \"2 W/K\", metal = \"0.5 J/K\"", "")
+            + "[loads.pull]\nbody = \"rotor\"\nforce = [\"0 N\", \"-600 N\", \"0 N\"]\n";
+        let bench = Workbench::new().file("case.toml", &case);
+        let outcome = bench.whirl(&["run", "case.toml", "--out", "out", "--no-figures"]);
+        assert!(outcome.status < 2, "{law}: {}", outcome.stderr);
+        let history = bench.history("out");
+        let last = |name: &str| history.last(name);
+        let temperature = last("temperature_f_K");
+        assert!(temperature > 311.0 && temperature < 1000.0, "{law}: {temperature} K");
+    }
+}

@@ -3,6 +3,9 @@
 //! (ρ c_p V + C) dT/dt = λ P − ρ c_p Q (T − T_in) − G (T − T_h), with the loss P, the oil V in the film and what passes through it,
 //! Q. The temperature changes slowly: a step has the viscosity of its beginning.
 
+/// No film is hotter (K): far beyond all oil, so that one which nothing cools has a temperature.
+const HOTTEST: f64 = 3000.0;
+
 /// Viscosity over the temperature.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Viscosity {
@@ -73,11 +76,17 @@ pub struct Warming {
 }
 
 impl Heat {
-    /// The temperature (K) that would balance a loss and a flow: no number where nothing cools.
+    /// The temperature (K) that would balance a loss and a flow. That of a film which nothing cools, as where its journal is in the
+    /// middle of an adiabatic one, is [`HOTTEST`]; where nothing heats it either, that of the inlet.
     pub fn balanced(&self, warming: &Warming) -> f64 {
         let [taken, housing] = self.housing;
         let carried = self.carried * warming.flow;
-        (self.share * warming.loss + carried * self.inlet + taken * housing) / (carried + taken)
+        let heats = self.share * warming.loss;
+        if carried + taken == 0.0 && heats == 0.0 {
+            return self.inlet;
+        }
+        let balanced = (heats + carried * self.inlet + taken * housing) / (carried + taken);
+        if balanced < HOTTEST || balanced.is_nan() { balanced } else { HOTTEST }
     }
 
     /// The temperature (K) at the end of a step (s), from that at its beginning: implicit in what it loses.

@@ -119,6 +119,15 @@ impl Balance {
         film.openings[opening].nodes.iter().map(|node| self.residual[*node]).sum()
     }
 
+    /// What enters at all openings (m³/s), and what leaves, node by node: at a flooded end oil comes and goes.
+    pub fn exchanged(&self, film: &OilFilm) -> [f64; 2] {
+        let nodes = film.openings.iter().flat_map(|own| &own.nodes);
+        nodes.fold([0.0; 2], |[enters, leaves], node| {
+            let own = self.residual[*node];
+            [enters + own.max(0.0), leaves + (-own).max(0.0)]
+        })
+    }
+
     /// Oil between the surfaces, by the gap that holds it (m³).
     pub fn volume(&self, film: &OilFilm) -> f64 {
         self.held().iter().zip(&film.areas).map(|(held, area)| held * area).sum()

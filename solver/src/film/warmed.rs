@@ -49,9 +49,8 @@ impl Journal {
     /// films that carry no fill, what leaves.
     pub fn warming(&self, balance: &mut Balance, outputs: &[f64]) -> Warming {
         let film = &self.film;
-        let flows = (0..film.openings.len()).map(|opening| balance.inflow(film, opening));
-        let sign = if film.carries_fill() { 1.0 } else { -1.0 };
-        let flow = flows.map(|own| (sign * own).max(0.0)).sum();
+        let [enters, leaves] = balance.exchanged(film);
+        let flow = if film.carries_fill() { enters } else { leaves };
         let loss = self.heated.as_ref().map_or(0.0, |own| outputs[own.loss]);
         Warming { flow, loss, oil: balance.oil(film) }
     }
