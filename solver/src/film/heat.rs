@@ -77,7 +77,7 @@ pub struct Warming {
 
 impl Heat {
     /// The temperature (K) that would balance a loss and a flow. That of a film which nothing cools, as where its journal is in the
-    /// middle of an adiabatic one, is [`HOTTEST`]; where nothing heats it either, that of the inlet.
+    /// middle of an adiabatic one, is 3000 K; where nothing heats it either, that of the inlet.
     pub fn balanced(&self, warming: &Warming) -> f64 {
         let [taken, housing] = self.housing;
         let carried = self.carried * warming.flow;
