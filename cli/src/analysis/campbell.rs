@@ -53,42 +53,48 @@ fn in_space(
     all: &Campbell,
     space: &mut InSpace,
 ) {
-    let mut add = |speed: f64, modes: &[(&Mode, Option<(String, String)>)]| {
-        // Where it does not stand there is nothing to be seen.
-        let Ok(at) = linear.standing(&linear.speeds(of, speed, &analysis.ratios), None) else {
-            return;
-        };
-        for (place, (mode, called)) in modes.iter().enumerate() {
-            let mut told = Told::at_speed(linear, Some((of, speed)), (place, mode));
-            if let Some((group, name)) = called {
-                (told.group, told.name) = (group.clone(), name.clone());
-            }
-            space.mode((linear, &at), mode, Some((of, speed)), told);
-        }
-    };
     let named = |speed: f64, what: &str, mode: &Mode| {
         let whirl = words::whirl(mode, speed);
         let whirl = if whirl == "-" { String::new() } else { format!(", {whirl}") };
         format!("{} rpm{what}: {} Hz{whirl}", words::speed(speed), words::hertz(mode))
     };
+    let mut shown: Vec<(f64, Vec<Shown>)> = Vec::new();
     for own in &all.criticals {
         let name = named(own.speed, &format!(", {}X", own.order), &own.mode);
-        add(own.speed, &[(&own.mode, Some(("critical speeds".to_owned(), name)))]);
+        let called = Some(("critical speeds".to_owned(), name));
+        shown.push((own.speed, vec![(&own.mode, called)]));
     }
     for own in &all.thresholds {
         let Some(mode) = &own.mode else { continue };
         let group = if own.grows { "unstable above" } else { "stable above" };
-        add(own.speed, &[(mode, Some((group.to_owned(), named(own.speed, "", mode))))]);
+        let called = Some((group.to_owned(), named(own.speed, "", mode)));
+        shown.push((own.speed, vec![(mode, called)]));
     }
     let places: Vec<usize> = (0..all.speeds.len()).collect();
     for &place in evenly(&places, SPEEDS) {
         let mut modes: Vec<&Mode> =
             all.branches.iter().filter_map(|branch| branch[place].as_ref()).collect();
         modes.sort_by(|a, b| a.value.im.total_cmp(&b.value.im));
-        let modes: Vec<(&Mode, Option<_>)> = modes.into_iter().map(|own| (own, None)).collect();
-        add(all.speeds[place], &modes);
+        let modes = modes.into_iter().map(|own| (own, None)).collect();
+        shown.push((all.speeds[place], modes));
+    }
+    let speeds: Vec<_> =
+        shown.iter().map(|own| linear.speeds(of, own.0, &analysis.ratios)).collect();
+    for ((speed, modes), at) in shown.iter().zip(linear.standing_all(&speeds)) {
+        // Where it does not stand there is nothing to be seen.
+        let Ok(at) = at else { continue };
+        for (place, (mode, called)) in modes.iter().enumerate() {
+            let mut told = Told::at_speed(linear, Some((of, *speed)), (place, mode));
+            if let Some((group, name)) = called {
+                (told.group, told.name) = (group.clone(), name.clone());
+            }
+            space.mode((linear, &at), mode, Some((of, *speed)), told);
+        }
     }
 }
+
+/// A mode to be seen, with its group and its name there if they are not those of modes at a speed.
+type Shown<'a> = (&'a Mode, Option<(String, String)>);
 
 /// Every mode at every speed.
 fn rows(all: &Campbell) -> String {

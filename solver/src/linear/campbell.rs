@@ -266,11 +266,15 @@ impl Followed<'_> {
         let Some(inside) = inside? else { return Ok((to, false)) };
         let all: Vec<&Point> =
             std::iter::once(a).chain(&inside).chain(std::iter::once(b)).collect();
-        let (mut to, mut is_clear) = ((0..to.len()).map(Some).collect::<Vec<_>>(), true);
-        for pair in all.windows(2) {
+        let pairs: Vec<&[&Point]> = all.windows(2).collect();
+        let parts = beside(self.roots.machine.threads, &pairs, &|pair| {
             // A whole number of the smallest parts, below that of the step.
             let share = ((pair[1].speed - pair[0].speed) / least).log2().round().max(0.0) as u32;
-            let (next, is_sure) = self.between(pair[0], pair[1], share.min(halvings - 1))?;
+            self.between(pair[0], pair[1], share.min(halvings - 1))
+        });
+        let (mut to, mut is_clear) = ((0..to.len()).map(Some).collect::<Vec<_>>(), true);
+        for part in parts {
+            let (next, is_sure) = part?;
             to.iter_mut().for_each(|place| *place = place.and_then(|place| next[place]));
             is_clear &= is_sure;
         }
@@ -293,10 +297,13 @@ impl Followed<'_> {
     ) -> Result<Vec<Critical>, Error> {
         let mut found = Vec::new();
         for &order in orders {
+            let off = move |speed: f64, mode: &Mode| mode.value.im - order * speed.abs();
+            let roots = beside(self.roots.machine.threads, branches, &|places| {
+                self.roots.of_branch(places, &off, &off)
+            });
             let mut own = Vec::new();
-            for (branch, places) in branches.iter().enumerate() {
-                let off = move |speed: f64, mode: &Mode| mode.value.im - order * speed.abs();
-                for Root { speed, mode, .. } in self.roots.of_branch(places, &off, &off)? {
+            for (branch, roots) in roots.into_iter().enumerate() {
+                for Root { speed, mode, .. } in roots? {
                     own.push(Critical { order, speed, mode, branch });
                 }
             }

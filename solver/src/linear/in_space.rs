@@ -21,21 +21,30 @@ impl LinearMachine {
         // An angle turns the body with the displacement in which it stands.
         let turned = angle.map(|angle| {
             let stands = &at.found.state.q[place.flexible.clone()];
-            (shape[angle], self.in_space(at, body, stands))
+            let stands = self.in_space(at, body, stands);
+            (shape[angle], stands.into_iter().map(Complex64::from).collect::<Vec<_>>())
         });
+        let stands = turned.as_ref().map(|own| own.1.as_slice());
         let moved = |point: &BodyNode| {
-            let along = |axis: usize, by: &dyn Fn(usize) -> Complex64| -> Complex64 {
-                (0..own.len()).map(|j| point.shapes[(axis, j)] * by(j)).sum()
-            };
-            let mut moved = [0, 1, 2].map(|axis| along(axis, &|j| own[j]));
-            if let Some((angle, stands)) = &turned {
-                let [x, y] =
-                    [0, 1].map(|axis| point.position[axis] + along(axis, &|j| stands[j].into()).re);
-                moved[0] -= angle * y;
-                moved[1] += angle * x;
+            let mut moved = along(point, own);
+            if let (Some((angle, _)), Some(stands)) = (&turned, stands) {
+                let [x, y, _] = along(point, stands);
+                moved[0] -= angle * (point.position[1] + y.re);
+                moved[1] += angle * (point.position[0] + x.re);
             }
             moved
         };
         points.iter().map(moved).collect()
     }
+}
+
+/// The displacement of a point along x, y, z in a motion of its body.
+fn along(point: &BodyNode, motion: &[Complex64]) -> [Complex64; 3] {
+    let mut moved = [Complex64::ZERO; 3];
+    for (column, by) in point.shapes.data.chunks_exact(3).zip(motion) {
+        for (own, shape) in moved.iter_mut().zip(column) {
+            *own += by * shape;
+        }
+    }
+    moved
 }

@@ -7,6 +7,7 @@ use num_complex::Complex64;
 use super::dependent::Dependent;
 use super::first_order;
 use super::round::LinearMachine;
+use super::stood::beside;
 use crate::dynamics::{Standing, standing_at};
 use crate::error::Error;
 use crate::linalg::{FirstOrder, Matrix, Periodic, solve_complex};
@@ -113,6 +114,11 @@ impl LinearMachine {
     ) -> Result<Standstill, Error> {
         let is_still = self.turning().all(|body| at.get(body).copied().flatten() == Some(0.0));
         self.standing_of(if is_still { &self.still } else { &self.machine }, at, near)
+    }
+
+    /// The states at several speeds, each found by itself, on all processors; see [`LinearMachine::standing`].
+    pub fn standing_all(&self, at: &[Vec<Option<f64>>]) -> Vec<Result<Standstill, Error>> {
+        beside(self.threads, at, &|own| self.standing(own, None))
     }
 
     /// The same with bodies made round at rest, too, so that modes go on from there to other speeds.
