@@ -78,6 +78,15 @@ fn in_space(
         let modes = modes.into_iter().map(|own| (own, None)).collect();
         shown.push((all.speeds[place], modes));
     }
+    let mut room = space.room();
+    let fit = shown.iter().take_while(|own| {
+        let fits = room > 0;
+        room = room.saturating_sub(own.1.len());
+        fits
+    });
+    let fit = fit.count();
+    space.leave_out(shown[fit..].iter().map(|own| own.1.len()).sum());
+    shown.truncate(fit);
     let speeds: Vec<_> =
         shown.iter().map(|own| linear.speeds(of, own.0, &analysis.ratios)).collect();
     for ((speed, modes), at) in shown.iter().zip(linear.standing_all(&speeds)) {

@@ -133,7 +133,7 @@ impl Points {
 }
 
 impl InSpace<'_> {
-    /// Adds a mode in a state, whose amplitude says nothing; of a machine whose body `of` has a speed (rad/s).
+    /// Adds a mode in a state, if there is room, whose amplitude says nothing; of a machine whose body `of` has a speed (rad/s).
     pub(super) fn mode(
         &mut self,
         (linear, at): (&LinearMachine, &Standstill),
@@ -141,6 +141,9 @@ impl InSpace<'_> {
         of: Option<(usize, f64)>,
         told: Told,
     ) {
+        if self.room() == 0 {
+            return self.moving.leave_out(1);
+        }
         let whirl = match of.map(|(_, speed)| mode.whirl(speed)) {
             Some(Whirl::Forward) => "forward",
             Some(Whirl::Backward) => "backward",
@@ -155,7 +158,7 @@ impl InSpace<'_> {
         self.add(told, words, None, &moved);
     }
 
-    /// Adds a response to an order of the rotation of a body; phases count from its angle.
+    /// Adds a response to an order of the rotation of a body, if there is room; phases count from its angle.
     pub(super) fn response(
         &mut self,
         (linear, at): (&LinearMachine, &Standstill),
@@ -163,6 +166,9 @@ impl InSpace<'_> {
         of: (usize, f64),
         told: Told,
     ) {
+        if self.room() == 0 {
+            return self.moving.leave_out(1);
+        }
         let moved = self.moved((linear, at), shape);
         let largest = moved.iter().flatten().map(size).fold((0.0, 0.0), larger).0;
         // Of circles in both senses the share that is circular, over all points.
@@ -200,10 +206,14 @@ impl InSpace<'_> {
         self.moving.add((group, name, words), (rpm, hertz, metres), moved);
     }
 
-    /// Whether another motion has room.
-    pub(super) fn has_room(&self) -> bool {
-        let numbers = self.points.counts.iter().map(|own| own.1).sum();
-        self.moving.has_room(numbers)
+    /// For how many motions more there is room.
+    pub(super) fn room(&self) -> usize {
+        self.moving.room(self.points.counts.iter().map(|own| own.1).sum())
+    }
+
+    /// Counts motions for which there is no room.
+    pub(super) fn leave_out(&mut self, motions: usize) {
+        self.moving.leave_out(motions);
     }
 
     /// The file of the analysis; none without any motion.

@@ -49,24 +49,25 @@ struct Content<'a> {
 }
 
 impl Moving {
-    /// Whether there is room for a motion of so many points, of which the first one is always shown.
-    pub(crate) fn has_room(&self, points: usize) -> bool {
-        self.motions.is_empty() || self.numbers + 6 * points <= MOST
+    /// For how many motions of so many points there is room; the first one is always shown.
+    pub(crate) fn room(&self, points: usize) -> usize {
+        let room = MOST.saturating_sub(self.numbers) / (6 * points.max(1));
+        room.max(usize::from(self.motions.is_empty()))
     }
 
-    /// Adds a motion, if there is room: what it is called and what is said of it; its speed, its frequency and how far points get.
+    /// Counts motions for which there is no room.
+    pub(crate) fn leave_out(&mut self, motions: usize) {
+        self.left_out += motions;
+    }
+
+    /// Adds a motion for which there is room: what it is called and what is said of it; its speed, its frequency and how far points get.
     pub(crate) fn add(
         &mut self,
         (group, name, words): (String, String, String),
         (rpm, hertz, metres): (Option<f64>, f64, Option<f64>),
         moved: &[Vec<[Complex64; 3]>],
     ) {
-        let points = moved.iter().map(Vec::len).sum();
-        if !self.has_room(points) {
-            self.left_out += 1;
-            return;
-        }
-        self.numbers += 6 * points;
+        self.numbers += 6 * moved.iter().map(Vec::len).sum::<usize>();
         let numbers = |own: &Complex64| [own.re, -own.im];
         let all = moved.iter().flatten().flatten().flat_map(numbers);
         let largest = all.fold(f64::MIN_POSITIVE, |most: f64, own| most.max(own.abs()));

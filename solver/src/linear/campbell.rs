@@ -261,13 +261,14 @@ impl Followed<'_> {
             }
             _ => vec![0.5 * (a.speed + b.speed)],
         };
-        let inside: Result<Option<Vec<Point>>, Error> =
-            cuts.into_iter().map(|speed| self.roots.point(speed, a)).collect();
+        let threads = self.roots.machine.threads;
+        let inside = beside(threads, &cuts, &|speed| self.roots.point(*speed, a));
+        let inside: Result<Option<Vec<Point>>, Error> = inside.into_iter().collect();
         let Some(inside) = inside? else { return Ok((to, false)) };
         let all: Vec<&Point> =
             std::iter::once(a).chain(&inside).chain(std::iter::once(b)).collect();
         let pairs: Vec<&[&Point]> = all.windows(2).collect();
-        let parts = beside(self.roots.machine.threads, &pairs, &|pair| {
+        let parts = beside(threads, &pairs, &|pair| {
             // A whole number of the smallest parts, below that of the step.
             let share = ((pair[1].speed - pair[0].speed) / least).log2().round().max(0.0) as u32;
             self.between(pair[0], pair[1], share.min(halvings - 1))

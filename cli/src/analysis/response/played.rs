@@ -46,7 +46,7 @@ pub(super) fn add(
         wanted.sort_by(|a, b| a.0.total_cmp(&b.0));
         wanted.extend(evenly(speeds, SPEEDS).into_iter().map(|speed| (*speed, "")));
         for (speed, what) in wanted {
-            if interruption.asked() || !space.has_room() {
+            if interruption.asked() || space.room() == 0 {
                 return Ok(());
             }
             let excited = standing(at(speed, None).and_then(|here| {
