@@ -24,7 +24,8 @@ pub(super) fn found(
     pictures: Pictures,
 ) -> Result<Found, Failure> {
     let of = wanted.of.expect("a body that turns");
-    let all = followed(linear, (analysis, wanted), interruption, &analysis.orders)?;
+    let follow = || followed(linear, (analysis, wanted), interruption, &analysis.orders);
+    let all = pictures.space.map_or_else(follow, |space| space.while_made(follow))?;
     let name = &analysis.name;
     let mut files = vec![
         (format!("{name}.csv"), rows(&all).into_bytes()),

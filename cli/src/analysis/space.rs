@@ -1,6 +1,7 @@
 //! The machine in space as analyses move it: surfaces of bodies with modes and orbits, for the page.
 
-use std::cell::OnceCell;
+use std::sync::OnceLock;
+use std::thread;
 
 use num_complex::Complex64;
 use whirl_solver::body::BodyNode;
@@ -31,7 +32,7 @@ pub(super) struct Pictures<'a> {
 pub(crate) struct Space<'a> {
     case: &'a Case,
     cache: Option<&'a Cache>,
-    made: OnceCell<Option<Points>>,
+    made: OnceLock<Option<Points>>,
 }
 
 struct Points {
@@ -85,7 +86,16 @@ impl Told {
 
 impl<'a> Space<'a> {
     pub(crate) fn of(case: &'a Case, cache: Option<&'a Cache>) -> Self {
-        Space { case, cache, made: OnceCell::new() }
+        Space { case, cache, made: OnceLock::new() }
+    }
+
+    /// Does work while the surfaces are made.
+    pub(super) fn while_made<T>(&self, work: impl FnOnce() -> T) -> T {
+        thread::scope(|scope| {
+            // What goes wrong does so again when they are asked for.
+            scope.spawn(|| self.make().is_ok());
+            work()
+        })
     }
 
     /// Without any motion yet; none where nothing has a shape.
@@ -93,11 +103,16 @@ impl<'a> Space<'a> {
     /// # Errors
     /// As the machine's.
     pub(super) fn begin(&self) -> Result<Option<InSpace<'_>>, Failure> {
+        self.make()?;
+        let made = self.made.get().and_then(Option::as_ref);
+        Ok(made.map(|points| InSpace { points, moving: Moving::default() }))
+    }
+
+    fn make(&self) -> Result<(), Failure> {
         if self.made.get().is_none() {
             let _ = self.made.set(Points::of(self.case, self.cache)?);
         }
-        let made = self.made.get().and_then(Option::as_ref);
-        Ok(made.map(|points| InSpace { points, moving: Moving::default() }))
+        Ok(())
     }
 }
 
