@@ -314,7 +314,35 @@ fn a_magnetic_rotor_rings_as_its_modes() {
     rings_as_its_modes(&march, 1.0, &["--speed", "18000 rpm"], &compared);
 }
 
-/// The machine of the paper under its static loads: standing, and at speed.
+/// A rotor on five pads, which rock on stiff pivots: the modes of the rotor are well damped, those of the pads are not.
+#[test]
+fn a_rotor_on_pads_rings_as_its_modes() {
+    let pads = 1..=5;
+    let outputs: String = (pads.clone())
+        .map(|pad| format!("[output.pad{pad}]\nquantity = \"displacement\"\nbody = \"pad{pad}\"\n"))
+        .collect();
+    let along = ["x", "x", "y", "x", "y"];
+    let pushes: String = (pads.clone().zip(along))
+        .map(|(pad, along)| {
+            format!(
+                "[loads.push{pad}]\nbody = \"pad{pad}\"\ndirection = \"{along}\"\ntable = \"push.csv\"\n"
+            )
+        })
+        .collect();
+    let case = format!(
+        "include = \"tilting-pad.toml\"\n[body.rotor]\nunbalance.disc.mass = \"1e-9 g\"\n{outputs}{pushes}"
+    );
+    let columns: Vec<String> =
+        pads.flat_map(|pad| ["x", "y"].map(|axis| format!("{axis}_pad{pad}_um"))).collect();
+    let columns: Vec<&str> = columns.iter().map(String::as_str).collect();
+    let window = Window { columns: &columns, from: 1.1e-3, every: 2e-5, count: 30 };
+    let march = March { case: &case, step: 2e-6, duration: 3.5e-3, window };
+    let compared = Compared { below: 7000.0, planar: true, tolerance: 1e-3, count: 5 };
+    rings_as_its_modes(&march, 5.0, &["--speed", "9000 rpm"], &compared);
+}
+
+/// The machine of the paper under its static loads: standing, and at speed, where its shaft turns as it is and its modes are those
+/// of one that is round: that changes them by 5e-5 (1445 1/s) to 2e-4.
 #[test]
 fn the_reference_machine_rings_as_its_modes() {
     let columns = ["X1_um", "Y1_um", "X2_um", "Y2_um", "X3_um", "Y3_um", "X4_um", "Y4_um"];
@@ -330,7 +358,7 @@ fn the_reference_machine_rings_as_its_modes() {
         );
         let window = Window { columns: &columns, from: 0.004, every: 2e-4, count: 40 };
         let march = March { case: &case, step: 2e-5, duration: 0.06, window };
-        let compared = Compared { below: 400.0, planar: true, tolerance: 1e-3, count: 5 };
+        let compared = Compared { below: 400.0, planar: true, tolerance: 2e-4, count: 5 };
         rings_as_its_modes(&march, 0.1, &["--speed", speed], &compared);
     }
 }
