@@ -2,6 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use super::beside::beside;
 use super::doubts::Doubt;
 use super::modes::Mode;
 use super::points::{Along, Point};
@@ -10,7 +11,6 @@ use super::roots::{Root, Roots, Threshold};
 use super::round::LinearMachine;
 use super::shapes::{apply, inner};
 use super::state_doubts::StateDoubts;
-use super::stood::beside;
 use super::track::{Matched, mac, matched};
 use crate::error::Error;
 

@@ -4,10 +4,10 @@ use std::borrow::Cow;
 
 use num_complex::Complex64;
 
+use super::beside::beside;
 use super::dependent::Dependent;
 use super::first_order;
 use super::round::LinearMachine;
-use super::stood::beside;
 use crate::dynamics::{Standing, standing_at};
 use crate::error::Error;
 use crate::linalg::{FirstOrder, Matrix, Periodic, solve_complex};

@@ -13,6 +13,7 @@
 
 mod along;
 mod applied;
+mod beside;
 mod campbell;
 mod coefficients;
 mod dependent;

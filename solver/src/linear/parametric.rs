@@ -5,11 +5,11 @@
 //! frequencies stay together over an interval of speeds, and what grows does so most in its middle; if not, they meet once, and
 //! it grows most there. Such intervals may lie between two speeds of a range, several of them, with stable speeds between.
 
+use super::beside::beside;
 use super::golden::golden_step;
 use super::meeting::{Meeting, Met, meetings};
 use super::points::Point;
 use super::roots::{FOUND, Roots, Threshold, tries};
-use super::stood::beside;
 use crate::error::Error;
 
 /// Share of |λ| by which two motions must grow for their interval to be looked for: where they meet, λ is no sharper.

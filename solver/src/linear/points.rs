@@ -1,11 +1,12 @@
 //! A machine with its modes at the speeds of a range, on all processors.
 
+use super::beside::beside;
 use super::linearised::Standstill;
 use super::modes::Modes;
 use super::range::Range;
 use super::round::LinearMachine;
 use super::slow::Slow;
-use super::stood::{Stood, beside};
+use super::stood::Stood;
 use crate::error::Error;
 use crate::linalg::{Matrix, Periodic};
 

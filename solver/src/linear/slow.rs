@@ -6,11 +6,12 @@
 
 use num_complex::Complex64;
 
+use super::beside::beside;
 use super::linearised::Standstill;
 use super::motions::{Motion, orthonormal};
 use super::range::Range;
 use super::round::LinearMachine;
-use super::stood::{Stood, beside};
+use super::stood::Stood;
 use crate::error::Error;
 use crate::linalg::Matrix;
 
