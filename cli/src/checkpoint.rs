@@ -16,7 +16,7 @@ use crate::results::{CHECKPOINT, Results, STATE, SUMMARY};
 use crate::{history, version};
 
 /// Layout of the file.
-const LAYOUT: &str = "whirl checkpoint 15";
+const LAYOUT: &str = "whirl checkpoint 16";
 
 /// Everything on which the bits of a history depend: what it is, and a hash of it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]

@@ -34,14 +34,14 @@ pub(super) struct KeptFactors {
 }
 
 /// What gives directions.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 enum Directions {
     /// The factors.
     Factors,
     /// Their inverse.
     Inverse,
-    /// The iteration in the measures of the joints.
-    Condensed,
+    /// The iteration in the measures of the joints, with its bodies.
+    Condensed(KeptBodies),
 }
 
 /// What is known of some factors: enough to compute them again with the same bits.
@@ -51,13 +51,11 @@ struct OfFactors {
     /// Directions that they have given, and what gives the next one. Of all factors one at most has more than itself.
     directions: usize,
     by: Directions,
-    /// What these directions lack, where they are not condensed.
+    /// What directions from the factors or their inverse lack.
     secants: Secants,
     /// What the best step since has cost, and how much more others did, summed; see `KeptFactors::count`.
     fewest: usize,
     excess: usize,
-    /// The bodies of the condensed iteration.
-    bodies: KeptBodies,
 }
 
 impl OfFactors {
@@ -70,7 +68,6 @@ impl OfFactors {
             secants: Secants::new(machine.active()),
             fewest: usize::MAX,
             excess: 0,
-            bodies: KeptBodies::none(machine),
         }
     }
 
@@ -84,7 +81,6 @@ impl OfFactors {
     /// What was made of the factors is made of others now.
     fn lose_inverse(&mut self) {
         (self.by, self.directions) = (Directions::Factors, 0);
-        self.bodies.forget();
     }
 }
 
@@ -186,10 +182,11 @@ impl KeptFactors {
             merit.weigh(equations, &step);
             self.invert(equations, merit);
         }
-        if own.bodies.at.is_there() {
-            own.bodies.at.restore(equations);
-            let (time, state) = (own.bodies.at.time, &own.bodies.at.state);
-            self.take_bodies(equations, (time, state, &step));
+        if let Directions::Condensed(bodies) = &own.by
+            && bodies.at.is_there()
+        {
+            bodies.at.restore(equations);
+            self.take_bodies(equations, (bodies.at.time, &bodies.at.state, &step));
         }
     }
 
@@ -258,22 +255,23 @@ impl KeptFactors {
             self.state.current.by = by;
         }
         self.state.current.directions += 1;
-        if self.state.current.by == Directions::Condensed
-            && !self.state.current.bodies.at.is_there()
+        if let Directions::Condensed(bodies) = &mut self.state.current.by
+            && !bodies.at.is_there()
         {
-            let own = &mut self.state.current;
-            own.bodies.begin();
-            if self.take_bodies(equations, (t, at, step)) {
-                self.state.current.bodies.at.keep((t, at, step.dt), equations);
-            } else {
-                self.state.current.by = Directions::Factors;
+            bodies.begin();
+            let is_taken = self.take_bodies(equations, (t, at, step));
+            match &mut self.state.current.by {
+                Directions::Condensed(bodies) if is_taken => {
+                    bodies.at.keep((t, at, step.dt), equations);
+                }
+                by => *by = Directions::Factors,
             }
         }
         let own = &mut self.state.current;
-        match (own.by, &mut self.condensed) {
-            (Directions::Condensed, Some(condensed)) => {
+        match (&own.by, &mut self.condensed) {
+            (Directions::Condensed(bodies), Some(condensed)) => {
                 let tangents = &self.current.tangents;
-                let judged = (tolerance, own.bodies.are_solved_twice());
+                let judged = (tolerance, bodies.are_solved_twice());
                 match condensed.solve(equations, tangents, (at, step), r, judged) {
                     Some(followed) => {
                         self.followed += followed.corrections;
@@ -284,13 +282,12 @@ impl KeptFactors {
                         self.current.lu.solve_in_place(r);
                     }
                 }
+                return;
             }
             (Directions::Inverse, _) => self.inverse.apply(r),
             _ => self.current.lu.solve_in_place(r),
         }
-        if own.by != Directions::Condensed {
-            own.secants.correct(r, merit.weights(), &mut self.memory);
-        }
+        own.secants.correct(r, merit.weights(), &mut self.memory);
     }
 
     /// Makes of the factors what gives directions faster.
@@ -301,7 +298,7 @@ impl KeptFactors {
             .as_mut()
             .is_some_and(|own| own.take_compliance(springs, self.inverse.exact(lu)));
         match is_condensed {
-            true => Directions::Condensed,
+            true => Directions::Condensed(KeptBodies::none(equations.machine)),
             false if self.inverse.invert(lu, merit.weights()) => Directions::Inverse,
             false => Directions::Factors,
         }
@@ -328,9 +325,11 @@ impl KeptFactors {
         let all = iterations * cost(Work::Iteration) + self.followed * cost(Work::Correction);
         state.fewest = state.fewest.min(all);
         state.excess += all - state.fewest;
-        state.bodies.count(iterations);
-        let anew = match state.by {
-            Directions::Condensed => Work::Prepared(rows),
+        let anew = match &mut state.by {
+            Directions::Condensed(bodies) => {
+                bodies.count(iterations);
+                Work::Prepared(rows)
+            }
             Directions::Factors | Directions::Inverse => Work::Factors(rows),
         };
         if state.excess > cost(anew) {

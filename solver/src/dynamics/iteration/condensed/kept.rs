@@ -27,12 +27,6 @@ impl KeptBodies {
         KeptBodies { at: Factored::nowhere(machine), more: 0, again: false, steps: 0 }
     }
 
-    /// Has them evaluated when they are needed next.
-    pub(in crate::dynamics::iteration) fn forget(&mut self) {
-        self.at.forget();
-        self.begin();
-    }
-
     /// Begins to count anew.
     pub(in crate::dynamics::iteration) fn begin(&mut self) {
         (self.more, self.again, self.steps) = (0, false, 0);
