@@ -147,3 +147,19 @@ fn adiabatic_films_are_cooled_by_what_passes_through_them() {
         assert!(temperature > 311.0 && temperature < 1000.0, "{law}: {temperature} K");
     }
 }
+
+/// In the middle of its bearing nothing passes through a film: what is shown is no temperature that oil lasts.
+#[test]
+fn a_film_that_nothing_cools_is_not_sound() {
+    let case = warming("5e-4 s", 4, "[start]\nkind = \"equilibrium\"\n")
+        .replace("\"jfo\"", "\"reynolds\"")
+        .replace("left = \"0 bar\"\nright = \"0 bar\"\n", "")
+        .replace(", housing = \"2 W/K\", metal = \"0.5 J/K\"", "");
+    let bench = Workbench::new().file("case.toml", &case);
+    let outcome = bench.whirl(&["run", "case.toml", "--out", "out", "--no-figures"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    for words in ["temperature of a film", "give `housing`", "joint b"] {
+        let said = outcome.stdout.clone() + &outcome.stderr;
+        assert!(said.contains(words), "{words}: {said}");
+    }
+}

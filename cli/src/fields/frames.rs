@@ -48,7 +48,9 @@ impl Schedule {
     pub(crate) fn new(case: &Case) -> Option<Schedule> {
         let fields = case.fields.as_ref()?;
         let dt = case.march().time_step;
-        let cycle = (case.march().cycle / dt).round().max(1.0) as u64;
+        // Of a run that is shorter than a cycle all of it is kept.
+        let cycle = (case.march().cycle / dt).round().clamp(1.0, case.march().steps.max(1) as f64);
+        let cycle = cycle as u64;
         let frames = fields.frames as u64;
         let every = (frames > 0).then(|| (cycle / frames.max(1)).max(1));
         let slots = every.map_or(0, |every| cycle.div_ceil(every));

@@ -64,6 +64,12 @@ impl SpringState {
         self.films.all.iter().map(|film| film.fast)
     }
 
+    /// The temperatures of all films (K), as they were solved last; 0 of one that has none.
+    pub(crate) fn film_temperatures(&self) -> impl Iterator<Item = f64> {
+        let of = |film: &FilmAt| film.shown.last().copied().filter(|_| film.heated);
+        self.films.all.iter().map(move |film| of(film).unwrap_or(0.0))
+    }
+
     /// Keeps films where they were solved last, as known.
     pub(super) fn keep_films(&self, laws: &mut LawStates) {
         for film in &self.films.all {

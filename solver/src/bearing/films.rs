@@ -112,6 +112,8 @@ pub(super) struct FilmAt {
     pub(super) sloped: bool,
     /// Nodes that hold oil by the gap itself, as it changes too fast.
     pub(super) fast: usize,
+    /// Whether it has a temperature.
+    pub(super) heated: bool,
     /// How its bore gives way, where it does.
     pub(super) deformed: Option<DeformedBore>,
 }
@@ -170,6 +172,7 @@ impl Films {
                     solved: false,
                     sloped: false,
                     fast: 0,
+                    heated: journal.heat().is_some(),
                     deformed: shapes.map(DeformedBore::new),
                 });
             }

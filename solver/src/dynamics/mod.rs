@@ -35,6 +35,6 @@ pub(crate) use starts::{Standing, standing_at};
 pub(crate) use steady::settled_from;
 pub use steady::{SteadyRule, SteadyState};
 pub use verdict::{
-    EnergyBalance, FewestSteps, FilmRates, Finding, LEAST_STEPS, Quality, Ringing, RingingPart,
+    EnergyBalance, FewestSteps, FilmQuality, Finding, LEAST_STEPS, Quality, Ringing, RingingPart,
     StateError, findings,
 };

@@ -1,7 +1,7 @@
 //! What the program itself believes of a run.
 
 use super::energy::EnergyBalance;
-use super::film_rates::FilmRates;
+use super::film_meter::FilmQuality;
 use super::periods::{FewestSteps, LEAST_STEPS};
 use super::quality::Quality;
 use super::rings::{RINGING, Ringing, RingingPart};
@@ -51,6 +51,8 @@ const SUMMED_ERROR: f64 = 0.01;
 const FOLLOWED: f64 = 0.3;
 /// Steps in which the gap of a film changes too fast, as a fraction of all.
 const FILM_STEPS: f64 = 0.01;
+/// Temperature of a film (K) above which no oil lasts: those of minerals crack at some 600 K, perfluorinated ones at 700 K.
+const OIL_LASTS: f64 = 700.0;
 /// What does not balance, as a fraction of the energy in play.
 const ENERGY_ERROR: f64 = 0.05;
 
@@ -135,8 +137,9 @@ pub fn findings(
     let too_fast = outrun(quality, time_step, automatic.is_some());
     let rings = rings(quality, time_step, automatic);
     let squeezed = quality.films.and_then(|own| squeezed(&own, time_step, automatic));
+    let heated = quality.films.and_then(|own| heated(&own));
     let forgets = quality.states.and_then(|own| missed(&own, time_step, automatic));
-    let of_steps = found.map(finding).chain(unjudged).chain(forgets).chain(squeezed);
+    let of_steps = found.map(finding).chain(unjudged).chain(forgets).chain(squeezed).chain(heated);
     too_far.chain(too_fast).chain(of_steps).chain(rings).chain(often).collect()
 }
 
@@ -180,17 +183,26 @@ fn rings(quality: &Quality, time_step: f64, automatic: Option<AutomaticStep>) ->
 
 /// Whether gaps of a film change too fast for the steps.
 fn squeezed(
-    films: &FilmRates,
+    films: &FilmQuality,
     time_step: f64,
     automatic: Option<AutomaticStep>,
 ) -> Option<Finding> {
-    let FilmRates { share, bearing } = *films;
+    let FilmQuality { share, bearing, .. } = *films;
     (share > FILM_STEPS).then(|| {
         let what =
             "steps in which the gap of a film changes by more than itself, as a fraction of all";
         let own = beyond(what, (share, FILM_STEPS, "1"), mended(0.5 * time_step, automatic));
         Finding { bearing: Some(bearing), ..own }
     })
+}
+
+/// Whether a film is hotter than any oil may be.
+fn heated(films: &FilmQuality) -> Option<Finding> {
+    let (value, bearing) = films.hottest.filter(|own| own.0 > OIL_LASTS)?;
+    let remedy = "cool the film: let more oil pass, through openings with a pressure or ends that are fed, give `housing` in its \
+                  [heat], or a lower `share`; or say its `temperature` there";
+    let own = beyond("temperature of a film", (value, OIL_LASTS, "K"), remedy.to_owned());
+    Some(Finding { bearing: Some(bearing), ..own })
 }
 
 /// Whether steps miss what the states of laws do.

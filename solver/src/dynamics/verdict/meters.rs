@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::energy::{EnergyBalance, EnergyMeter, EnergySums, rounding};
-use super::film_rates::{FilmMeter, FilmSums};
+use super::film_meter::{FilmMeter, FilmSums};
 use super::periods::{FewestSteps, PeriodMeter};
 use super::quality::Quality;
 use super::quality_meter::{QualityMeter, QualitySums};

@@ -1,7 +1,7 @@
 //! What a march is measured by, step by step, and what the program believes of it in the end.
 //!
 //! ```text
-//! meters     all of them: energy (windows), quality_meter, ringing (rings), state_errors, film_rates, periods
+//! meters     all of them: energy (windows), quality_meter, ringing (rings), state_errors, film_meter, periods
 //! quality    quality_meter: by parts and turns (part_sums, turn_sums, in_space) of steps that are sampled (sampling, sampled), the
 //!            first ones early; part_errors: before a part is accepted; histogram: how many errors of every size
 //! verdict    quality: what steps were worth ─▶ findings: what is beyond its limit
@@ -9,7 +9,7 @@
 
 mod early;
 mod energy;
-mod film_rates;
+mod film_meter;
 mod findings;
 mod histogram;
 mod in_space;
@@ -28,7 +28,7 @@ mod turn_sums;
 mod windows;
 
 pub use energy::EnergyBalance;
-pub use film_rates::FilmRates;
+pub use film_meter::FilmQuality;
 pub use findings::{Finding, findings};
 pub(super) use meters::{MeterSums, Meters};
 pub use periods::{FewestSteps, LEAST_STEPS};

@@ -1,6 +1,6 @@
 //! How good the steps of a march are: the energy that they make, their local error, what is left in their rows.
 
-use super::film_rates::FilmRates;
+use super::film_meter::FilmQuality;
 use super::part_sums::PartSums;
 use super::periods::FewestSteps;
 use super::quality_meter::QualityMeter;
@@ -68,7 +68,7 @@ pub struct Quality {
     /// The worst local error of the states of laws; none without states.
     pub states: Option<StateError>,
     /// Whether steps follow the gaps of films; none without films.
-    pub films: Option<FilmRates>,
+    pub films: Option<FilmQuality>,
     /// Largest residual of a row over what it may have; see `Equations::row_error`.
     pub row_error: f64,
     /// Steps that had to be halved, as they could not be solved.

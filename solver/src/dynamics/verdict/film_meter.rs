@@ -1,0 +1,70 @@
+//! Whether steps follow the gaps of films, and how hot these become.
+//!
+//! Nodes hold oil by the gap and half a step's change of it. Where that is more than half of the gap, the gap alone counts, which
+//! is of first order and feels another rate than Newmark's.
+
+use serde::{Deserialize, Serialize};
+
+use crate::bearing::{SpringState, Springs};
+
+/// The films that stand out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FilmQuality {
+    /// Steps in which a node's gap changes too fast, as a fraction of all, in the film in which they are most.
+    pub share: f64,
+    /// Its bearing, counted from 0.
+    pub bearing: usize,
+    /// The highest temperature of a film (K), and its bearing; none where no film has a temperature.
+    pub hottest: Option<(f64, usize)>,
+}
+
+/// What is carried from step to step.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct FilmSums {
+    steps: u64,
+    /// By films the steps in which a node was too fast.
+    fast: Vec<u64>,
+    /// Their highest temperatures (K).
+    hottest: Vec<f64>,
+}
+
+/// Counts the steps of all films.
+pub(super) struct FilmMeter {
+    pub(super) sums: FilmSums,
+    bearings: Vec<usize>,
+}
+
+impl FilmMeter {
+    pub(super) fn new(springs: &Springs) -> Self {
+        let bearings = springs.bearings_of_films();
+        FilmMeter {
+            sums: FilmSums {
+                steps: 0,
+                fast: vec![0; bearings.len()],
+                hottest: vec![0.0; bearings.len()],
+            },
+            bearings,
+        }
+    }
+
+    /// Adds a step that ends where the films were just solved.
+    pub(super) fn add(&mut self, springs: &SpringState) {
+        self.sums.steps += 1;
+        let films = self.sums.fast.iter_mut().zip(springs.fast_nodes());
+        films.for_each(|(steps, nodes)| *steps += u64::from(nodes > 0));
+        let films = self.sums.hottest.iter_mut().zip(springs.film_temperatures());
+        films.for_each(|(most, own)| *most = most.max(own));
+    }
+
+    /// The worst of them; none without films.
+    pub(super) fn worst(&self) -> Option<FilmQuality> {
+        let most = |values: &mut dyn Iterator<Item = f64>| -> Option<(f64, usize)> {
+            let all = values.zip(self.bearings.iter().copied());
+            all.reduce(|worst, own| if own.0 > worst.0 { own } else { worst })
+        };
+        let steps = self.sums.steps.max(1) as f64;
+        let (share, bearing) = most(&mut self.sums.fast.iter().map(|fast| *fast as f64 / steps))?;
+        let hottest = most(&mut self.sums.hottest.iter().copied()).filter(|own| own.0 > 0.0);
+        Some(FilmQuality { share, bearing, hottest })
+    }
+}
