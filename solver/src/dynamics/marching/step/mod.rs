@@ -1,9 +1,10 @@
-//! A step. It is split where something jumps within it (`jumps`), where it would miss rows of tables (`cuts`), and where couples
-//! end that act until a speed is reached (`release`).
+//! A step (`attempt`). It is split where something jumps within it (`jumps`), where it would miss rows of tables (`cuts`), and where
+//! couples end that act until a speed is reached (`release`).
 //!
 //! The parts in which a step is taken: one where steps are fixed and nothing happens within them; those that the control of
 //! the step chooses; halves of what is not solved, or is beyond the tolerance.
 
+mod attempt;
 mod cuts;
 mod jumps;
 mod release;

@@ -5,7 +5,7 @@
 //! bracket, on speeds that are solved. The accelerations jump there, and start anew from the forces that are left.
 
 use super::SHORTEST;
-use crate::dynamics::iteration::{Coefficients, Ending, StepReport};
+use crate::dynamics::iteration::{Ending, StepReport};
 use crate::dynamics::marching::{March, accelerate};
 use crate::equations::State;
 use crate::error::Error;
@@ -24,23 +24,6 @@ impl March<'_> {
                 *released |= self.machine.ends(load, &self.state.v);
             }
         }
-    }
-
-    /// Solves a step of `dt` from `start` at time `t`.
-    pub(in crate::dynamics::marching) fn attempt(
-        &mut self,
-        t: f64,
-        dt: f64,
-        start: &State,
-    ) -> StepReport {
-        let step = Coefficients::new(self.integrator, dt);
-        step.predict(start, &mut self.state);
-        self.set_given(t + dt, self.equations.before);
-        let report = self.newton.solve(&mut self.equations, t + dt, &step, &mut self.state);
-        self.equations.springs.keep_states(&mut self.state.laws);
-        step.end(start, self.machine.first_unknown(), &mut self.state);
-        self.last_iterations += report.iterations;
-        report
     }
 
     /// How far the speeds in a state are beyond the targets of the loads that end there, as the largest of them, less
