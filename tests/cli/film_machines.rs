@@ -162,4 +162,7 @@ fn a_film_that_nothing_cools_is_not_sound() {
         let said = outcome.stdout.clone() + &outcome.stderr;
         assert!(said.contains(words), "{words}: {said}");
     }
+    let outcome = bench.whirl(&["modes", "case.toml"]);
+    let said = outcome.stdout + &outcome.stderr;
+    assert!(said.contains("the temperature of the film") && said.contains("700 K"), "{said}");
 }

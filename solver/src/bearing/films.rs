@@ -412,9 +412,9 @@ fn open(balance: &mut Balance, shapes: Option<&Shapes>, [by, rates]: [&[f64]; 2]
 }
 
 impl Springs {
-    /// Bearings of all films.
-    pub(crate) fn bearings_of_films(&self) -> Vec<usize> {
+    /// The planes of all films.
+    pub(crate) fn planes_of_films(&self) -> impl Iterator<Item = &Plane> {
         let with_film = |plane: &&Plane| self.laws[plane.law].bound.law.film().is_some();
-        self.planes.iter().filter(with_film).map(|plane| plane.bearing).collect()
+        self.planes.iter().filter(with_film)
     }
 }

@@ -5,6 +5,8 @@
 
 /// No film is hotter (K): far beyond all oil, so that one which nothing cools has a temperature.
 const HOTTEST: f64 = 3000.0;
+/// A temperature (K) above which no oil lasts: those of minerals crack at some 600 K, perfluorinated ones at 700 K.
+pub const OIL_LASTS: f64 = 700.0;
 
 /// Viscosity over the temperature.
 #[derive(Debug, Clone, PartialEq)]

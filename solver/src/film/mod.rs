@@ -31,7 +31,7 @@ mod warmed;
 
 pub use balance::{Balance, Motion};
 pub use grid::{Grid, Sample};
-pub use heat::{Heat, Viscosity, Warming};
+pub use heat::{Heat, OIL_LASTS, Viscosity, Warming};
 pub use journal::Journal;
 pub use oil::Oil;
 pub use openings::{OilFilm, Opening, Reach, WrongFilm};

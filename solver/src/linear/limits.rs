@@ -6,8 +6,9 @@ use whirl_specs::ContactTangent;
 
 use super::linearised::Standstill;
 use super::round::LinearMachine;
-use crate::bearing::{Measure, Poses, SpringState, Springs, Worst};
+use crate::bearing::{Measure, Poses, SpringState, Springs, Validity, Worst};
 use crate::error::Error;
+use crate::film::OIL_LASTS;
 use crate::machine::Machine;
 
 /// Stiffness and damping of a joint (SI), at most: beside more rounding hides slow motions.
@@ -53,6 +54,18 @@ struct Probe<'m> {
 /// K and C of a joint.
 type Coefficients = [[[f64; 2]; 2]; 2];
 
+/// The temperature of a film, as a measure of its law.
+fn oil_lasts() -> Validity {
+    Validity {
+        name: "temperature".to_owned(),
+        title: "the temperature of the film".to_owned(),
+        help: "no oil lasts there: let more oil pass, or give `housing` or `temperature` in its [heat]".to_owned(),
+        unit: "K".to_owned(),
+        per_unit: 1.0,
+        limits: [0.0, OIL_LASTS],
+    }
+}
+
 impl LinearMachine {
     /// How far small motions about a state may go at each joint, in the order of the joints.
     pub fn limits(&self, at: &Standstill) -> Vec<Limit> {
@@ -75,7 +88,13 @@ impl LinearMachine {
             let name = machine.monitors[measure.bearing].name.clone();
             (measure.excess(value) > 0.0).then(|| (name, measure.clone(), value))
         });
-        beyond.collect()
+        let films = machine.springs.planes_of_films().zip(state.film_temperatures());
+        let hot = films.filter(|own| own.1 > OIL_LASTS).map(|(plane, temperature)| {
+            let law = machine.springs.laws[plane.law].bound.law.name().to_owned();
+            let measure = Measure { bearing: plane.bearing, law, validity: oil_lasts() };
+            (machine.monitors[plane.bearing].name.clone(), measure, temperature)
+        });
+        beyond.chain(hot).collect()
     }
 
     /// Whether every force has a derivative at a state with bodies at these speeds.

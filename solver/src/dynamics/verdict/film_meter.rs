@@ -36,7 +36,7 @@ pub(super) struct FilmMeter {
 
 impl FilmMeter {
     pub(super) fn new(springs: &Springs) -> Self {
-        let bearings = springs.bearings_of_films();
+        let bearings: Vec<usize> = springs.planes_of_films().map(|own| own.bearing).collect();
         FilmMeter {
             sums: FilmSums {
                 steps: 0,

@@ -9,6 +9,7 @@ use super::state_errors::StateError;
 use crate::dynamics::iteration::{HalvedAt, HalvedSteps};
 use crate::dynamics::lengths::AutomaticStep;
 use crate::dynamics::motion::MovingPart;
+use crate::film::OIL_LASTS;
 
 /// Something that was measured and is beyond its limit.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,8 +52,6 @@ const SUMMED_ERROR: f64 = 0.01;
 const FOLLOWED: f64 = 0.3;
 /// Steps in which the gap of a film changes too fast, as a fraction of all.
 const FILM_STEPS: f64 = 0.01;
-/// Temperature of a film (K) above which no oil lasts: those of minerals crack at some 600 K, perfluorinated ones at 700 K.
-const OIL_LASTS: f64 = 700.0;
 /// What does not balance, as a fraction of the energy in play.
 const ENERGY_ERROR: f64 = 0.05;
 
