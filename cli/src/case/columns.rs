@@ -131,6 +131,9 @@ fn example(allowed: [&[Dimension]; 2]) -> String {
             own if *own == Dimension::ANGULAR_SPEED => "speed [rpm]",
             own if *own == Dimension::FORCE => "force [N]",
             own if *own == Dimension::TORQUE => "couple [N*m]",
+            own if *own == Dimension::TEMPERATURE => "temperature [K]",
+            own if *own == Dimension::VISCOSITY => "viscosity [mPa*s]",
+            own if *own == Dimension::LENGTH => "depth [um]",
             _ => "factor [1]",
         };
         all.iter().map(written).collect::<Vec<&str>>().join("` or `")

@@ -272,6 +272,11 @@ impl FilmSource {
                 return Err(errors);
             }
         };
+        if value(VISCOSITY).is_some_and(|own| !(own > 0.0)) {
+            let what = format!("the viscosity `{VISCOSITY}` is not above zero");
+            note(place, WrongFilm { what, help: format!("such as `{VISCOSITY} = \"20 mPa*s\"`") });
+            return Err(errors);
+        }
         if let Some(heat) = &self.told.heat {
             let parameters = self.kernel.parameters.iter();
             let own = parameters.clone().find(|own| own.name == VISCOSITY).map(|own| own.value);

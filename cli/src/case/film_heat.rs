@@ -140,6 +140,17 @@ impl HeatTable {
             refuse("viscosity", message, "correct the file");
             return None;
         }
+        if let Some(Law::Rows(own)) = &law
+            && let Some(row) = own.rows.iter().position(|row| !(row[0] > 0.0))
+        {
+            let message = format!(
+                "row {} of `{}` has no temperature above zero: kelvins count from there",
+                row + 1,
+                own.name.text()
+            );
+            refuse("viscosity", message, "add 273.15 to degrees Celsius");
+            return None;
+        }
         let (law, inlet) = (law?, inlet?);
         let housing = [taken, around.unwrap_or(inlet)];
         Some(HeatTable { place, law, inlet, carried, share, housing, metal, given })

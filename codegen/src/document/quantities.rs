@@ -111,12 +111,13 @@ impl Table<'_> {
                 Some([first?.si(), second?.si()])
             }
             _ => {
-                let example = format!("[\"{0}\", \"{0}\"]", measure.example);
-                let of_angles = measure.dimension == Dimension::ANGLE;
-                let what = if of_angles {
-                    "two angles, from and to"
-                } else {
-                    "two quantities, along x and y"
+                let twice = format!("[\"{0}\", \"{0}\"]", measure.example);
+                let (what, example) = match measure.dimension {
+                    own if own == Dimension::ANGLE => ("two angles, from and to", twice),
+                    own if own == Dimension::TEMPERATURE => {
+                        ("two temperatures", "[\"178.15 K\", \"797.7 K\"]".to_owned())
+                    }
+                    _ => ("two quantities, along x and y", twice),
                 };
                 self.wrong(key, node, what, &example);
                 None

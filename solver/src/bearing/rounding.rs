@@ -4,7 +4,7 @@
 //! turned a thousand times, the distance of two bodies that have gone far. No iteration can make it smaller than
 //! ε Σ |c q|, nor a force smaller than that times its slope.
 
-use whirl_specs::ContactTangent;
+use whirl_specs::{BoreMotion, ContactTangent};
 
 use super::plane::Plane;
 use super::springs::Springs;
@@ -73,6 +73,12 @@ impl SpringRounding {
             };
             let bores_moved: Vec<Option<(usize, Sizes)>> =
                 (0..motions * n).map(|k| bore(k / n, k % n)).collect();
+            // The moment of a film is a sum of pressures on both sides of its middle.
+            let pressed = law.bound.law.film().map_or(0.0, |journal| {
+                let own = &state.laws[plane.law].forces;
+                let [x, y] = [0, 1].map(|axis| own[law.bound.forces[axis] * law.springs + start]);
+                0.5 * journal.film.grid.length * x.hypot(y)
+            });
             let mut on_ring = [0.0; 3];
             for (i, sum) in on_ring.iter_mut().enumerate() {
                 for (k, sizes) in ring.iter().enumerate() {
@@ -86,7 +92,10 @@ impl SpringRounding {
                         let at = (i * motions + b) * n + j;
                         *sum += change(first.ring_bore[at], both.ring_bore[at], sizes);
                     }
-                    let mut on_bore = 0.0;
+                    let mut on_bore = match law.bound.kind.bore.get(b) {
+                        Some(own) if tilts(own) => pressed,
+                        _ => 0.0,
+                    };
                     for (k, sizes) in ring.iter().enumerate() {
                         let at = (3 * b + k) * n + j;
                         on_bore += change(first.bore_ring[at], both.bore_ring[at], *sizes);
@@ -109,6 +118,12 @@ impl SpringRounding {
             }
         }
     }
+}
+
+/// Whether a motion is a tilt of a section, through which a moment acts.
+fn tilts(motion: &BoreMotion) -> bool {
+    use BoreMotion::{MeanTiltX, MeanTiltY, SectionTiltX, SectionTiltY};
+    matches!(motion, MeanTiltX | MeanTiltY | SectionTiltX | SectionTiltY)
 }
 
 /// Σ |coefficient · x|.

@@ -114,9 +114,13 @@ impl Balance {
         most
     }
 
-    /// What enters at an opening (m³/s); negative where oil leaves.
+    /// What enters at an opening (m³/s); negative where oil leaves. Of a film that carries no fill, the oil with which its cavity
+    /// fills up again comes from nowhere, and does not enter where there is no pressure.
     pub fn inflow(&self, film: &OilFilm, opening: usize) -> f64 {
-        film.openings[opening].nodes.iter().map(|node| self.residual[*node]).sum()
+        let own = &film.openings[opening];
+        let feeds = own.pressure > 0.0 || film.carries_fill();
+        let flows = own.nodes.iter().map(|node| self.residual[*node]);
+        flows.map(|flow| if feeds { flow } else { flow.min(0.0) }).sum()
     }
 
     /// What enters at all openings (m³/s), and what leaves, node by node: at a flooded end oil comes and goes.
