@@ -209,7 +209,7 @@ fn run(
             help: "add `--out DIR`".to_owned(),
         });
     }
-    let mut output = folder.map(Output::open).transpose()?;
+    let mut output = folder.map(Output::open_alone).transpose()?;
     let interruption = Interruption::install().map_err(|error| Failure::Unfinished {
         reason: format!("signal handlers cannot be installed: {error}"),
         kept: None,

@@ -7,10 +7,13 @@ use whirl_solver::cache::write_aside;
 
 use crate::created::CreatedFolders;
 use crate::errors::Failure;
+use crate::lock::{Lock, Locked};
 
 /// A folder that can be written, and the files that will stand in it.
 #[derive(Debug)]
 pub(crate) struct Output {
+    /// Dropped before the folder is taken away.
+    lock: Option<Lock>,
     folder: PathBuf,
     created: CreatedFolders,
     files: Vec<(String, Vec<u8>)>,
@@ -23,8 +26,27 @@ impl Output {
     /// [`Failure::Output`]; nothing is left behind then.
     pub(crate) fn open(folder: &Path) -> Result<Output, Failure> {
         let created = CreatedFolders::missing(folder);
-        let output = Output { folder: folder.to_path_buf(), created, files: Vec::new() };
+        let folder = folder.to_path_buf();
+        let output = Output { lock: None, folder, created, files: Vec::new() };
         output.prepare().map_err(|error| output.failure(&output.folder, &error))?;
+        Ok(output)
+    }
+
+    /// The same, and no other command writes results in it meanwhile.
+    ///
+    /// # Errors
+    /// As of [`Output::open`]; another one does.
+    pub(crate) fn open_alone(folder: &Path) -> Result<Output, Failure> {
+        let mut output = Output::open(folder)?;
+        output.lock = match Lock::take(folder) {
+            Ok(Locked::Ours(lock)) => Some(lock),
+            Ok(Locked::Unknown) => None,
+            Ok(Locked::InUse(by)) => {
+                output.created.keep();
+                return Err(Failure::InUse { folder: folder.to_path_buf(), by });
+            }
+            Err(error) => return Err(output.failure(folder, &error)),
+        };
         Ok(output)
     }
 

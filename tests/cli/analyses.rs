@@ -2,6 +2,7 @@
 
 mod built_in;
 mod closed_forms;
+mod coarse;
 mod coaxial;
 mod coefficients;
 mod driven;

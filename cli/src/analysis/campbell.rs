@@ -167,7 +167,10 @@ fn text(case: &Case, linear: &LinearMachine, of: usize, all: &Campbell) -> Strin
         );
     }
     if all.criticals.is_empty() {
-        text.push_str("no critical speed in this range\n");
+        text.push_str(match all.interrupted {
+            true => "no critical speed was found before the interruption\n",
+            false => "no critical speed in this range\n",
+        });
     } else {
         let head =
             ["critical speed (rpm)", "order", "frequency (Hz)", "log decrement", "whirl", "moves"];

@@ -26,6 +26,16 @@ const MARGIN: f64 = 0.1;
 /// Planes along a body.
 const STATIONS: usize = 41;
 
+/// Keys that one kind alone takes.
+const OF_ONE_KIND: [(&str, AnalysisKind); 6] = [
+    ("margin", AnalysisKind::Torsion),
+    ("operation", AnalysisKind::Torsion),
+    ("mesh_orders", AnalysisKind::Torsion),
+    ("stiffness", AnalysisKind::Map),
+    ("stations", AnalysisKind::Forces),
+    ("format", AnalysisKind::Matrices),
+];
+
 /// An analysis under its name.
 #[derive(Debug, Clone)]
 pub(crate) struct Analysis {
@@ -250,6 +260,13 @@ fn read_one(name: &Located, table: &Table, joined: Option<&JoinedMachine>) -> Op
         }
     };
     let kind = kind?;
+    for (key, own) in OF_ONE_KIND {
+        if kind != own && table.gives(key) {
+            let message = format!("`{key}` is of analyses of `kind = \"{}\"`", own.word());
+            let help = "leave it out, or ask for that kind";
+            table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
+        }
+    }
     let mut analysis = Analysis {
         name: name.text().to_owned(),
         table: Some(name.clone()),

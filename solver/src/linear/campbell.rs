@@ -19,6 +19,8 @@ const HALVINGS: u32 = 8;
 /// The same where a body that turns is not round, whose modes change shape as they lock.
 const FEW_HALVINGS: u32 = 3;
 
+/// Share of a distance that is next to its end.
+const NEXT: f64 = 1e-4;
 /// Share by which two critical speeds may differ that are one.
 const SAME: f64 = 1e-6;
 /// Share of |λ| from which Re λ does not go through zero where a motion is first seen to grow.
@@ -115,7 +117,7 @@ impl LinearMachine {
         // Modes that are locked to the rotation are two with one frequency, of which either may be followed.
         let thresholds = match is_uneven {
             true => roots.parametric()?,
-            false => followed.thresholds(&branches)?,
+            false => followed.thresholds(&branches, &criticals)?,
         };
         let (of_sight, thresholds): (Vec<_>, Vec<_>) =
             thresholds.into_iter().partition(|own| !is_uneven && own.is_of_sight());
@@ -302,25 +304,147 @@ impl Followed<'_> {
             let roots = beside(self.roots.machine.threads, branches, &|places| {
                 self.roots.of_branch(places, &off, &off)
             });
-            let mut own = Vec::new();
+            let mut own: Vec<(Critical, bool)> = Vec::new();
             for (branch, roots) in roots.into_iter().enumerate() {
-                for Root { speed, mode, .. } in roots? {
-                    own.push(Critical { order, speed, mode, branch });
+                for Root { speed, mode, rises } in roots? {
+                    own.push((Critical { order, speed, mode, branch }, rises));
                 }
             }
-            own.sort_by(|a, b| a.speed.total_cmp(&b.speed));
-            let mut single: Vec<Critical> = Vec::with_capacity(own.len());
+            own.sort_by(|a, b| a.0.speed.total_cmp(&b.0.speed));
+            let mut single: Vec<(Critical, bool)> = Vec::with_capacity(own.len());
             for own in own {
-                if single.iter().all(|other| !is_same(other, &own)) {
+                if single.iter().all(|other| !is_same(&other.0, &own.0)) {
                     single.push(own);
                 }
             }
-            found.extend(single);
+            found.extend(self.counted(single, branches, order)?);
         }
         Ok(found)
     }
 
-    fn thresholds(&self, branches: &[Vec<Option<usize>>]) -> Result<Vec<Threshold>, Error> {
+    /// Critical speeds with those that no branch shows, as modes were followed over steps that are too long: where more or fewer
+    /// modes are below the order at the end of a step than its critical speeds explain.
+    fn counted(
+        &self,
+        found: Vec<(Critical, bool)>,
+        branches: &[Vec<Option<usize>>],
+        order: f64,
+    ) -> Result<Vec<Critical>, Error> {
+        let steps: Vec<usize> = (1..self.roots.points.len()).collect();
+        let missed = beside(self.roots.machine.threads, &steps, &|&step| {
+            let [a, b] = [&self.roots.points[step - 1], &self.roots.points[step]];
+            let (Some(before), Some(after)) = (self.below(a, order), self.below(b, order)) else {
+                return Ok::<Vec<Root>, Error>(Vec::new());
+            };
+            let inside =
+                found.iter().filter(|(own, _)| own.speed > a.speed && own.speed <= b.speed);
+            let explained: isize = inside.map(|(_, rises)| if *rises { -1 } else { 1 }).sum();
+            let mut crossings = Vec::new();
+            if !a.is_uneven && !b.is_uneven && after as isize - before as isize != explained {
+                self.crossings([a, b], order, HALVINGS, &mut crossings)?;
+            }
+            Ok(crossings)
+        });
+        let mut all: Vec<Critical> = found.into_iter().map(|own| own.0).collect();
+        let known = all.len();
+        for (step, roots) in missed.into_iter().enumerate() {
+            for Root { speed, mode, .. } in roots? {
+                // The branch that has the mode at the end of the step.
+                let like = |own: &usize| {
+                    let places = &self.roots.points[step + 1].modes.oscillating;
+                    (places[*own].value.im - mode.value.im).abs()
+                };
+                let ends = branches.iter().enumerate();
+                let ends = ends.filter_map(|(branch, own)| Some((branch, own[step + 1]?)));
+                let nearest = ends.min_by(|a, b| like(&a.1).total_cmp(&like(&b.1)));
+                let Some((branch, _)) = nearest else { continue };
+                let own = Critical { order, speed, mode, branch };
+                if all[..known].iter().all(|other| !is_same(other, &own)) {
+                    all.push(own);
+                }
+            }
+        }
+        all.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        Ok(all)
+    }
+
+    /// How many modes are below an order at a point, if all of them are known.
+    fn below(&self, point: &Point, order: f64) -> Option<usize> {
+        let line = order * point.speed.abs();
+        let modes = &point.modes.oscillating;
+        let count = modes.iter().filter(|own| own.value.im < line).count();
+        let are_all = modes.len() < self.roots.range.looked_for();
+        (are_all || count < modes.len()).then_some(count)
+    }
+
+    /// Adds the speeds between two points at which modes go through an order, by how many are below it.
+    fn crossings(
+        &self,
+        [a, b]: [&Point; 2],
+        order: f64,
+        halvings: u32,
+        found: &mut Vec<Root>,
+    ) -> Result<(), Error> {
+        let (Some(before), Some(after)) = (self.below(a, order), self.below(b, order)) else {
+            return Ok(());
+        };
+        if before == after {
+            return Ok(());
+        }
+        let off = move |speed: f64, mode: &Mode| mode.value.im - order * speed.abs();
+        if before.abs_diff(after) == 1 {
+            let last = before.min(after);
+            let end = |own: &Point| Some((own.speed, own.modes.oscillating.get(last)?.clone()));
+            // A mode that is damped too much to be listed at one end goes through no order.
+            if let (Some(from), Some(to)) = (end(a), end(b)) {
+                let known = found.len();
+                self.roots.between_modes(a, [from, to], &off, found)?;
+                if found.len() > known {
+                    return Ok(());
+                }
+            }
+        }
+        if halvings == 0 {
+            return Ok(());
+        }
+        let middle = self.roots.point(0.5 * (a.speed + b.speed), a)?;
+        let Some(middle) = middle else { return Ok(()) };
+        self.crossings([a, &middle], order, halvings - 1, found)?;
+        self.crossings([&middle, b], order, halvings - 1, found)
+    }
+
+    /// The thresholds on both sides of a speed at which a mode grows, between two points, where those that are known have it stable.
+    fn around(
+        &self,
+        speed: f64,
+        [a, b]: [&Point; 2],
+        known: &[Threshold],
+    ) -> Result<Vec<Threshold>, Error> {
+        let inside = || known.iter().filter(|own| own.speed >= a.speed && own.speed <= b.speed);
+        let below = inside().filter(|own| own.speed <= speed);
+        let below = below.max_by(|a, b| a.speed.total_cmp(&b.speed));
+        let above = inside().filter(|own| own.speed > speed);
+        let above = above.min_by(|a, b| a.speed.total_cmp(&b.speed));
+        if below.map_or(!a.modes.is_stable(), |own| own.grows) {
+            return Ok(Vec::new());
+        }
+        let beside = |other: Option<&Threshold>| match other {
+            // Next to a threshold, where it is stable still or again.
+            Some(own) => self.roots.point(own.speed + NEXT * (speed - own.speed), a),
+            None => Ok(None),
+        };
+        let (from, to) = (beside(below)?, beside(above)?);
+        let Some(middle) = self.roots.point(speed, a)? else { return Ok(Vec::new()) };
+        let before = self.roots.threshold([from.as_ref().unwrap_or(a), &middle])?;
+        let after = self.roots.threshold([&middle, to.as_ref().unwrap_or(b)])?;
+        Ok(before.into_iter().chain(after).collect())
+    }
+
+    fn thresholds(
+        &self,
+        branches: &[Vec<Option<usize>>],
+        criticals: &[Critical],
+    ) -> Result<Vec<Threshold>, Error> {
         let mut found = Vec::new();
         for (branch, places) in branches.iter().enumerate() {
             let (grows, rate) = (|_, mode: &Mode| mode.growth(), |_, mode: &Mode| mode.value.re);
@@ -334,6 +458,10 @@ impl Followed<'_> {
             let inside = |speed: f64| speed >= pair[0].speed && speed <= pair[1].speed;
             if !found.iter().any(|own: &Threshold| inside(own.speed)) {
                 found.extend(self.roots.threshold([&pair[0], &pair[1]])?);
+            }
+            for own in criticals.iter().filter(|own| inside(own.speed) && own.mode.grows()) {
+                let more = self.around(own.speed, [&pair[0], &pair[1]], &found)?;
+                found.extend(more);
             }
         }
         found.sort_by(|a, b| a.speed.total_cmp(&b.speed));

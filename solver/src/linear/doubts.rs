@@ -216,6 +216,10 @@ impl fmt::Display for Doubt {
             Doubt::Load { load, counted } => match counted {
                 Counted::AtStart => write!(f, "{load} varies in time: its value at t = 0 is used"),
                 Counted::InFull => write!(f, "{load} is used in full, as at the end of its ramp"),
+                Counted::OfTwoAngles => write!(
+                    f,
+                    "{load} is left out: it is fixed in a body that turns and goes by the angle of another one, so that it has orders of neither. Run it in time (`whirl run`)"
+                ),
                 Counted::Later(from) => {
                     write!(f, "{load} is left out, as it starts only at {} s", rounded(*from, 4))
                 }

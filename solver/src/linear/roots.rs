@@ -115,6 +115,18 @@ impl Roots<'_> {
         Ok(found)
     }
 
+    /// Adds what is zero between two speeds (rad/s) with a mode at each, if it is found.
+    pub(super) fn between_modes(
+        &self,
+        near: &Point,
+        ends: [(f64, Mode); 2],
+        of: &dyn Fn(f64, &Mode) -> f64,
+        found: &mut Vec<Root>,
+    ) -> Result<(), Error> {
+        let ends = ends.map(|(speed, mode)| End { speed, value: of(speed, &mode), mode });
+        self.between(near, ends, of, found)
+    }
+
     /// Adds the roots between two ends with different signs: one, or two where it is zero between them.
     fn between(
         &self,

@@ -5,7 +5,7 @@ use std::ops::Range;
 use std::thread;
 
 use super::rigid::rounding;
-use super::standing_loads::{Counted, begun, counted, mean, nothing, spins_with};
+use super::standing_loads::{Counted, begun, counted, is_of_two_angles, mean, nothing, spins_with};
 use crate::bearing::Plane;
 use crate::bodies::{Body, Rotation};
 use crate::error::Error;
@@ -59,6 +59,8 @@ impl LinearMachine {
             return Err(Error::Remembers { joint, law });
         }
         let mut all_counted = Vec::new();
+        let turning: Vec<bool> =
+            machine.bodies.iter().map(|own| own.rotation().is_some_and(turns)).collect();
         for load in &mut machine.loads {
             if spins_with(load, machine.bodies[load.body].rotation()) {
                 *load = nothing(load);
@@ -68,6 +70,11 @@ impl LinearMachine {
                 "" => format!("a load of {}", machine.bodies[load.body].name()),
                 name => name.to_owned(),
             };
+            if is_of_two_angles(load) && turning[load.body] {
+                all_counted.push((name, Counted::OfTwoAngles));
+                *load = nothing(load);
+                continue;
+            }
             let own = counted(load).map(|own| (name, own));
             all_counted.extend(own.filter(|own| !all_counted.contains(own)));
             *load = begun(load);

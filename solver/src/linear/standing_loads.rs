@@ -20,6 +20,8 @@ pub enum Counted {
     InFull,
     /// Not at all, as it begins later (s).
     Later(f64),
+    /// Not at all, as it is fixed in one body that turns and goes by the angle of another.
+    OfTwoAngles,
 }
 
 /// How a load counts, if that is to be said.
@@ -30,6 +32,11 @@ pub(super) fn counted(load: &Load) -> Option<Counted> {
         (Onset::Ramp(..), _) => Some(Counted::InFull),
         _ => None,
     }
+}
+
+/// Whether a load is fixed in one body that turns and goes by the angle of another: it has orders of neither.
+pub(super) fn is_of_two_angles(load: &Load) -> bool {
+    load.turns_with_its_body() && load.time_function.follows().is_some_and(|own| own != load.body)
 }
 
 /// Whether a load is a part of what turns with a body that spins in its frame: its unbalance.

@@ -1,7 +1,8 @@
 //! `whirl lateral` of rotors at the edge of what its rules are made for.
 
 use super::lateral::{CASE, bench, lateral, lines};
-use super::numbers;
+use super::{column, numbers, ran};
+use crate::workbench::Workbench;
 
 /// On supports without stiffness to speak of the rotor moves as a whole, at one end a little more than at the other: its unbalance is
 /// between the bearings, and not at an end.
@@ -69,4 +70,38 @@ fn undamped_peaks_do_not_pass() {
         .flat_map(|at| lines(&bench, "mode 1", "probe vibration A_max", &at))
         .collect();
     assert!(most.len() == 1 && most[0].0.is_infinite() && most[0].3 == "NO", "{most:?}");
+}
+
+/// In bearings that are softer in one direction modes move nearly in a plane: the least damped of them is judged, and unbalance is
+/// placed by one of each shape.
+#[test]
+fn modes_in_a_plane_are_judged_and_place_unbalance() {
+    let joint = |name: &str, z: f64| {
+        format!(
+            "[joint.{name}]\nkind = \"bushing\"\nfirst = {{ body = \"r\", z = \"{z} mm\" }}\n\
+             stiffness = {{ xx = \"2e7 N/m\", yy = \"3e7 N/m\" }}\ndamping = {{ xx = \"6e2 N*s/m\", yy = \"6e2 N*s/m\" }}\n"
+        )
+    };
+    let case = format!(
+        "title = \"unlike bearings\"\ngravity = [\"-9.81 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]\n[body.r]\nturns = \"prescribed\"\n\
+         speed = \"9000 rpm\"\nmass = \"100 kg\"\npolar_inertia = \"1 kg*m^2\"\ntransverse_inertia = \"3 kg*m^2\"\nz = \"400 mm\"\n\
+         {}{}[analysis.api]\nkind = \"lateral\"\nminimum_speed = \"9500 rpm\"\nmaximum_speed = \"12000 rpm\"\n",
+        joint("l", 0.0),
+        joint("q", 1000.0)
+    );
+    let bench = Workbench::new().file("case.toml", &case);
+    lateral(&bench);
+    ran(&bench, &["modes", "case.toml", "--speed", "12000 rpm", "--out", "modes", "--quiet"]);
+    let [hertz, decrements] =
+        ["frequency_hz", "log_decrement"].map(|name| numbers(&bench, "modes/modes.csv", name));
+    let least = hertz.iter().zip(&decrements).filter(|own| *own.0 < 200.0);
+    let least = least.map(|own| *own.1).fold(f64::INFINITY, f64::min);
+    let judged = column(&bench, "out/api.csv", "quantity");
+    let place = judged.iter().position(|own| own == "level II log decrement").expect("a line");
+    let value = numbers(&bench, "out/api.csv", "value")[place];
+    assert!((value / least - 1.0).abs() < 1e-9 && least < 0.05, "{value}, not {least}");
+    // The translatory mode, whose journals carry all, and the conical one.
+    let names = column(&bench, "out/api.unbalance.csv", "unbalance");
+    let count = |name: &str| names.iter().filter(|own| own.as_str() == name).count();
+    assert_eq!([count("mode 1"), count("mode 2")], [1, 2], "{names:?}");
 }

@@ -3,7 +3,7 @@
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_solver::assembly::mass_above;
 use whirl_solver::cache::Cache;
-use whirl_solver::linear::{LinearMachine, Linearised, Point, Standstill};
+use whirl_solver::linear::{LinearMachine, Linearised, Mode, Point, Standstill};
 use whirl_solver::model::AttachmentKind;
 use whirl_solver::output::{Motion, Wanted};
 use whirl_text::shown;
@@ -35,6 +35,9 @@ pub(super) struct Journal {
     pub(super) load: f64,
 }
 
+/// Of a mode with a modal mass of 1 kg: the mass of the body times the square of its motion across from which on it is one.
+const ACROSS: f64 = 1e-4;
+
 /// A machine as the analysis takes it.
 pub(super) struct Model {
     pub(super) linear: LinearMachine,
@@ -60,6 +63,17 @@ pub(super) struct Model {
 }
 
 impl Model {
+    /// Whether a mode moves the body across its axis, and not along or about it alone.
+    pub(super) fn moves_across(&self, mode: &Mode) -> bool {
+        let across = self.stations.iter().map(|own| {
+            let motion = self.linear.motion_in(&self.at, &own.1, mode);
+            motion.orbit().major
+        });
+        let most = across.fold(0.0, f64::max);
+        let mass = self.linear.machine().bodies[self.of].centre_of_mass().mass;
+        mass * most * most > ACROSS
+    }
+
     /// Builds it.
     ///
     /// # Errors

@@ -1,6 +1,6 @@
 //! Where unbalance stands: at the antinodes of forward modes at N_mc, or where the case says.
 
-use whirl_solver::linear::{AppliedUnbalance, Point, Vibration, Whirl};
+use whirl_solver::linear::{AppliedUnbalance, Mode, Point, Vibration, Whirl};
 
 use super::model::Model;
 use super::standard;
@@ -17,6 +17,8 @@ const OUTBOARD: f64 = 0.5;
 const FLAT: f64 = 0.01;
 /// Modes by which unbalance is placed where the case names none.
 const USUAL: [usize; 2] = [1, 2];
+/// Cosine from which on two shapes along the axis are one.
+const ALIKE: f64 = 0.9;
 /// Modes that are looked at for forward ones.
 const MODES: usize = 24;
 
@@ -79,14 +81,18 @@ pub(super) fn placed(
         return Ok((all, String::new()));
     }
     let modes = model.linear.modes(&model.equations, analysis.count.max(MODES))?.oscillating;
-    let shapes: Vec<Vec<Vibration>> = modes
-        .iter()
-        .filter(|own| own.whirl(model.sense) == Whirl::Forward)
-        .map(|mode| {
-            let motion = |own: &(f64, Point)| model.linear.motion_in(&model.at, &own.1, mode);
-            model.stations.iter().map(motion).collect()
-        })
-        .collect();
+    let mut shapes: Vec<Vec<Vibration>> = Vec::new();
+    let counts = |own: &&Mode| own.whirl(model.sense) != Whirl::Backward && model.moves_across(own);
+    for mode in modes.iter().filter(counts) {
+        let motion = |own: &(f64, Point)| model.linear.motion_in(&model.at, &own.1, mode);
+        let shape: Vec<Vibration> = model.stations.iter().map(motion).collect();
+        // Where bearings are softer in one direction both motions of a pair are nearly in a plane: one of them counts.
+        let is_second = mode.whirl(model.sense) == Whirl::None
+            && shapes.iter().any(|own| likeness(own, &shape) > ALIKE);
+        if !is_second {
+            shapes.push(shape);
+        }
+    }
     let mut notes = String::new();
     for &number in wanted {
         let Some(shape) = shapes.get(number - 1) else {
@@ -123,6 +129,18 @@ pub(super) fn placed(
         });
     }
     Ok((all, notes))
+}
+
+/// Cosine between two shapes along the axis, whatever their directions across.
+fn likeness(a: &[Vibration], b: &[Vibration]) -> f64 {
+    let [a, b] = [a, b].map(|all| {
+        let major = |own: &Vibration| own.orbit().major;
+        let most = all.iter().max_by(|a, b| major(a).total_cmp(&major(b))).expect("a station");
+        let signed = |own: &Vibration| if own.is_opposite(most) { -major(own) } else { major(own) };
+        all.iter().map(signed).collect::<Vec<f64>>()
+    });
+    let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    product(&a, &b).abs() / (product(&a, &a) * product(&b, &b)).sqrt()
 }
 
 /// z of the largest amplitude of each lobe of a shape that counts (m), and its sign against the largest of all.

@@ -170,8 +170,9 @@ fn shares(model: &Model, lateral: &Lateral) -> Across {
     all
 }
 
-/// The least δ at N_mc with Q of the forward modes that are slower than the rotation, of the first one where none are; none without
-/// any. A slower one that films damp well would hide the one that begins to grow.
+/// The least δ at N_mc with Q of the modes slower than the rotation that do not whirl backward, of the first one where none are; none
+/// without any. A slower one that films damp well would hide the one that begins to grow. Where bearings are softer in one direction
+/// modes move nearly in a plane, and count.
 fn decrement(
     model: &Model,
     analysis: &Analysis,
@@ -182,7 +183,10 @@ fn decrement(
     let equations = model.linear.with_stiffness_across(at, model.of, &across);
     let modes = model.linear.modes(&equations, analysis.count.max(MODES))?;
     let speed = model.at.speeds[model.of];
-    let forward = || modes.oscillating.iter().filter(|own| own.whirl(speed) == Whirl::Forward);
+    let forward = || {
+        let modes = modes.oscillating.iter();
+        modes.filter(|own| own.whirl(speed) != Whirl::Backward && model.moves_across(own))
+    };
     let slower = forward().filter(|own| own.value.im < speed.abs());
     let least = slower.map(Mode::log_decrement).min_by(f64::total_cmp);
     Ok(least.or_else(|| forward().next().map(Mode::log_decrement)))

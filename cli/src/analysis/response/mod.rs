@@ -173,7 +173,7 @@ pub(super) fn found(
         files.extend(space.file(name));
     }
     let notes = notes + &words::doubts(&large.told());
-    let text = text(case, linear, &points, (&speeds, &sources)) + &notes;
+    let text = text((case, linear), &points, (&speeds, &sources), interrupted) + &notes;
     let mut facts = numbers::facts(linear, &points, (&speeds, &sources));
     facts.lines(&notes);
     Ok(Found { text, files, interrupted, facts })
@@ -285,10 +285,10 @@ fn peak_rows(linear: &LinearMachine, points: &[Point], sources: &[Source]) -> St
 }
 
 fn text(
-    case: &Case,
-    linear: &LinearMachine,
+    (case, linear): (&Case, &LinearMachine),
     points: &[Point],
     (speeds, sources): (&[f64], &[Source]),
+    interrupted: bool,
 ) -> String {
     let mut text = format!("{}: {}\n", case.name, case.title);
     let main: Vec<&Source> = main(sources);
@@ -302,7 +302,7 @@ fn text(
         text.push_str(&match speeds.len() {
             1 => orbits(points, source),
             _ if order == 0.0 => String::new(),
-            _ => peak_table(points, source),
+            _ => peak_table(points, source, interrupted),
         });
         text.push('\n');
     }
@@ -341,7 +341,7 @@ fn orbits(points: &[Point], source: &Source) -> String {
 }
 
 /// Where the points have peaks.
-fn peak_table(points: &[Point], source: &Source) -> String {
+fn peak_table(points: &[Point], source: &Source, interrupted: bool) -> String {
     let head = ["point", "peak (rpm)", "major semi-axis (um)", "amplification factor"];
     let mut rows = vec![head.map(str::to_owned).to_vec()];
     for (point, peaks) in points.iter().zip(&source.peaks) {
@@ -349,7 +349,11 @@ fn peak_table(points: &[Point], source: &Source) -> String {
             rows.push(vec![point.name.clone(), words::speed(own.speed), height(own), factor(own)]);
         }
     }
-    if rows.len() == 1 { "no peak in this range\n".to_owned() } else { table(&rows) }
+    match (rows.len(), interrupted) {
+        (1, true) => "no peak was found before the interruption\n".to_owned(),
+        (1, false) => "no peak in this range\n".to_owned(),
+        _ => table(&rows),
+    }
 }
 
 /// The height of a peak (µm).
