@@ -41,7 +41,7 @@ enum Directions {
     /// Their inverse.
     Inverse,
     /// The iteration in the measures of the joints, with its bodies.
-    Condensed(KeptBodies),
+    Condensed(Box<KeptBodies>),
 }
 
 /// What is known of some factors: enough to compute them again with the same bits.
@@ -298,7 +298,7 @@ impl KeptFactors {
             .as_mut()
             .is_some_and(|own| own.take_compliance(springs, self.inverse.exact(lu)));
         match is_condensed {
-            true => Directions::Condensed(KeptBodies::none(equations.machine)),
+            true => Directions::Condensed(Box::new(KeptBodies::none(equations.machine))),
             false if self.inverse.invert(lu, merit.weights()) => Directions::Inverse,
             false => Directions::Factors,
         }
