@@ -416,7 +416,7 @@ impl Followed<'_> {
     /// The thresholds on both sides of a speed at which a mode grows, between two points, where those that are known have it stable.
     fn around(
         &self,
-        speed: f64,
+        (speed, mode): (f64, &Mode),
         [a, b]: [&Point; 2],
         known: &[Threshold],
     ) -> Result<Vec<Threshold>, Error> {
@@ -428,16 +428,25 @@ impl Followed<'_> {
         if below.map_or(!a.modes.is_stable(), |own| own.grows) {
             return Ok(Vec::new());
         }
-        let beside = |other: Option<&Threshold>| match other {
-            // Next to a threshold, where it is stable still or again.
-            Some(own) => self.roots.point(own.speed + NEXT * (speed - own.speed), a),
-            None => Ok(None),
+        // Next to a threshold, where it is stable still or again.
+        let next = |own: &Threshold| own.speed + NEXT * (speed - own.speed);
+        let ends = [below.map_or(a.speed, next), above.map_or(b.speed, next)];
+        let mut found = Vec::new();
+        for other in ends {
+            let Some((end, _)) = self.roots.nearest(a, other, mode)? else { continue };
+            if end.grows() {
+                continue;
+            }
+            let mut both = [(other, end), (speed, mode.clone())];
+            both.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let rate = |_: f64, mode: &Mode| mode.value.re;
+            self.roots.between_modes(a, both, &rate, &mut found)?;
+        }
+        let threshold = |Root { speed, mode, rises }| {
+            let mode = Some(mode);
+            Threshold { speed, mode, branch: None, grows: rises, others: false }
         };
-        let (from, to) = (beside(below)?, beside(above)?);
-        let Some(middle) = self.roots.point(speed, a)? else { return Ok(Vec::new()) };
-        let before = self.roots.threshold([from.as_ref().unwrap_or(a), &middle])?;
-        let after = self.roots.threshold([&middle, to.as_ref().unwrap_or(b)])?;
-        Ok(before.into_iter().chain(after).collect())
+        Ok(found.into_iter().map(threshold).collect())
     }
 
     fn thresholds(
@@ -460,7 +469,7 @@ impl Followed<'_> {
                 found.extend(self.roots.threshold([&pair[0], &pair[1]])?);
             }
             for own in criticals.iter().filter(|own| inside(own.speed) && own.mode.grows()) {
-                let more = self.around(own.speed, [&pair[0], &pair[1]], &found)?;
+                let more = self.around((own.speed, &own.mode), [&pair[0], &pair[1]], &found)?;
                 found.extend(more);
             }
         }

@@ -181,7 +181,7 @@ impl Roots<'_> {
 
     /// The mode at a speed that is most like another one, and whether the machine is not round; none where there is no mode, or if
     /// the search was interrupted.
-    fn nearest(
+    pub(super) fn nearest(
         &self,
         near: &Point,
         speed: f64,
