@@ -27,6 +27,22 @@ const FOR_LATERAL: [&str; 7] = [
 const PERIODIC: &str = "/analysis/chosen/self_excited /analysis/chosen/near /analysis/chosen/steps /analysis/chosen/method /analysis/chosen/harmonics /analysis/chosen/marched /analysis/chosen/periods \
     /analysis/chosen/begin /analysis/chosen/cycles /analysis/chosen/vary /analysis/chosen/points /analysis/chosen/doublings";
 
+/// Keys of analyses of one kind, which others refuse.
+const OF_KINDS: [(&str, &str); 6] = [
+    (KINDS[0], "/analysis/chosen/margin"),
+    (KINDS[0], "/analysis/chosen/operation"),
+    (KINDS[0], "/analysis/chosen/mesh_orders"),
+    (KINDS[1], "/analysis/chosen/stiffness"),
+    (KINDS[2], "/analysis/chosen/stations"),
+    (KINDS[3], "/analysis/chosen/format"),
+];
+const KINDS: [&str; 4] = [
+    "/analysis/chosen/kind=torsion",
+    "/analysis/chosen/kind=map",
+    "/analysis/chosen/kind=forces",
+    "/analysis/chosen/kind=matrices",
+];
+
 /// Of files of named bodies: each of the ways in which one turns, with each kind of joint.
 const NAMED: [&str; 8] = [
     "/body/chosen/turns=free /body/chosen/mass_damping /output/chosen/joint /fields/bodies matrices rigid moves_along_z static_correction dimensions /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z \
@@ -148,7 +164,14 @@ pub(super) fn variants(kind: &str) -> Vec<Vec<&'static str>> {
         });
         all.extend(lateral);
         all.iter_mut().for_each(|keys| keys.extend(PERIODIC.split_whitespace()));
+        let first = all.first().cloned().unwrap_or_default();
         all.extend(periodic);
+        all.iter_mut().for_each(|keys| keys.extend(OF_KINDS.iter().map(|own| own.1)));
+        all.extend(KINDS.map(|kind| {
+            let others = OF_KINDS.iter().filter(|own| own.0 != kind).map(|own| own.1);
+            let own = [&first[..], &[kind], &FOR_LATERAL[1..]].concat();
+            own.into_iter().chain(others).collect()
+        }));
     }
     all
 }
