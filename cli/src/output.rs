@@ -116,6 +116,20 @@ mod tests {
     }
 
     #[test]
+    fn results_of_two_commands_do_not_mix() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a");
+        let mut first = Output::open_alone(&path).unwrap();
+        assert!(matches!(Output::open_alone(&path), Err(Failure::InUse { .. })));
+        first.put("x", "1");
+        first.commit().unwrap();
+        let names: Vec<_> =
+            fs::read_dir(&path).unwrap().map(|own| own.unwrap().file_name()).collect();
+        assert_eq!(names, ["x"]);
+        assert!(Output::open_alone(&path).is_ok());
+    }
+
+    #[test]
     fn files_appear_together() {
         let folder = tempfile::tempdir().unwrap();
         let mut output = Output::open(&folder.path().join("a")).unwrap();

@@ -145,6 +145,13 @@ fn adiabatic_films_are_cooled_by_what_passes_through_them() {
         let last = |name: &str| history.last(name);
         let temperature = last("temperature_f_K");
         assert!(temperature > 311.0 && temperature < 1000.0, "{law}: {temperature} K");
+        if law == "reynolds" {
+            // What leaves at its ends takes all of the loss away; nothing comes in where there is no pressure.
+            let left = -1e-6 * (last("q_left_f_mL_s") + last("q_right_f_mL_s"));
+            let taken = 870.0 * 1950.0 * left * (temperature - 310.0);
+            let loss = last("loss_f_W");
+            assert!((taken / loss - 1.0).abs() < 1e-4, "{taken} of {loss} W");
+        }
     }
 }
 
