@@ -20,8 +20,6 @@ pub(super) fn line(text: &mut Vec<u8>, row: &[f64]) {
 
 /// Significant digits after the first: two more than forces are compared with.
 pub(super) const DIGITS: usize = 9;
-/// More than the shortest text of any number has.
-const LONGEST: usize = 32;
 
 /// Adds a number.
 pub(super) fn number(text: &mut Vec<u8>, value: f64) {
@@ -46,50 +44,51 @@ struct Decimal {
 
 /// A positive number to ten digits, as its exact value is rounded.
 fn rounded(value: f64) -> Decimal {
-    let mut buffer = zmij::Buffer::new();
-    let (all, count, exponent) = parts(buffer.format_finite(value));
-    let mut decimal = Decimal { digits: [b'0'; DIGITS + 1], exponent };
-    decimal.digits.copy_from_slice(&all[..=DIGITS]);
-    match &all[DIGITS + 1..count.max(DIGITS + 1)] {
-        [] | [b'0'..b'5', ..] => return decimal,
-        // No shorter text lies between the shortest and the number itself, except halfway between two of ten digits.
-        [b'5'] => return exactly(value),
-        _ => {}
+    if !SCALED.contains(&value) {
+        return exactly(value);
     }
-    for digit in decimal.digits.iter_mut().rev() {
-        if *digit < b'9' {
-            *digit += 1;
-            return decimal;
-        }
-        *digit = b'0';
+    let bits = value.to_bits();
+    let significand = bits & ((1 << 52) - 1) | 1 << 52;
+    let power = (bits >> 52) as i32 - 1023;
+    // ⌊power · log₁₀ 2⌋, so that the number is at least 10^exponent and less than 2 · 10^(exponent + 1).
+    let mut exponent = (power * 1233) >> 12;
+    let scale = |exponent: i32| u128::from(significand) * TENS[(DIGITS as i32 - exponent) as usize];
+    let mut scaled = scale(exponent);
+    // The number times 10^(DIGITS − exponent) is `scaled` with so many binary places, to the last bit.
+    let places = 52 - power;
+    if scaled >> places >= TENS[DIGITS + 1] {
+        exponent += 1;
+        scaled = scale(exponent);
     }
-    decimal.digits[0] = b'1';
-    decimal.exponent += 1;
-    decimal
+    let (whole, rest, half) = (scaled >> places, scaled & ((1 << places) - 1), 1_u128 << (places - 1));
+    if rest == half {
+        return exactly(value);
+    }
+    let mut whole = whole as u64 + u64::from(rest > half);
+    if u128::from(whole) == TENS[DIGITS + 1] {
+        whole /= 10;
+        exponent += 1;
+    }
+    let mut digits = [b'0'; DIGITS + 1];
+    for digit in digits.iter_mut().rev() {
+        *digit += (whole % 10) as u8;
+        whole /= 10;
+    }
+    Decimal { digits, exponent }
 }
 
-/// The digits of a text such as `0.0125` or `1.25e-2`, how many there are, and the exponent of the first.
-fn parts(text: &str) -> ([u8; LONGEST], usize, i32) {
-    let (mut digits, mut count) = ([b'0'; LONGEST], 0);
-    let (mantissa, power) = text.split_once('e').unwrap_or((text, "0"));
-    let (mut exponent, mut is_behind) = (-1, false);
-    for byte in mantissa.bytes() {
-        if byte == b'.' {
-            is_behind = true;
-        } else if count == 0 && byte == b'0' {
-            exponent -= i32::from(is_behind);
-        } else {
-            digits[count] = byte;
-            count += 1;
-            exponent += i32::from(!is_behind);
-        }
+/// Numbers that ten digits make a whole one of by a power of ten in [`TENS`], within 128 bits.
+const SCALED: std::ops::Range<f64> = 1e-12..1e9;
+
+const TENS: [u128; 23] = {
+    let mut powers = [1; 23];
+    let mut place = 1;
+    while place < powers.len() {
+        powers[place] = 10 * powers[place - 1];
+        place += 1;
     }
-    let power: i32 = power.parse().expect("a whole power of ten");
-    while count > 1 && digits[count - 1] == b'0' {
-        count -= 1;
-    }
-    (digits, count, exponent + power)
-}
+    powers
+};
 
 /// The same by the exact value.
 fn exactly(value: f64) -> Decimal {
@@ -171,6 +170,11 @@ mod tests {
             1234567891.5,
             99999999995.0,
             0.5_f64.powi(34),
+            // At the ends of what is scaled by whole numbers.
+            1e-12,
+            f64::from_bits(1e-12_f64.to_bits() - 1),
+            9.9999999996e8,
+            f64::from_bits(1e9_f64.to_bits() - 1),
             12345678.90625,
         ];
         let halfway = (0..20_000_u32).map(|k| (1e9 + f64::from(k) * 44_999.0).floor() + 0.5);
