@@ -114,7 +114,7 @@ impl BodySpec {
     pub(crate) fn assemble(&self, mesh: &Mesh) -> Result<Assembled, Error> {
         self.check(mesh)?;
         let (stiffness, mass) = both(|| assemble(mesh, "stiffness"), || assemble(mesh, "mass"));
-        let stiffness = add_ground_springs(&stiffness?, &self.springs)?;
+        let stiffness = add_ground_springs(stiffness?, &self.springs)?;
         Ok(Assembled { stiffness, mass: mass?, ties: mesh.tie_rows() })
     }
 

@@ -19,7 +19,7 @@ use crate::reduction::{CraigBampton, Row};
 use crate::section::{self, Section};
 use crate::sparse::SparseMatrix;
 use crate::stiffening::displacement;
-use crate::together::both;
+use crate::together::{both, on_workers};
 
 /// Which body a reduction is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -177,6 +177,10 @@ impl Reduced {
     /// # Errors
     /// Of the spec and the mesh, and of the linear algebra: see [`crate::error::ReductionError`].
     pub fn new(kind: BodyKind, mesh: &Mesh, spec: &BodySpec) -> Result<Reduced, Error> {
+        on_workers(|| Reduced::made(kind, mesh, spec))
+    }
+
+    fn made(kind: BodyKind, mesh: &Mesh, spec: &BodySpec) -> Result<Reduced, Error> {
         let body = spec.assemble(mesh)?;
         let has_sections = !spec.sections.is_empty() && mesh.matrices().is_none();
         let fixed = spec.fixed_interface(mesh, &body)?;

@@ -5,7 +5,8 @@ use std::borrow::Cow;
 use whirl_specs::Registers;
 use whirl_specs::registers::{Register, Task};
 
-use crate::linalg::{LowerTriangle, beside};
+use crate::linalg::{LowerTriangle, add_scaled};
+use crate::together::both;
 
 /// Σ cᵢ uᵢ over dofs i, as (i, cᵢ).
 pub type Row = Vec<(usize, f64)>;
@@ -200,10 +201,7 @@ impl SparseMatrix {
         let half = x.len() / self.size().max(1) / 2 * self.size();
         let ((x, other_x), (y, other_y)) = (x.split_at(half), y.split_at_mut(half));
         let [own, other] = memory;
-        beside(
-            || self.multiply_within(x, y, own),
-            || self.multiply_within(other_x, other_y, other),
-        );
+        both(|| self.multiply_within(x, y, own), || self.multiply_within(other_x, other_y, other));
     }
 
     /// [`SparseMatrix::multiply`] in memory that is kept from one product to the next.
@@ -223,7 +221,7 @@ impl SparseMatrix {
     #[inline(always)]
     fn add_rows<const C: usize>(&self, x: &[[f64; C]], y: &mut [[f64; C]]) {
         match self {
-            SparseMatrix::Symmetric(lower) => multiply_lower(lower, x, y),
+            SparseMatrix::Symmetric(lower) => lower.add_product(x, y),
             SparseMatrix::Kronecker { scalar, pattern } => {
                 multiply_kronecker(scalar, pattern, x, y);
             }
@@ -271,19 +269,20 @@ impl<const C: usize> Default for BlockMemory<C> {
 }
 
 impl<const C: usize> BlockMemory<C> {
-    /// y = A x by blocks of C columns, interleaved, and the rest one by one.
+    /// y = A x by blocks of C columns, interleaved, and one that is left alone by itself.
     fn by_blocks(&mut self, matrix: &SparseMatrix, x: &[f64], y: &mut [f64]) {
         let n = matrix.size();
         if n == 0 {
             return;
         }
-        if x.len() >= C * n {
+        if x.len() > n {
             self.from.resize(n, [0.0; C]);
             self.to.resize(n, [0.0; C]);
         }
         let BlockMemory { from, to } = self;
         for (x, y) in x.chunks(C * n).zip(y.chunks_mut(C * n)) {
-            if x.len() == C * n {
+            // What stands in columns that a last block lacks is left out again.
+            if x.len() > n {
                 for (part, from) in from.chunks_mut(ROWS).enumerate() {
                     for (c, column) in x.chunks_exact(n).enumerate() {
                         let column = &column[part * ROWS..];
@@ -299,19 +298,10 @@ impl<const C: usize> BlockMemory<C> {
                     }
                 }
             } else {
-                for (x, y) in x.chunks_exact(n).zip(y.chunks_exact_mut(n)) {
-                    y.fill(0.0);
-                    matrix.add_rows::<1>(x.as_chunks().0, y.as_chunks_mut().0);
-                }
+                y.fill(0.0);
+                matrix.add_rows::<1>(x.as_chunks().0, y.as_chunks_mut().0);
             }
         }
-    }
-}
-
-#[inline(always)]
-fn add_scaled<const C: usize>(sum: &mut [f64; C], factor: f64, x: &[f64; C]) {
-    for (sum, x) in sum.iter_mut().zip(x) {
-        *sum += factor * x;
     }
 }
 
@@ -328,21 +318,6 @@ impl<const C: usize> Task for AddRows<'_, C> {
     #[inline(always)]
     fn run<L: Register>(self) {
         self.matrix.add_rows(self.x, self.y);
-    }
-}
-
-#[inline(always)]
-fn multiply_lower<const C: usize>(a: &LowerTriangle, x: &[[f64; C]], y: &mut [[f64; C]]) {
-    for j in 0..a.size {
-        let xj = x[j];
-        let mut sum = [0.0; C];
-        for (i, value) in a.column(j) {
-            add_scaled(&mut sum, value, &x[i]);
-            if i != j {
-                add_scaled(&mut y[i], value, &xj);
-            }
-        }
-        add_scaled(&mut y[j], 1.0, &sum);
     }
 }
 

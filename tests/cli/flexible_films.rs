@@ -187,7 +187,7 @@ fn compliance(mesh: &Mesh, places: &[[f64; 2]]) -> DMatrix<f64> {
         .flat_map(|node| (0..3).map(move |axis| 3 * node + axis))
         .map(|dof| GroundSpring { name: "foot".into(), dof, stiffness: 1e15 })
         .collect();
-    let held = add_ground_springs(&stiffness, &springs).expect("held");
+    let held = add_ground_springs(stiffness, &springs).expect("held");
     let lower = held.lower().expect("a symmetric matrix");
     let size = held.size();
     let order: Vec<usize> = (0..size).collect();

@@ -34,7 +34,7 @@ fn mounts_on_one_line_leave_a_swing_that_ground_springs_stop() {
     };
     let springs: Vec<GroundSpring> =
         mesh.node_set("GROUND_SPRINGS").unwrap().iter().map(spring).collect();
-    let held = add_ground_springs(&k, &springs).unwrap();
+    let held = add_ground_springs(k.clone(), &springs).unwrap();
     assert_eq!(free_motions(mesh.nodes(), &held, &mounts).unwrap(), []);
     // Springs without mounts leave the motions that they do not stretch: all but y and the turns that
     // move their line along y.
@@ -75,7 +75,7 @@ fn a_spring_that_swamps_the_body_is_refused() {
     let spring = |stiffness: f64| {
         let soft = GroundSpring { name: "soft".to_owned(), dof: 3, stiffness: 1.0 };
         let own = GroundSpring { name: "stiff".to_owned(), dof: 7, stiffness };
-        add_ground_springs(&k, &[soft, own])
+        add_ground_springs(k.clone(), &[soft, own])
     };
     assert!(spring(0.99e6 * stiffest).is_ok());
     match spring(1.01e6 * stiffest) {

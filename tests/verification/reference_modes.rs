@@ -125,7 +125,7 @@ fn reference_support() {
     let mesh = reference("support");
     let elastic = assemble(&mesh, "stiffness").unwrap();
     let mass = assemble(&mesh, "mass").unwrap();
-    let stiffness = add_ground_springs(&elastic, &ground_springs(&mesh)).unwrap();
+    let stiffness = add_ground_springs(elastic.clone(), &ground_springs(&mesh)).unwrap();
     let solid = Solid {
         stiffness: &stiffness,
         mass: &mass,

@@ -60,7 +60,8 @@ fn rounded(value: f64) -> Decimal {
         exponent += 1;
         scaled = scale(exponent);
     }
-    let (whole, rest, half) = (scaled >> places, scaled & ((1 << places) - 1), 1_u128 << (places - 1));
+    let (whole, rest, half) =
+        (scaled >> places, scaled & ((1 << places) - 1), 1_u128 << (places - 1));
     if rest == half {
         return exactly(value);
     }

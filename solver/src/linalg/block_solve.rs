@@ -5,9 +5,10 @@
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
-use super::beside;
 use super::packed::{BLOCK, Backward, Forward, pack, solve};
 use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
+
+use crate::together::both;
 
 /// Share of all values up to which the larger part is good enough, and splits of subtrees at most to reach it.
 const EVEN: f64 = 0.55;
@@ -152,7 +153,7 @@ impl BlockSolve {
     /// Does both, side by side if that is worth it for so many right sides.
     fn both(&self, columns: usize, a: impl FnOnce() + Send, b: impl FnOnce() + Send) {
         if columns * self.supernodes.values.len() >= WORTH {
-            beside(a, b);
+            both(a, b);
         } else {
             a();
             b();

@@ -19,18 +19,48 @@ impl LowerTriangle {
     where
         C: Iterator<Item = (usize, f64)> + 'a,
     {
-        let mut lower =
-            LowerTriangle { size, starts: vec![0], rows: Vec::new(), values: Vec::new() };
-        let mut entries: Vec<(usize, f64)> = Vec::new();
+        LowerTriangle::of_about(0, size, column)
+    }
+
+    /// The same, of about `count` values in all.
+    fn of_about<'a, C>(count: usize, size: usize, column: impl Fn(usize) -> C) -> Self
+    where
+        C: Iterator<Item = (usize, f64)> + 'a,
+    {
+        let mut starts = Vec::with_capacity(size + 1);
+        starts.push(0);
+        let (rows, values) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        let mut lower = LowerTriangle { size, starts, rows, values };
         for j in 0..size {
-            entries.clear();
-            entries.extend(column(j).filter(|&(i, _)| i >= j));
-            entries.sort_unstable_by_key(|&(i, _)| i);
-            lower.rows.extend(entries.iter().map(|&(i, _)| i));
-            lower.values.extend(entries.iter().map(|&(_, value)| value));
+            let start = lower.rows.len();
+            for (i, value) in column(j).filter(|&(i, _)| i >= j) {
+                lower.rows.push(i);
+                lower.values.push(value);
+            }
+            lower.sort_from(start);
             lower.starts.push(lower.rows.len());
         }
         lower
+    }
+
+    /// Sorts what stands from a place on by its rows.
+    fn sort_from(&mut self, start: usize) {
+        let (rows, values) = (&mut self.rows[start..], &mut self.values[start..]);
+        if rows.is_sorted() {
+            return;
+        }
+        let mut entries: Vec<_> = rows.iter().copied().zip(values.iter().copied()).collect();
+        entries.sort_unstable_by_key(|&(i, _)| i);
+        for (place, (row, value)) in entries.into_iter().enumerate() {
+            (rows[place], values[place]) = (row, value);
+        }
+    }
+
+    /// The rows and columns `kept` (ascending) alone; `place`: where each row stands among them.
+    pub(crate) fn block(&self, kept: &[usize], place: impl Fn(usize) -> Option<usize>) -> Self {
+        LowerTriangle::of_about(self.rows.len(), kept.len(), |j| {
+            self.column(kept[j]).filter_map(|(row, value)| Some((place(row)?, value)))
+        })
     }
 
     /// The entries (row, value) of column j, diagonal first where it is stored.
@@ -38,6 +68,11 @@ impl LowerTriangle {
     pub fn column(&self, j: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
         let range = self.starts[j]..self.starts[j + 1];
         self.rows[range.clone()].iter().copied().zip(self.values[range].iter().copied())
+    }
+
+    /// Whether values stand at the same places.
+    pub(crate) fn has_entries_of(&self, other: &LowerTriangle) -> bool {
+        self.starts == other.starts && self.rows == other.rows
     }
 
     /// The diagonal; 0 where nothing is stored.
@@ -82,22 +117,50 @@ impl LowerTriangle {
 
     /// y = A x, for each column of `x` (columns of `size` values).
     pub fn multiply(&self, x: &[f64], y: &mut [f64]) {
+        /// Columns that one pass over the matrix serves.
+        const COLUMNS: usize = 8;
         let n = self.size;
-        for (x, y) in x.chunks_exact(n).zip(y.chunks_exact_mut(n)) {
+        if x.is_empty() {
+            return;
+        }
+        if x.len() == n {
             y.fill(0.0);
-            for j in 0..n {
-                let (xj, mut sum) = (x[j], 0.0);
-                for (i, value) in self.column(j) {
-                    if i == j {
-                        sum += value * xj;
-                    } else {
-                        y[i] += value * xj;
-                        sum += value * x[i];
-                    }
-                }
-                y[j] += sum;
+            return self.add_product::<1>(x.as_chunks().0, y.as_chunks_mut().0);
+        }
+        for (x, y) in x.chunks(COLUMNS * n).zip(y.chunks_mut(COLUMNS * n)) {
+            let (mut from, mut to) = (vec![[0.0; COLUMNS]; n], vec![[0.0; COLUMNS]; n]);
+            for (c, column) in x.chunks_exact(n).enumerate() {
+                from.iter_mut().zip(column).for_each(|(row, &value)| row[c] = value);
+            }
+            self.add_product(&from, &mut to);
+            for (c, column) in y.chunks_exact_mut(n).enumerate() {
+                column.iter_mut().zip(&to).for_each(|(value, row)| *value = row[c]);
             }
         }
+    }
+
+    /// Adds A x to `y`, both a row of C columns after the other.
+    #[inline(always)]
+    pub(crate) fn add_product<const C: usize>(&self, x: &[[f64; C]], y: &mut [[f64; C]]) {
+        for j in 0..self.size {
+            let xj = x[j];
+            let mut sum = [0.0; C];
+            for (i, value) in self.column(j) {
+                add_scaled(&mut sum, value, &x[i]);
+                if i != j {
+                    add_scaled(&mut y[i], value, &xj);
+                }
+            }
+            add_scaled(&mut y[j], 1.0, &sum);
+        }
+    }
+}
+
+/// Adds a multiple of a row of columns.
+#[inline(always)]
+pub(crate) fn add_scaled<const C: usize>(sum: &mut [f64; C], factor: f64, x: &[f64; C]) {
+    for (sum, x) in sum.iter_mut().zip(x) {
+        *sum += factor * x;
     }
 }
 
@@ -120,5 +183,15 @@ mod tests {
         let mut y = vec![0.0; 6];
         c.multiply(&[1.0, 2.0, 3.0, 0.0, 0.0, 1.0], &mut y);
         assert_eq!(y, [1.0 - 4.0 + 9.0, -2.0, 3.0 + 15.0, 3.0, 0.0, 5.0]);
+        // More columns than one pass serves.
+        let x: Vec<f64> = (0..33).map(f64::from).collect();
+        let (mut all, mut single) = (vec![1.0; 33], vec![2.0; 3]);
+        c.multiply(&x, &mut all);
+        for (x, all) in x.chunks_exact(3).zip(all.chunks_exact(3)) {
+            c.multiply(x, &mut single);
+            assert_eq!(single, all);
+        }
+        let block = c.block(&[0, 2], |row| [Some(0), None, Some(1)][row]);
+        assert_eq!(block, lower(&[&[(0, 1.0), (1, 3.0)], &[(1, 5.0)]]));
     }
 }

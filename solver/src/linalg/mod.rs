@@ -26,17 +26,18 @@ pub(crate) use complex::{ComplexLu, solve_complex};
 pub use eigen::{GeneralisedEigen, SymmetricEigen, generalised_symmetric_eigen, symmetric_eigen};
 pub(crate) use eigen::{eigenvalues, hermitian_eigen, ritz_pairs};
 pub use lower::LowerTriangle;
+pub(crate) use lower::add_scaled;
 pub use lu::Lu;
 pub use matrix::{Columns, Matrix};
 pub(crate) use matrix::{copy_block_from, dot};
 pub use memory::{MemoryLimit, Stage, readable_bytes, readable_estimate};
 pub(crate) use periodic::{Harmonic, Periodic, PeriodicPair};
-pub(crate) use product::{
-    beside, multiply_add_beside, multiply_in_place_beside, transpose_multiply_beside,
-};
 pub use product::{
     congruence, congruence_diagonal, multiply, multiply_add, multiply_transpose_add,
     transpose_multiply,
+};
+pub(crate) use product::{
+    multiply_add_beside, multiply_in_place_beside, transpose_multiply_beside,
 };
 pub(crate) use quadratic::{FirstOrder, QuadraticPair, quadratic_eigen, quadratic_eigen_with};
 pub(crate) use rough_inverse::RoughInverse;

@@ -1,19 +1,14 @@
 use faer::linalg::matmul::matmul;
 use faer::prelude::ReborrowMut;
-use faer::utils::thread::join_raw;
 use faer::{Accum, Mat, MatMut, MatRef, Par};
 
 use super::{Columns, Matrix, view, view_mut};
+use crate::together::both;
 
 /// Entries of a tall matrix beyond which its product with a block is worth a thread.
 const WORTH: usize = 1 << 19;
 /// Rows of it that are multiplied at a time in place.
 const SOME: usize = 192;
-
-/// Does two things at the same time.
-pub(crate) fn beside(a: impl FnOnce() + Send, b: impl FnOnce() + Send) {
-    join_raw(|_| a(), |_| b(), Par::rayon(2));
-}
 
 /// C += α·A·B of a tall A, in two parts side by side where it is large.
 pub(crate) fn multiply_add_beside(c: &mut [f64], alpha: f64, a: Columns, b: Columns) {
@@ -23,7 +18,7 @@ pub(crate) fn multiply_add_beside(c: &mut [f64], alpha: f64, a: Columns, b: Colu
     let (above, below) = view(a.rows, a.cols, a.data).split_at_row(a.rows / 2);
     let (first, second) = view_mut(a.rows, b.cols, c).split_at_row_mut(a.rows / 2);
     let b = view(b.rows, b.cols, b.data);
-    beside(
+    both(
         || matmul(first, Accum::Add, above, b, alpha, Par::Seq),
         || matmul(second, Accum::Add, below, b, alpha, Par::Seq),
     );
@@ -38,7 +33,7 @@ pub(crate) fn multiply_in_place_beside(a: &mut [f64], rows: usize, b: Columns) {
         return multiply_in_place(whole, b);
     }
     let (above, below) = whole.split_at_row_mut(rows / 2);
-    beside(|| multiply_in_place(above, b), || multiply_in_place(below, b));
+    both(|| multiply_in_place(above, b), || multiply_in_place(below, b));
 }
 
 /// Some rows after the other, whose product stays near the processor.
@@ -65,7 +60,7 @@ pub(crate) fn transpose_multiply_beside(a: Columns, b: Columns) -> Matrix {
         data: &a.data[from * a.rows..to * a.rows],
     };
     let [mut first, mut second] = [const { Matrix { rows: 0, cols: 0, data: Vec::new() } }; 2];
-    beside(
+    both(
         || first = transpose_multiply(part(0, columns), b),
         || second = transpose_multiply(part(columns, a.cols), b),
     );

@@ -1,3 +1,5 @@
+use std::sync::Arc;
+
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltError;
 use faer::perm::PermRef;
@@ -16,6 +18,8 @@ use super::{LinearAlgebraError, LowerTriangle, MemoryLimit, view_mut};
 /// Sparse Cholesky factorisation PAPᵀ = LLᵀ of a symmetric positive definite matrix.
 #[derive(Debug)]
 pub struct SparseCholesky {
+    /// For factors of matrices with the same entries, as long as there may be one.
+    symbolic: Option<Arc<SymbolicCholesky<usize>>>,
     /// The row of each unknown of the factor, in the order in which they are eliminated.
     order: Vec<usize>,
     /// `None` of a matrix without rows.
@@ -72,9 +76,14 @@ impl SparseCholesky {
             Ok(()) => {
                 let order = (0..a.size).map(row).collect();
                 let factor = supernodes(&symbolic).map(|own| BlockSolve::new(own, values));
-                Ok(SparseCholesky { order, factor })
+                Ok(SparseCholesky { symbolic: Some(Arc::new(symbolic)), order, factor })
             }
         }
+    }
+
+    /// Forgets what only another factor would need.
+    pub(crate) fn settle(&mut self) {
+        self.symbolic = None;
     }
 
     /// Replaces each column b of `rhs` (columns as long as the matrix) by A⁻¹b, in two parts side by side where that pays.
@@ -100,7 +109,7 @@ impl SparseCholesky {
 /// Sparse factorisation PAPᵀ = LDLᵀ of a symmetric matrix, without pivoting.
 #[derive(Debug)]
 pub struct SparseLdlt {
-    symbolic: SymbolicCholesky<usize>,
+    symbolic: Arc<SymbolicCholesky<usize>>,
     values: Vec<f64>,
     inertia: Inertia,
 }
@@ -116,7 +125,33 @@ impl SparseLdlt {
         order: &[usize],
         limit: impl Into<MemoryLimit>,
     ) -> Result<Option<Self>, LinearAlgebraError> {
-        let symbolic = symbolic(a, order, limit.into())?;
+        SparseLdlt::by(Arc::new(symbolic(a, order, limit.into())?), a)
+    }
+
+    /// The same; `other`: the factor of a matrix with the same entries, in the same order.
+    ///
+    /// # Errors
+    /// As [`SparseLdlt::new`].
+    pub(crate) fn alike(
+        a: &LowerTriangle,
+        order: &[usize],
+        other: &SparseCholesky,
+        limit: impl Into<MemoryLimit>,
+    ) -> Result<Option<Self>, LinearAlgebraError> {
+        let limit = limit.into();
+        match &other.symbolic {
+            Some(symbolic) => {
+                fits(symbolic, a, limit)?;
+                SparseLdlt::by(symbolic.clone(), a)
+            }
+            None => SparseLdlt::new(a, order, limit),
+        }
+    }
+
+    fn by(
+        symbolic: Arc<SymbolicCholesky<usize>>,
+        a: &LowerTriangle,
+    ) -> Result<Option<Self>, LinearAlgebraError> {
         let mut values = vec![0.0; symbolic.len_val()];
         let par = parallelism(&symbolic);
         let scratch = symbolic.factorize_numeric_ldlt_scratch::<f64>(par, Default::default());
@@ -219,15 +254,25 @@ fn symbolic(
         parameters,
     )
     .map_err(|_| too_large(a, usize::MAX, limit))?;
+    fits(&symbolic, a, limit)?;
+    Ok(symbolic)
+}
+
+/// Whether there is room for a factor.
+fn fits(
+    symbolic: &SymbolicCholesky<usize>,
+    a: &LowerTriangle,
+    limit: MemoryLimit,
+) -> Result<(), LinearAlgebraError> {
     let values = symbolic.len_val().saturating_mul(size_of::<f64>());
-    let par = parallelism(&symbolic);
+    let par = parallelism(symbolic);
     let scratch = symbolic.factorize_numeric_ldlt_scratch::<f64>(par, Default::default());
     // The last factor is made beside all else.
     let bytes = limit.estimate(values).saturating_add(scratch.unaligned_bytes_required());
     if bytes > limit.most {
         return Err(too_large(a, bytes, limit));
     }
-    Ok(symbolic)
+    Ok(())
 }
 
 fn too_large(a: &LowerTriangle, bytes: usize, limit: MemoryLimit) -> LinearAlgebraError {

@@ -82,11 +82,8 @@ impl<'a> Split<'a> {
                 }
             }
         }
-        let own = |j: usize| {
-            let column = matrix.column(free[j]);
-            column.filter_map(|(i, value)| pin[i].is_none().then_some((place[i], value)))
-        };
-        let sparse = Cow::Owned(LowerTriangle::from_columns(free.len(), own));
+        let sparse = matrix.block(&free, |i| pin[i].is_none().then_some(place[i]));
+        let sparse = Cow::Owned(sparse);
         let order = order.iter().filter(|unknown| pin[**unknown].is_none());
         let order = order.map(|&unknown| place[unknown]).collect();
         Split { sparse, order, coupling, corner, free }
@@ -221,6 +218,13 @@ impl ConstrainedCholesky {
         Ok(ConstrainedCholesky { sparse, free, pins, solved, small, size })
     }
 
+    /// Forgets what only a factor of another matrix with the same entries would need.
+    pub(super) fn settle(&mut self) {
+        if let Sparse::Definite(factor) = &mut self.sparse {
+            factor.settle();
+        }
+    }
+
     /// Replaces each column b of `rhs` by u with A u − Cᵀλ = b and C u = 0.
     pub fn solve_in_place(&self, rhs: &mut [f64]) {
         if self.small.rows == 0 {
@@ -307,7 +311,7 @@ impl Split<'_> {
 }
 
 /// Number of negative eigenvalues of a matrix on the motions that constraints allow; none where the signs of pivots cannot
-/// be trusted.
+/// be trusted. `alike`: the factor of a matrix with the same entries, order and constraints, if there is one.
 ///
 /// # Errors
 /// As [`SparseLdlt::new`].
@@ -316,9 +320,16 @@ pub(super) fn negative(
     order: &[usize],
     constraints: Constraints,
     limit: usize,
+    alike: Option<&ConstrainedCholesky>,
 ) -> Result<Option<usize>, LinearAlgebraError> {
     let split = Split::new(matrix, order, constraints);
-    match SparseLdlt::new(&split.sparse, &split.order, limit)? {
+    let factored = match alike.map(|other| &other.sparse) {
+        Some(Sparse::Definite(other)) => {
+            SparseLdlt::alike(&split.sparse, &split.order, other, limit)?
+        }
+        _ => SparseLdlt::new(&split.sparse, &split.order, limit)?,
+    };
+    match factored {
         Some(sparse) => {
             let solved = split.solved(|columns| sparse.solve_in_place(columns));
             split.negative(&sparse, &solved, constraints)
@@ -413,10 +424,11 @@ mod tests {
             let below = exact.iter().filter(|value| **value < cut).count();
             for pins in [&[][..], &[17], &[2, 31]] {
                 let own = Constraints { rows: &rows, pins };
-                let counted = negative(&shifted, &all, own, usize::MAX).expect("factors");
+                let counted = negative(&shifted, &all, own, usize::MAX, None).expect("factors");
                 assert_eq!(counted, Some(below), "{cut}, {pins:?}");
             }
-            let alone = negative(&shifted, &all, Constraints::NONE, usize::MAX).expect("factors");
+            let alone =
+                negative(&shifted, &all, Constraints::NONE, usize::MAX, None).expect("factors");
             different += usize::from(alone != Some(below));
         }
         assert!(different > 0, "the constraints matter at some cut");

@@ -1,5 +1,7 @@
 //! The lowest modes of a body: all at once, by iteration, or slice after slice, and none of them missing.
 
+use std::borrow::Cow;
+
 use crate::linalg::{
     Cholesky, LinearAlgebraError, LowerTriangle, Matrix, MemoryLimit, Stage,
     generalised_symmetric_eigen, multiply, symmetric_eigen, transpose_multiply,
@@ -82,17 +84,18 @@ impl Pencil<'_> {
             return Err(ReductionError::TooManyModes { asked: count, available });
         }
         let definite = if shift == 0.0 {
-            self.stiffness.clone()
+            Cow::Borrowed(self.stiffness)
         } else {
-            self.stiffness.plus(shift, self.mass)
+            Cow::Owned(self.stiffness.plus(shift, self.mass))
         };
-        let factor =
+        let mut factor =
             ConstrainedCholesky::new(&definite, self.order, self.constraints, self.limit(count))?;
         let mut modes = if n <= dense_limit(count + GUARD) {
             self.all_dense((&definite, &factor), shift, count)?
         } else {
             self.by_iteration(&factor, &definite, shift, count)?
         };
+        factor.settle();
         // With the guard modes: a multiple eigenvalue at the end has all its vectors when it is settled.
         convention::settle(&modes.eigenvalues, self.blur(), &mut modes.vectors, self.components)?;
         let kept =
@@ -219,7 +222,8 @@ impl Pencil<'_> {
                 return slices.map_or_else(|| self.all_dense((definite, factor), shift, count), Ok);
             }
             let modes = Modes { eigenvalues, vectors: found.vectors };
-            let Some((below, cut, counted)) = self.count(&modes.eigenvalues, count)? else {
+            let known = Some((definite, factor));
+            let Some((below, cut, counted)) = self.count(&modes.eigenvalues, count, known)? else {
                 // A multiple eigenvalue reaches beyond the guard: search further up.
                 wanted *= 2;
                 let widest = wanted > WIDEST * (count + GUARD);
@@ -331,10 +335,10 @@ mod tests {
             4.0 * angle.sin().powi(2)
         };
         let mut eigenvalues: Vec<f64> = (1..=30).map(exact).collect();
-        let (below, _, counted) = pencil.count(&eigenvalues, 20).unwrap().unwrap();
+        let (below, _, counted) = pencil.count(&eigenvalues, 20, None).unwrap().unwrap();
         assert_eq!((below, counted), (20, 20));
         eigenvalues.remove(7);
-        let (below, _, counted) = pencil.count(&eigenvalues, 20).unwrap().unwrap();
+        let (below, _, counted) = pencil.count(&eigenvalues, 20, None).unwrap().unwrap();
         assert_eq!((below, counted), (20, 21));
 
         let (modes, _) = pencil.lowest_modes(20).unwrap();

@@ -112,11 +112,9 @@ impl Partition {
 
     /// The block of the inner dofs.
     pub(super) fn inner(&self, whole: &LowerTriangle) -> LowerTriangle {
-        LowerTriangle::from_columns(self.inner.len(), |j| {
-            whole.column(self.inner[j]).filter_map(|(row, value)| match self.place[row] {
-                Place::Inner(i) => Some((i, value)),
-                _ => None,
-            })
+        whole.block(&self.inner, |row| match self.place[row] {
+            Place::Inner(i) => Some(i),
+            _ => None,
         })
     }
 

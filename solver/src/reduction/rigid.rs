@@ -244,8 +244,11 @@ pub(super) fn pins(motions: Vec<Matrix>, dofs: &[usize]) -> Vec<usize> {
 
 /// The nodes of each part of a body.
 fn parts(nodes: usize, stiffness: &LowerTriangle) -> Vec<Vec<usize>> {
+    // The dofs of a node stand together.
+    let mut last = None;
     let pairs = (0..stiffness.size)
-        .flat_map(|dof| stiffness.column(dof).map(move |(other, _)| (dof / 3, other / 3)));
+        .flat_map(|dof| stiffness.column(dof).map(move |(other, _)| (dof / 3, other / 3)))
+        .filter(|pair| last.replace(*pair) != Some(*pair));
     let part_of = connected(nodes, pairs);
     let count = part_of.iter().max().map_or(0, |last| last + 1);
     let mut parts: Vec<Vec<usize>> = vec![Vec::new(); count];

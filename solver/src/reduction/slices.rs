@@ -59,7 +59,7 @@ impl<'p> Slices<'p> {
                 continue;
             }
             let modes = self.together()?;
-            let counted = match pencil.count(&modes.eigenvalues, self.count)? {
+            let counted = match pencil.count(&modes.eigenvalues, self.count, None)? {
                 Some((below, _, counted)) if counted == below => return Ok(Some(modes)),
                 Some((found, cut, counted)) if counted < found => {
                     return Err(ReductionError::Miscounted { found, counted, hertz: hertz(cut) });
@@ -69,7 +69,7 @@ impl<'p> Slices<'p> {
                 None => {
                     let last = modes.eigenvalues.last().copied().unwrap_or(0.0);
                     let cut = last + 2.0 * sturm::least_gap(last, pencil.blur());
-                    sturm::count_below(pencil, cut)?
+                    sturm::count_below(pencil, cut, None)?
                 }
             };
             wanted = match counted {

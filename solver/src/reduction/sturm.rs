@@ -1,8 +1,8 @@
 //! How many eigenvalues lie below a value: the check that no mode was missed.
 
-use crate::linalg::LinearAlgebraError;
+use crate::linalg::{LinearAlgebraError, LowerTriangle};
 
-use super::constrained::negative;
+use super::constrained::{ConstrainedCholesky, negative};
 use super::pencil::Pencil;
 
 /// A cut is put into a gap at least this wide, relative to the eigenvalues: much wider than a multiple
@@ -11,10 +11,18 @@ const GAP: f64 = 1e-6;
 /// Pivots of LDLᵀ are those of a matrix that differs by rounding; a gap must exceed it this many times.
 const SAFETY: f64 = 1e3;
 
+/// A matrix of a pencil, and its factor, whose order a count takes over.
+pub(super) type Known<'a> = (&'a LowerTriangle, &'a ConstrainedCholesky);
+
 /// The number of eigenvalues of K x = λ M x below `cut`.
-pub(super) fn count_below(pencil: &Pencil, cut: f64) -> Result<Option<usize>, LinearAlgebraError> {
+pub(super) fn count_below(
+    pencil: &Pencil,
+    cut: f64,
+    known: Option<Known>,
+) -> Result<Option<usize>, LinearAlgebraError> {
     let shifted = pencil.stiffness.plus(-cut, pencil.mass);
-    negative(&shifted, pencil.order, pencil.constraints, pencil.memory)
+    let alike = known.filter(|(other, _)| other.has_entries_of(&shifted)).map(|own| own.1);
+    negative(&shifted, pencil.order, pencil.constraints, pencil.memory, alike)
 }
 
 impl Pencil<'_> {
@@ -23,9 +31,10 @@ impl Pencil<'_> {
         &self,
         eigenvalues: &[f64],
         count: usize,
+        known: Option<Known>,
     ) -> Result<Option<(usize, f64, usize)>, LinearAlgebraError> {
         for (below, cut) in cuts(eigenvalues, self.blur(), count) {
-            if let Some(counted) = count_below(self, cut)? {
+            if let Some(counted) = count_below(self, cut, known)? {
                 return Ok(Some((below, cut, counted)));
             }
         }

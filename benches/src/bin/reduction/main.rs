@@ -133,7 +133,7 @@ impl Body {
         modes: usize,
     ) -> Body {
         let stiffness = assemble(&mesh, "stiffness").expect("a stiffness");
-        let stiffness = add_ground_springs(&stiffness, &springs).expect("springs on dofs");
+        let stiffness = add_ground_springs(stiffness, &springs).expect("springs on dofs");
         let mass = assemble(&mesh, "mass").expect("a mass");
         let inner = (0..mesh.dof_count()).filter(|dof| !held.contains(dof)).collect();
         Body { name, mesh, stiffness, mass, held, springs, inner, modes }

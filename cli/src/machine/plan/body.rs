@@ -245,7 +245,7 @@ impl BodyPlan {
     /// Checks for cells turned inside out and for motions that nothing stops.
     pub(in crate::machine) fn verify(&self) -> Result<(), Error> {
         let elastic = assemble(&self.mesh, "stiffness")?;
-        let stiffness = add_ground_springs(&elastic, &self.spec.springs)?;
+        let stiffness = add_ground_springs(elastic, &self.spec.springs)?;
         let mut held = Constraints::new();
         for retained in &self.spec.retained {
             held.equation(&*retained.name, retained.terms.iter().copied());
