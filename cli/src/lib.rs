@@ -32,6 +32,7 @@ mod progress;
 mod report;
 mod report_file;
 mod results;
+mod ring;
 mod room;
 mod run;
 mod schema;

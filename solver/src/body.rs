@@ -152,16 +152,24 @@ impl BodySpec {
     }
 
     /// The displacement under each of these loads in its own direction, with what is retained and held at zero (m/N, of a
-    /// load in N).
+    /// load in N); zero of a load on what is retained or held.
     ///
     /// # Errors
     /// As [`Solid::factored`].
     pub(crate) fn compliances(&self, mesh: &Mesh, loads: &[Row]) -> Result<Vec<f64>, Error> {
+        /// What moves less than this part of what its dofs would do with all others held does not move but by rounding.
+        const ROUNDING: f64 = 1e-9;
         let body = self.assemble(mesh)?;
         let rows = self.rows();
         let solid = body.solid(mesh, self.memory);
         let factored = solid.factored(&self.interface(&rows));
-        Ok(factored.map_err(|error| self.named(error, mesh))?.compliances(loads))
+        let found = factored.map_err(|error| self.named(error, mesh))?.compliances(loads);
+        let diagonal = body.stiffness.lower().map(|lower| lower.diagonal()).unwrap_or_default();
+        let alone = |load: &Row| -> f64 {
+            load.iter().map(|&(dof, value)| value.powi(2) / diagonal[dof]).sum()
+        };
+        let moves = |(own, load): (f64, &Row)| if own > ROUNDING * alone(load) { own } else { 0.0 };
+        Ok(found.into_iter().zip(loads).map(moves).collect())
     }
 
     /// The retained motions, as rows over dofs.

@@ -52,6 +52,7 @@ mod report;
 mod rotors_page;
 mod rubs;
 mod schema;
+mod section_tables;
 mod set_places;
 mod shell;
 mod stability_map;

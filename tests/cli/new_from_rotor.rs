@@ -12,7 +12,7 @@ use crate::analyses::{numbers, ran};
 use crate::workbench::{Outcome, Workbench};
 
 /// Files of ROSS 2.3.0, all but the ending `.gz`.
-const SAVED: [&str; 9] = [
+const SAVED: [&str; 10] = [
     "example.toml",
     "example-6dof.json",
     "compressor.toml",
@@ -22,6 +22,7 @@ const SAVED: [&str; 9] = [
     "film.toml",
     "supports.json",
     "train.toml",
+    "soft.toml",
 ];
 
 /// The text of such a file.
@@ -130,6 +131,23 @@ fn modes_of_even_shafts_are_those_of_ross() {
         let bounds = Bounds { rotor, stiffer, softer: 1e-4, ratio };
         assert_eq!(compare(&bench, &bounds), count, "{file}");
     }
+}
+
+/// Elements without stiffness, one of them conical and one as long as it is wide, keep their mass, their centre and their inertia.
+#[test]
+fn soft_elements_have_the_mass_and_the_inertia_of_ross() {
+    let (bench, _) = made("soft.toml");
+    let said = ran(&bench, &["check", "case.toml"]).stdout;
+    let line = said.lines().find(|line| line.starts_with("rotor ")).expect("its mass");
+    let found: Vec<f64> = line.split_whitespace().filter_map(|cell| cell.parse().ok()).collect();
+    // `rotor.m`, `rotor.CG` and `rotor.Ip` of ROSS 2.3.0.
+    for (found, known) in
+        found.iter().zip([89.44223882948849, 1036.3008102831874, 0.4362696704033844])
+    {
+        assert!((found / known - 1.0).abs() < 1e-4, "{line}");
+    }
+    let bounds = Bounds { rotor: "soft", stiffer: 3e-3, softer: 3e-3, ratio: 0.05 };
+    assert_eq!(compare(&bench, &bounds), 16);
 }
 
 /// Cones, layers and steps: beams are too stiff there. Of the compressor there are rows of mass without stiffness, a hub around

@@ -114,8 +114,10 @@ pub(super) fn lines(source: &Arc<Source>) -> Result<Vec<Vec<Located>>, Box<Diagn
     for line in source.text.split_inclusive('\n') {
         let comment = outside_quotes(line).into_iter().find(|own| own.1 == '#');
         let text = line[..comment.map_or(line.len(), |own| own.0)].trim_end();
-        if !text.trim_matches(['\u{feff}', ' ', '\t']).is_empty() {
-            lines.push(cells(source, text, start));
+        let line_of_cells = cells(source, text, start);
+        // A spreadsheet ends with lines of separators alone.
+        if line_of_cells.iter().any(|cell| !cell.text().is_empty()) {
+            lines.push(line_of_cells);
         }
         start += line.len();
     }

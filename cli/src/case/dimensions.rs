@@ -9,15 +9,15 @@ use whirl_solver::mesh::support::RingSupport;
 use whirl_solver::mesh::{Fineness, Material, Mesh};
 use whirl_specs::Element;
 
-/// A row's inertia beside that of its cells, where its mass reaches farther out than its stiffness.
+use crate::ring::Ring;
+
+/// A part of what a row has beside its cells, where its mass reaches farther out than its stiffness.
 #[derive(Debug, Clone)]
 pub(crate) struct RowInertia {
     /// The row.
     pub(crate) place: Located,
-    /// z of its middles, m.
-    pub(crate) at: Vec<f64>,
-    /// About the axis and about a diameter, at each of them, kg m².
-    pub(crate) inertias: [f64; 2],
+    /// What it is.
+    pub(crate) ring: Ring,
 }
 
 /// A table of sections as a case has it.

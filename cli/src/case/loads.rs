@@ -238,6 +238,13 @@ fn variation(
         load.push(load.written("phase").error_here(Code::BAD_VALUE, message).help(help));
     }
     let phase = load.quantity("phase").unwrap_or(0.0);
+    for (key, still) in [("frequency", frequency == Some(0.0)), ("order", order == Some(0.0))] {
+        if still && phase == 0.0 {
+            let message = format!("a load with `{key} = 0` and no `phase` is zero at all times");
+            let help = format!("leave `{key}` out for a constant load, or give its `phase`");
+            load.push(load.written(key).error_here(Code::BAD_VALUE, message).help(help));
+        }
+    }
     for (key, other) in [("order", "frequency"), ("table", "frequency"), ("table", "order")] {
         if load.has(key) && load.has(other) {
             load.conflict(key, other);

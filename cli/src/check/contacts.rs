@@ -78,7 +78,7 @@ pub(super) fn say_loads(
             parts.join(", ")
         );
         let most = worst.iter().fold(0.0, |most: f64, (_, part)| most.max(*part));
-        if most > MUCH {
+        if most > MUCH && body.spec.corrections.is_empty() {
             line!(
                 text,
                 "remove `static_correction = false` from `[{name}]` to keep the answers to these loads in addition \

@@ -14,6 +14,7 @@ use faer::{Conj, Par, Side};
 
 use super::block_solve::BlockSolve;
 use super::{LinearAlgebraError, LowerTriangle, MemoryLimit, view_mut};
+use crate::together::both;
 
 /// Sparse Cholesky factorisation PAPᵀ = LLᵀ of a symmetric positive definite matrix.
 #[derive(Debug)]
@@ -48,7 +49,7 @@ impl SparseCholesky {
         limit: impl Into<MemoryLimit>,
     ) -> Result<Self, LinearAlgebraError> {
         let symbolic = symbolic(a, order, limit.into())?;
-        let mut values = vec![0.0; symbolic.len_val()];
+        let mut values = zeros(symbolic.len_val());
         let par = parallelism(&symbolic);
         let scratch = symbolic.factorize_numeric_llt_scratch::<f64>(par, Default::default());
         let outcome = symbolic
@@ -152,7 +153,7 @@ impl SparseLdlt {
         symbolic: Arc<SymbolicCholesky<usize>>,
         a: &LowerTriangle,
     ) -> Result<Option<Self>, LinearAlgebraError> {
-        let mut values = vec![0.0; symbolic.len_val()];
+        let mut values = zeros(symbolic.len_val());
         let par = parallelism(&symbolic);
         let scratch = symbolic.factorize_numeric_ldlt_scratch::<f64>(par, Default::default());
         let outcome = symbolic.factorize_numeric_ldlt(
@@ -232,6 +233,16 @@ const PARTS: usize = 2;
 /// so that all machines compute the same.
 fn parallelism(symbolic: &SymbolicCholesky<usize>) -> Par {
     if symbolic.len_val() < MANY { Par::Seq } else { Par::rayon(PARTS) }
+}
+
+/// Zeros for the values of a factor: of many, pages of memory are taken into use by two threads.
+fn zeros(count: usize) -> Vec<f64> {
+    let mut values = vec![0.0; count];
+    if count >= MANY {
+        let (first, second) = values.split_at_mut(count / 2);
+        both(|| first.fill(0.0), || second.fill(0.0));
+    }
+    values
 }
 
 fn symbolic(

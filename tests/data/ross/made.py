@@ -152,6 +152,17 @@ def train():
     return rs.Rotor(shaft, discs, bearings)
 
 
+def soft():
+    """Impellers of mass without stiffness on a shaft: a cone, and a tube as long as it is wide."""
+    light = rs.Material(name="Soft", rho=6000, E=1e5, G_s=4e4)
+    shaft = [rs.ShaftElement(L=0.125, idl=0, odl=0.06, material=steel, n=n) for n in range(12)]
+    shaft.append(rs.ShaftElement(L=0.125, idl=0.06, odl=0.1, idr=0.06, odr=0.2, material=light, n=4))
+    shaft.append(rs.ShaftElement(L=0.125, idl=0.06, odl=0.25, material=light, n=11))
+    discs = [rs.DiskElement(n=9, m=10, Id=0.05, Ip=0.09)]
+    bearings = [rs.BearingElement(n, kxx=2e7, kyy=1.5e7, cxx=100) for n in (0, 10)]
+    return rs.Rotor(shaft, discs, bearings)
+
+
 ROTORS = {
     "example": (rs.rotor_example, "toml", [0.0, 400.0]),
     "example-6dof": (rs.rotor_example_6dof, "json", [0.0, 400.0]),
@@ -162,6 +173,7 @@ ROTORS = {
     "film": (film, "toml", [200.0, 700.0]),
     "supports": (supports, "json", [0.0, 500.0]),
     "train": (train, "toml", [0.0, 400.0]),
+    "soft": (soft, "toml", [0.0, 400.0]),
 }
 
 

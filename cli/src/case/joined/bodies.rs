@@ -21,6 +21,7 @@ use crate::case::machine::{self, Materials};
 use crate::case::named_body::{Attached, Form, MeshedBody, NamedBody};
 use crate::case::rotor::{Body, Mesh};
 use crate::case::{names, sections, selections};
+use crate::ring::Ring;
 
 /// What a table says of a body.
 pub(super) struct BodyDraft {
@@ -154,10 +155,9 @@ fn carry(form: &mut Form, attached: &mut Vec<Attached>) {
         }
         Dimensions::Sections(sections) => {
             for own in &sections.inertias {
-                let [polar_inertia, diametral_inertia] = own.inertias;
-                let what = AttachmentKind::Disc { mass: 0.0, polar_inertia, diametral_inertia };
-                let at = own.at.iter();
-                attached.extend(at.map(|&z| Attached { name: own.place.clone(), z, what }));
+                let Ring { z, mass, inertias: [polar_inertia, diametral_inertia] } = own.ring;
+                let what = AttachmentKind::Disc { mass, polar_inertia, diametral_inertia };
+                attached.push(Attached { name: own.place.clone(), z, what });
             }
             let planes = &mut sections.table.planes;
             planes.extend(attached.iter().map(|own| own.z));

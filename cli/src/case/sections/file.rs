@@ -37,7 +37,7 @@ pub(super) fn read(store: FileStore, table: &Table, name: &Located) -> Option<Ve
         table.push(name.error_here(Code::TABLE, message).help(EXAMPLE));
         return None;
     };
-    let columns = columns_of(heads, table)?;
+    let columns = columns_of(upto_last(heads, 1), table)?;
     if lines.is_empty() {
         let message = format!("`{}` has no row", name.text());
         table.push(name.error_here(Code::TABLE, message).help("add a line for each section"));
@@ -45,7 +45,7 @@ pub(super) fn read(store: FileStore, table: &Table, name: &Located) -> Option<Ve
     }
     let (mut rows, mut wrong) = (Vec::with_capacity(lines.len()), 0);
     for line in lines {
-        match row(line, &columns) {
+        match row(upto_last(line, columns.len()), &columns) {
             Ok(own) => rows.push(own),
             Err(error) => {
                 table.push(*error);
@@ -57,6 +57,12 @@ pub(super) fn read(store: FileStore, table: &Table, name: &Located) -> Option<Ve
         }
     }
     (wrong == 0).then_some(rows)
+}
+
+/// A line without the empty cells at its end that a spreadsheet adds, of so many cells at least.
+fn upto_last(line: &[Located], least: usize) -> &[Located] {
+    let last = line.iter().rposition(|cell| !cell.text().is_empty()).map_or(0, |last| last + 1);
+    &line[..last.max(least).min(line.len())]
 }
 
 /// The columns by their names; none if one is wrong.
@@ -81,12 +87,14 @@ fn columns_of(heads: &[Located], table: &Table) -> Option<Vec<Column>> {
 }
 
 fn column(head: &Located) -> Result<(Column, String), Box<Diagnostic>> {
-    let (name, unit) = match head.text().split_once('[') {
-        Some((name, rest)) => (name.trim(), rest.split_once(']').map(|own| own.0)),
-        None => (head.text().trim(), None),
-    };
+    let brackets = [('[', ']'), ('(', ')')].into_iter().find_map(|(open, close)| {
+        let (name, rest) = head.text().split_once(open)?;
+        Some((name.trim(), rest.split_once(close).map(|own| own.0)))
+    });
+    let (name, unit) = brackets.unwrap_or((head.text().trim(), None));
+    let name = &name.to_ascii_lowercase();
     if let Some(text) = TEXTS.into_iter().find(|known| *known == name) {
-        return match head.text().contains('[') {
+        return match brackets.is_some() {
             false => Ok((Column::Text(text), name.to_owned())),
             true => {
                 let message = format!("the column `{name}` has names, which have no unit");

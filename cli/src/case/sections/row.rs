@@ -10,6 +10,7 @@ use whirl_solver::mesh::sections::SectionRow;
 
 use crate::case::dimensions::RowInertia;
 use crate::case::machine::Materials;
+use crate::ring::Ring;
 
 /// What a row may say: diameters and places along z.
 pub(super) const LENGTHS: [&str; 9] = [
@@ -181,7 +182,7 @@ pub(super) fn rows(
             } else {
                 let called = format!("beside row {}", k + 1);
                 let place = Located::new(draft.place.source(), draft.place.span(), called);
-                inertias.extend(carry(&mut row, 0.5 * reach, place));
+                inertias.extend(carry(&mut row, 0.5 * reach, &place));
             }
         }
         rows.push(row);
@@ -189,27 +190,44 @@ pub(super) fn rows(
     (table.errors() == before).then_some((rows, inertias))
 }
 
-/// Gives the cells of a row the mass of all that is inside of a radius (m), and returns the inertia that they lack then.
-fn carry(row: &mut SectionRow, reach: f64, place: Located) -> Option<RowInertia> {
+/// Gives the cells of a row mass of what is around them up to a radius (m), as far as one density can, and returns what they
+/// lack then: polar inertia, and along a cone mass, too, as rings that have its centre and its inertia.
+fn carry(row: &mut SectionRow, reach: f64, place: &Located) -> Vec<RowInertia> {
+    let Some(density) = row.material.properties.get("rho").copied() else { return Vec::new() };
     let [from, to] = row.z;
     let length = to - from;
-    // ∫ r^n dz over a cone.
-    let second = |[a, b]: [f64; 2]| (a * a + a * b + b * b) * length / 3.0;
-    let fourth =
-        |[a, b]: [f64; 2]| (0..=4).map(|k| a.powi(4 - k) * b.powi(k)).sum::<f64>() * length / 5.0;
-    let (outer, inner) = (row.outer, row.inner);
-    let factor = (second([reach; 2]) - second(inner)) / (second(outer) - second(inner));
-    let density = row.material.properties.get("rho").copied()?;
-    let wanted = 0.5 * PI * density * (fourth([reach; 2]) - fourth(inner));
-    let of_cells = 0.5 * PI * density * factor * (fourth(outer) - fourth(inner));
+    let radii = |z: f64| {
+        let at = |[a, b]: [f64; 2]| a + (b - a) * (z - from) / length;
+        [at(row.inner), at(row.outer)]
+    };
+    // r₂ⁿ − r₁ⁿ of all that there is to be, and of the cells.
+    let both = |z: f64, n: i32| {
+        let [inner, outer] = radii(z);
+        [reach.powi(n) - inner.powi(n), outer.powi(n) - inner.powi(n)]
+    };
+    let count = (length / (2.0 * reach)).ceil().max(1.0) as usize;
+    let ends: Vec<f64> = (0..=count).map(|k| from + length * k as f64 / count as f64).collect();
+    // Where the cells take most of it, no more is added to them than there is elsewhere.
+    let fine = (0..=16).map(|k| from + length * f64::from(k) / 16.0);
+    let ratio = |z: f64| {
+        let [all, cells] = both(z, 2);
+        all / cells
+    };
+    let factor = fine.map(ratio).fold(f64::MAX, f64::min);
+    // Of a ring dz, per density.
+    let lacks = |z: f64, n: i32| {
+        let [all, cells] = both(z, n);
+        all - factor * cells
+    };
+    let whole = density * PI * reach.powi(2) * length;
+    let rings = ends.windows(2).map(|ends| {
+        let ring = Ring::new([ends[0], ends[1]], density, whole, lacks);
+        RowInertia { place: place.clone(), ring }
+    });
+    let rings = rings.collect();
     row.material.properties.insert("rho".to_owned(), density * factor);
     row.material.name = format!("{} × {}", row.material.name, whirl_text::rounded(factor, 4));
-    let polar = wanted - of_cells;
-    let count = (length / (2.0 * reach)).ceil().max(1.0) as usize;
-    let at = (0..count).map(|k| from + length * (k as f64 + 0.5) / count as f64).collect();
-    let each = polar / count as f64;
-    // Rings of no length: half of their polar inertia about a diameter.
-    Some(RowInertia { place, at, inertias: [each, 0.5 * each] })
+    rings
 }
 
 /// Why a row cannot have a name beside those of other rows, whose bores have sets, too.

@@ -108,24 +108,26 @@ fn damping(shaft: &Shaft, notes: &mut Notes) -> f64 {
 /// Gives bodies their discs and masses.
 fn carry(file: &File, (model, shafts): (&Model, &[Shaft]), bodies: &mut [Body], notes: &mut Notes) {
     let mut names = Names::default();
-    let mut add = |named: &Named, tag: &str, n: usize, inertias: [f64; 3], notes: &mut Notes| {
-        let Some(place) = shafts.iter().position(|own| own.nodes.contains_key(&n)) else {
-            let help = format!("its node is one of the shaft: {}", known(shafts));
-            let what = format!("`{}`: no shaft has a node {n}", named.tag);
-            file.wrong(named.place.clone(), what, help);
-            return;
+    let mut add =
+        |named: &Named, tag: &str, at: (usize, f64), inertias: [f64; 3], notes: &mut Notes| {
+            let (n, beyond) = at;
+            let Some(place) = shafts.iter().position(|own| own.nodes.contains_key(&n)) else {
+                let help = format!("its node is one of the shaft: {}", known(shafts));
+                let what = format!("`{}`: no shaft has a node {n}", named.tag);
+                file.wrong(named.place.clone(), what, help);
+                return;
+            };
+            let Some((mass, inertias)) = masses(tag, inertias, notes) else { return };
+            let (name, z) = (names.of(tag, "disc"), shafts[place].nodes[&n] + beyond);
+            bodies[place].carried.push(Carried { name, tag: tag.to_owned(), z, mass, inertias });
         };
-        let Some((mass, inertias)) = masses(tag, inertias, notes) else { return };
-        let (name, z) = (names.of(tag, "disc"), shafts[place].nodes[&n]);
-        bodies[place].carried.push(Carried { name, tag: tag.to_owned(), z, mass, inertias });
-    };
     for own in &model.discs {
-        add(&own.named, &own.named.tag, own.n, own.inertias, notes);
+        add(&own.named, &own.named.tag, (own.n, own.beyond), own.inertias, notes);
     }
     for own in &model.couplings {
         for (side, called) in ["left", "right"].into_iter().enumerate() {
             let tag = format!("{} {called}", own.named.tag);
-            add(&own.named, &tag, own.n + side, own.ends[side], notes);
+            add(&own.named, &tag, (own.n + side, 0.0), own.ends[side], notes);
         }
     }
     for own in &model.masses {
@@ -133,7 +135,7 @@ fn carry(file: &File, (model, shafts): (&Model, &[Shaft]), bodies: &mut [Body], 
             add(
                 &own.named,
                 &own.named.tag,
-                own.n,
+                (own.n, 0.0),
                 [of_plane(own.mass, &own.named.tag, notes), 0.0, 0.0],
                 notes,
             );
@@ -150,7 +152,7 @@ fn carry(file: &File, (model, shafts): (&Model, &[Shaft]), bodies: &mut [Body], 
         }
         if on_shaft && own.link.is_none() && alike && constant {
             let tag = format!("{} fluid", own.named.tag);
-            add(&own.named, &tag, own.n, [added[0], 0.0, 0.0], notes);
+            add(&own.named, &tag, (own.n, 0.0), [added[0], 0.0, 0.0], notes);
             notes.of(
                 &own.named.tag,
                 "its inertia mxx = myy is a mass on the shaft: take it out where gravity acts",

@@ -198,7 +198,7 @@ fn disc(own: &Fields, class: &str, notes: &mut Notes) -> Option<Disc> {
         ),
         false => unread(own, notes),
     }
-    Some(Disc { named: named(own), n: n?, inertias, gear })
+    Some(Disc { named: named(own), n: n?, beyond: 0.0, inertias, gear })
 }
 
 fn mass(own: &Fields) -> Option<PointMass> {

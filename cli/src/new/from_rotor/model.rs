@@ -54,6 +54,8 @@ pub(super) struct Coupling {
 pub(super) struct Disc {
     pub(super) named: Named,
     pub(super) n: usize,
+    /// How far beyond the node it is (m).
+    pub(super) beyond: f64,
     /// Mass, transverse and polar inertia.
     pub(super) inertias: [f64; 3],
     pub(super) gear: bool,

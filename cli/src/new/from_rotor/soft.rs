@@ -1,17 +1,16 @@
 //! Shaft elements that have mass and hardly any stiffness, as those of sleeves and impellers, and materials of the others.
 
-use std::f64::consts::PI;
-
 use super::fields::File;
 use super::model::{Disc, Model, ShaftElement};
 use super::notes::Notes;
+use crate::ring::Ring;
 
 /// What is softer than this part of the stiffest element at its node is mass alone.
 const SOFT: f64 = 1e-3;
 /// Diameters nearer than this part are the same.
 const SAME: f64 = 1e-6;
 
-/// Takes such elements out: what is inside of them gets their mass, or else both of their nodes. Then refuses materials of
+/// Takes such elements out: what is inside of them gets their mass, or else they become discs. Then refuses materials of
 /// elements that no solid has.
 pub(super) fn split(file: &File, model: &mut Model, notes: &mut Notes) {
     let stiffest = |n: usize, all: &[ShaftElement]| {
@@ -44,7 +43,8 @@ pub(super) fn split(file: &File, model: &mut Model, notes: &mut Notes) {
             None => {
                 notes.of(
                     &own.named.tag,
-                    "has mass and no stiffness to speak of: half of it is a disc at each of its nodes",
+                    "has mass and no stiffness to speak of: each half of its length is a disc, with the mass, the centre and the \
+                     inertia of that half",
                 );
                 model.discs.extend(halves(&own));
             }
@@ -54,19 +54,18 @@ pub(super) fn split(file: &File, model: &mut Model, notes: &mut Notes) {
     model.shaft = kept;
 }
 
-/// Both halves of an element as discs, of which each is thin.
+/// Both halves of an element as discs, each with its mass, its centre and its inertia.
 fn halves(own: &ShaftElement) -> [Disc; 2] {
-    // Of the whole, with the mean of its ends.
-    let power = |k: i32| {
-        let at = |d: [f64; 2]| 0.5 * (d[0].powi(k) + d[1].powi(k));
-        at(own.outer) - at(own.inner)
-    };
-    let density = own.material.density * own.length * PI;
-    let (mass, polar) = (0.5 * density * power(2) / 4.0, 0.5 * density * power(4) / 32.0);
-    [own.n, own.n + 1].map(|n| {
+    let radius = |[a, b]: [f64; 2], z: f64| 0.5 * (a + (b - a) * z / own.length);
+    let radii = |z: f64, n: i32| radius(own.outer, z).powi(n) - radius(own.inner, z).powi(n);
+    [("left", 0.0), ("right", 0.5)].map(|(side, from)| {
+        let between = [from, from + 0.5].map(|part| part * own.length);
+        let ring = Ring::new(between, own.material.density, 0.0, radii);
         let mut named = own.named.clone();
-        named.tag += if n == own.n { " left" } else { " right" };
-        Disc { named, n, inertias: [mass, 0.5 * polar, polar], gear: false }
+        named.tag = format!("{} {side}", named.tag);
+        let [polar, transverse] = ring.inertias;
+        let inertias = [ring.mass, transverse, polar];
+        Disc { named, n: own.n, beyond: ring.z, inertias, gear: false }
     })
 }
 

@@ -58,7 +58,19 @@ impl Grids {
             None => usize::from(self.held_by_default),
         };
         in_residual(card, report);
+        let own = RawGrid {
+            label,
+            system: system.flatten(),
+            at,
+            axes: axes.flatten(),
+            place: card.place,
+        };
         if let Some(&first) = self.index.get(&label) {
+            // One may stand twice, as what two files share.
+            let known = &self.list[first];
+            if (known.system, known.at, known.axes) == (own.system, own.at, own.axes) {
+                return;
+            }
             let line = report.line(self.list[first].place, card.place);
             let what = format!("node {label} is defined twice");
             report.error(
@@ -69,13 +81,7 @@ impl Grids {
             return;
         }
         self.index.insert(label, self.list.len());
-        self.list.push(RawGrid {
-            label,
-            system: system.flatten(),
-            at,
-            axes: axes.flatten(),
-            place: card.place,
-        });
+        self.list.push(own);
     }
 
     /// Reads `GRDSET`.

@@ -44,8 +44,13 @@ pub(super) fn read_nodes(
                 let what = format!("node {label} has {}", count(line.len() - 1, "coordinate"));
                 report.error(*token, what, "write label, x, y, z");
             }
-            if let Some(index) = nodes.named.add(label, *token, report) {
-                nodes.positions.push(motion.place(position));
+            let position = motion.place(position);
+            // A node may stand twice, as what two files share.
+            let known = nodes.named.index.get(&label).copied();
+            if let Some(known) = known.filter(|&known| nodes.positions[known] == position) {
+                members.push(known);
+            } else if let Some(index) = nodes.named.add(label, *token, report) {
+                nodes.positions.push(position);
                 members.push(index);
             }
         }

@@ -161,7 +161,8 @@ const SAYS_NOTHING: [&str; 2] = ["HEADING", "PREPRINT"];
 const OTHERS: [&str; 2] = ["PLASTIC", "SHELL SECTION"];
 
 /// Keywords that add or move nodes, cells or their matrices: a mesh without them would be another mesh.
-const CHANGES_THE_MESH: [&str; 7] = ["NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM"];
+const CHANGES_THE_MESH: [&str; 8] =
+    ["NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM", "IMPERFECTION"];
 
 /// The cards that this reader knows; warns of the others.
 fn readable<'c, 'a>(

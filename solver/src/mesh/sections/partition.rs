@@ -24,6 +24,11 @@ pub(super) struct Piece {
     pub(super) free: [bool; 2],
 }
 
+/// Steps of so small a part of the radius are none: rings as thin would take away the digits of a slender body.
+const STEP: f64 = 1e-3;
+/// Walls beside such a step are at least so many times as thick.
+const WALL: f64 = 8.0;
+
 /// Planes with radii, and what is between them.
 pub(super) struct Partition {
     /// z, ascending, m.
@@ -58,7 +63,7 @@ impl Partition {
                 |z: f64| rows[row].z.into_iter().find(|end| (end - z).abs() <= near).unwrap_or(z);
             Range { row, left: rows[row].at(snapped(from)), right: rows[row].at(snapped(to)) }
         };
-        let strips: Vec<Vec<Range>> = planes
+        let mut strips: Vec<Vec<Range>> = planes
             .windows(2)
             .map(|pair| {
                 let middle = 0.5 * (pair[0] + pair[1]);
@@ -68,6 +73,7 @@ impl Partition {
                 })
             })
             .collect();
+        (1..strips.len()).for_each(|plane| level(rows, &mut strips, plane, same));
         let mut radii = vec![Vec::new(); planes.len()];
         for (strip, own) in strips.iter().enumerate() {
             for range in own {
@@ -113,6 +119,35 @@ impl Partition {
     pub(super) fn cells(&self) -> usize {
         let of = |piece: &Piece| piece.left[1] - piece.left[0] + piece.right[1] - piece.right[0];
         self.pieces.iter().flatten().map(of).sum()
+    }
+}
+
+/// Takes small steps out of the plane between two strips: both sides get the radius of the one that has a name, or the mean.
+fn level(rows: &[SectionRow], strips: &mut [Vec<Range>], plane: usize, same: f64) {
+    let (left, right) = strips.split_at_mut(plane);
+    let (left, right) = (&mut left[plane - 1], &mut right[0]);
+    let step = |a: f64, b: f64| (a - b).abs() > same && (a - b).abs() <= STEP * a.max(b);
+    let mut levelled: Vec<(f64, f64)> = Vec::new();
+    for (own, other) in left.iter().flat_map(|own| right.iter().map(move |other| (own, other))) {
+        for (a, b) in own.right.into_iter().zip(other.left) {
+            let wall = (own.right[1] - own.right[0]).min(other.left[1] - other.left[0]);
+            if !step(a, b) || wall < WALL * (a - b).abs() {
+                continue;
+            }
+            let r = match [own, other].map(|range| rows[range.row].name.is_some()) {
+                [true, true] => continue,
+                [true, false] => a,
+                [false, true] => b,
+                [false, false] => 0.5 * (a + b),
+            };
+            levelled.extend([(a, r), (b, r)]);
+        }
+    }
+    let ends = left.iter_mut().map(|own| &mut own.right);
+    for radius in ends.chain(right.iter_mut().map(|own| &mut own.left)).flatten() {
+        if let Some((_, r)) = levelled.iter().find(|own| (own.0 - *radius).abs() <= same) {
+            *radius = *r;
+        }
     }
 }
 

@@ -85,8 +85,10 @@ impl Columns {
             let offset = start + line.len() - text.len();
             start += line.len();
             let text = without_comment(text).trim_end();
-            if !text.is_empty() {
-                lines.push(cells(text, offset));
+            let line = cells(text, offset);
+            // A spreadsheet ends with lines of separators alone.
+            if line.iter().any(|cell| !cell.is_empty()) {
+                lines.push(line);
             }
         }
         let is_number = |cell: &Range<usize>| number(&source.text[cell.clone()]).is_some();
@@ -314,9 +316,16 @@ fn part(line: &str, piece: &str) -> Range<usize> {
     start..start + piece.len()
 }
 
-/// A decimal number with an optional sign.
+/// A decimal number with an optional sign; programs write `.5` and `2.`, too.
 fn number(text: &str) -> Option<Rational> {
     let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
+    let (whole, rest) = unsigned.split_once('.').unwrap_or((unsigned, ""));
+    let has_digit = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
+    let unsigned = &match (has_digit(whole), has_digit(rest)) {
+        (false, true) if whole.is_empty() => format!("0.{rest}"),
+        (true, false) => format!("{whole}{rest}"),
+        _ => unsigned.to_owned(),
+    };
     let (value, length) = decimal(unsigned)?;
     let value = value.filter(|_| length == unsigned.len())?;
     Some(if text.starts_with('-') { -value } else { value })
