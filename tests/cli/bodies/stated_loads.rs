@@ -113,3 +113,16 @@ fn check_says_what_a_body_lacks_under_each_load() {
     assert!(without.contains("remove `static_correction = false` from `[body.beam]`"), "{without}");
     assert!(!with.contains("remove `static_correction"), "{with}");
 }
+
+/// Of a load on what a joint retains nothing is lacking, though with it held nothing moves but by rounding.
+#[test]
+fn a_load_on_what_is_retained_lacks_nothing() {
+    let case = cantilever(3, "static_correction = false")
+        .replace("sets = [\"END\"]\nspread", "sets = [\"LEFT\"]\nspread");
+    let case = case
+        .replace("force = [\"0 N\", \"0 N\", \"100 N\"]", "force = [\"100 N\", \"0 N\", \"0 N\"]");
+    let bench =
+        Workbench::new().file("bar.inp", &bar_with(|own| own, 0.0)).file("case.toml", &case);
+    let said = bench.whirl(&["check", "case.toml"]).stdout;
+    assert!(said.contains("(retained nodes held): pull 0.00 %, twist 100.00 %"), "{said}");
+}

@@ -11,6 +11,15 @@ fn errors(passage: &str, by: &str) -> String {
     }
 }
 
+/// As files that share an interface have it.
+#[test]
+fn a_node_may_stand_twice_at_one_place() {
+    let twice = read(&GOOD.replace(" 9, 2, 0, 0\n", " 9, 2, 0, 0\n 9, 2., 0\n")).expect("a mesh");
+    let once = read(GOOD).expect("a mesh");
+    assert_eq!(twice.mesh.nodes(), once.mesh.nodes());
+    assert_eq!(twice.mesh.node_sets(), once.mesh.node_sets());
+}
+
 #[test]
 fn every_error_says_where_what_and_how_to_fix_it() {
     let cases = [
@@ -32,7 +41,7 @@ fn every_error_says_where_what_and_how_to_fix_it() {
         ),
         (
             " 9, 2, 0, 0\n",
-            " 9, 2, 0, 0\n 9, 2, 0, 0\n",
+            " 9, 2, 0, 0\n 9, 2, 0, 1\n",
             "cube.inp:14:2: node 9 is defined twice\n  help: line 13 has the first; give this one another label",
         ),
         (

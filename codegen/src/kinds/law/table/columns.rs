@@ -323,7 +323,9 @@ fn number(text: &str) -> Option<Rational> {
     let has_digit = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
     let unsigned = &match (has_digit(whole), has_digit(rest)) {
         (false, true) if whole.is_empty() => format!("0.{rest}"),
-        (true, false) => format!("{whole}{rest}"),
+        (true, false) if rest.is_empty() || rest.starts_with(['e', 'E']) => {
+            format!("{whole}{rest}")
+        }
         _ => unsigned.to_owned(),
     };
     let (value, length) = decimal(unsigned)?;

@@ -79,6 +79,20 @@ fn the_cubic_passes_through_its_rows_and_is_monotone() {
     assert!((value(&law, 2.7e-3) - 10.0).abs() < 1e-14);
 }
 
+/// Numbers as other programs write them, and lines of separators alone.
+#[test]
+fn numbers_may_begin_or_end_with_a_point() {
+    let plain = fine("", "x [mm],y [N]\n0,-0.5\n1,2\n3,300\n");
+    let other = fine("", "x [mm],y [N]\n0.,-.5\n+1.,2.\n.3e1,3.e2\n,,\n,\n");
+    for h in [0.0, 0.3e-3, 1.1e-3, 2.5e-3] {
+        assert_eq!(value(&plain, h), value(&other, h));
+    }
+    for wrong in [".", "-.", "1..2", "e5", ".e5", "1.2.3", ""] {
+        let text = format!("x [mm],y [N]\n0,1\n1,{wrong}\n2,3\n");
+        assert!(law("", "[0, 2]", &text).is_err(), "{wrong}");
+    }
+}
+
 #[test]
 fn values_are_of_third_order() {
     // e^x on [0, 1] with twice as many rows: the error falls eightfold, in the limit.
