@@ -16,7 +16,7 @@ pub(crate) struct Ring {
 impl Ring {
     /// Between two z (m), of a density (kg/m³) and the difference r₂ⁿ − r₁ⁿ of its radii at a z, n 2 or 4: exact of cones.
     ///
-    /// What has no more than a billionth of the mass `beside` it has none.
+    /// A mass of at most a billionth of `beside` counts as zero.
     pub(crate) fn new(
         between: [f64; 2],
         density: f64,

@@ -157,18 +157,24 @@ impl BodySpec {
     /// # Errors
     /// As [`Solid::factored`].
     pub(crate) fn compliances(&self, mesh: &Mesh, loads: &[Row]) -> Result<Vec<f64>, Error> {
-        /// What moves less than this part of what its dofs would do with all others held does not move but by rounding.
+        /// A displacement below this part of that of its dofs alone is rounding.
         const ROUNDING: f64 = 1e-9;
         let body = self.assemble(mesh)?;
         let rows = self.rows();
         let solid = body.solid(mesh, self.memory);
         let factored = solid.factored(&self.interface(&rows));
         let found = factored.map_err(|error| self.named(error, mesh))?.compliances(loads);
-        let diagonal = body.stiffness.lower().map(|lower| lower.diagonal()).unwrap_or_default();
+        let Some(diagonal) = body.stiffness.lower().map(|lower| lower.diagonal()) else {
+            return Ok(found);
+        };
+        // Infinite at nodes without cells, which others carry.
         let alone = |load: &Row| -> f64 {
             load.iter().map(|&(dof, value)| value.powi(2) / diagonal[dof]).sum()
         };
-        let moves = |(own, load): (f64, &Row)| if own > ROUNDING * alone(load) { own } else { 0.0 };
+        let moves = |(own, load): (f64, &Row)| match alone(load) {
+            alone if alone.is_finite() && own <= ROUNDING * alone => 0.0,
+            _ => own,
+        };
         Ok(found.into_iter().zip(loads).map(moves).collect())
     }
 

@@ -269,7 +269,7 @@ impl<const C: usize> Default for BlockMemory<C> {
 }
 
 impl<const C: usize> BlockMemory<C> {
-    /// y = A x by blocks of C columns, interleaved, and one that is left alone by itself.
+    /// y = A x by blocks of C columns, interleaved; a single remaining column on its own.
     fn by_blocks(&mut self, matrix: &SparseMatrix, x: &[f64], y: &mut [f64]) {
         let n = matrix.size();
         if n == 0 {
@@ -281,7 +281,7 @@ impl<const C: usize> BlockMemory<C> {
         }
         let BlockMemory { from, to } = self;
         for (x, y) in x.chunks(C * n).zip(y.chunks_mut(C * n)) {
-            // What stands in columns that a last block lacks is left out again.
+            // Unused lanes of a last block hold old values, which are not copied out.
             if x.len() > n {
                 for (part, from) in from.chunks_mut(ROWS).enumerate() {
                     for (c, column) in x.chunks_exact(n).enumerate() {

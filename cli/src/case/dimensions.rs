@@ -13,7 +13,7 @@ use crate::ring::Ring;
 
 /// A part of what a row has beside its cells, where its mass reaches farther out than its stiffness.
 #[derive(Debug, Clone)]
-pub(crate) struct RowInertia {
+pub(crate) struct RowRing {
     /// The row.
     pub(crate) place: Located,
     /// What it is.
@@ -26,7 +26,7 @@ pub(crate) struct Sections {
     /// Of which the mesh is made.
     pub(crate) table: SectionTable,
     /// What its cells lack.
-    pub(crate) inertias: Vec<RowInertia>,
+    pub(crate) rings: Vec<RowRing>,
 }
 
 /// Dimensions from which a mesh is made.

@@ -54,7 +54,7 @@ fn rounded(value: f64) -> Decimal {
     let mut exponent = (power * 1233) >> 12;
     let scale = |exponent: i32| u128::from(significand) * TENS[(DIGITS as i32 - exponent) as usize];
     let mut scaled = scale(exponent);
-    // The number times 10^(DIGITS − exponent) is `scaled` with so many binary places, to the last bit.
+    // The number times 10^(DIGITS − exponent) is `scaled` exactly, with `places` binary places.
     let places = 52 - power;
     if scaled >> places >= TENS[DIGITS + 1] {
         exponent += 1;
@@ -62,10 +62,9 @@ fn rounded(value: f64) -> Decimal {
     }
     let (whole, rest, half) =
         (scaled >> places, scaled & ((1 << places) - 1), 1_u128 << (places - 1));
-    if rest == half {
-        return exactly(value);
-    }
-    let mut whole = whole as u64 + u64::from(rest > half);
+    // Halves to even, as `{:e}` has them.
+    let mut whole = whole as u64;
+    whole += u64::from(rest > half || rest == half && whole % 2 == 1);
     if u128::from(whole) == TENS[DIGITS + 1] {
         whole /= 10;
         exponent += 1;
@@ -78,7 +77,7 @@ fn rounded(value: f64) -> Decimal {
     Decimal { digits, exponent }
 }
 
-/// Numbers that ten digits make a whole one of by a power of ten in [`TENS`], within 128 bits.
+/// Where the number, scaled by a power of ten in [`TENS`] to ten whole digits, fits into 128 bits.
 const SCALED: std::ops::Range<f64> = 1e-12..1e9;
 
 const TENS: [u128; 23] = {

@@ -41,6 +41,7 @@ pub(crate) use product::{
 };
 pub(crate) use quadratic::{FirstOrder, QuadraticPair, quadratic_eigen, quadratic_eigen_with};
 pub(crate) use rough_inverse::RoughInverse;
+pub(crate) use sparse::Pattern;
 pub use sparse::{Inertia, SparseCholesky, SparseLdlt};
 pub(crate) use sums::{largest_and_sum, sum_of, sum_over};
 

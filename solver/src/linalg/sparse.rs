@@ -16,11 +16,15 @@ use super::block_solve::BlockSolve;
 use super::{LinearAlgebraError, LowerTriangle, MemoryLimit, view_mut};
 use crate::together::both;
 
+/// Where a factor has values, and in which order they are found.
+#[derive(Debug)]
+pub(crate) struct Pattern(Arc<SymbolicCholesky<usize>>);
+
 /// Sparse Cholesky factorisation PAPᵀ = LLᵀ of a symmetric positive definite matrix.
 #[derive(Debug)]
 pub struct SparseCholesky {
-    /// For factors of matrices with the same entries, as long as there may be one.
-    symbolic: Option<Arc<SymbolicCholesky<usize>>>,
+    /// Until it is settled.
+    pattern: Option<Pattern>,
     /// The row of each unknown of the factor, in the order in which they are eliminated.
     order: Vec<usize>,
     /// `None` of a matrix without rows.
@@ -77,14 +81,19 @@ impl SparseCholesky {
             Ok(()) => {
                 let order = (0..a.size).map(row).collect();
                 let factor = supernodes(&symbolic).map(|own| BlockSolve::new(own, values));
-                Ok(SparseCholesky { symbolic: Some(Arc::new(symbolic)), order, factor })
+                Ok(SparseCholesky { pattern: Some(Pattern(Arc::new(symbolic))), order, factor })
             }
         }
     }
 
-    /// Forgets what only another factor would need.
+    /// Its pattern, for factors of other matrices with the same entries; none once it is settled.
+    pub(crate) fn pattern(&self) -> Option<&Pattern> {
+        self.pattern.as_ref()
+    }
+
+    /// Forgets the pattern.
     pub(crate) fn settle(&mut self) {
-        self.symbolic = None;
+        self.pattern = None;
     }
 
     /// Replaces each column b of `rhs` (columns as long as the matrix) by A⁻¹b, in two parts side by side where that pays.
@@ -129,24 +138,17 @@ impl SparseLdlt {
         SparseLdlt::by(Arc::new(symbolic(a, order, limit.into())?), a)
     }
 
-    /// The same; `other`: the factor of a matrix with the same entries, in the same order.
+    /// The same by the pattern of a factor of a matrix with the same entries, in the same order.
     ///
     /// # Errors
     /// As [`SparseLdlt::new`].
-    pub(crate) fn alike(
+    pub(crate) fn by_pattern(
+        pattern: &Pattern,
         a: &LowerTriangle,
-        order: &[usize],
-        other: &SparseCholesky,
         limit: impl Into<MemoryLimit>,
     ) -> Result<Option<Self>, LinearAlgebraError> {
-        let limit = limit.into();
-        match &other.symbolic {
-            Some(symbolic) => {
-                fits(symbolic, a, limit)?;
-                SparseLdlt::by(symbolic.clone(), a)
-            }
-            None => SparseLdlt::new(a, order, limit),
-        }
+        fits(&pattern.0, a, limit.into())?;
+        SparseLdlt::by(pattern.0.clone(), a)
     }
 
     fn by(

@@ -9,8 +9,8 @@ use std::borrow::Cow;
 
 use crate::error::ReductionError;
 use crate::linalg::{
-    LinearAlgebraError, LowerTriangle, Lu, Matrix, MemoryLimit, SparseCholesky, SparseLdlt,
-    add_columns, symmetric_eigen, transpose_multiply,
+    LinearAlgebraError, LowerTriangle, Lu, Matrix, MemoryLimit, Pattern, SparseCholesky,
+    SparseLdlt, add_columns, symmetric_eigen, transpose_multiply,
 };
 
 use crate::sparse::Row;
@@ -218,6 +218,13 @@ impl ConstrainedCholesky {
         Ok(ConstrainedCholesky { sparse, free, pins, solved, small, size })
     }
 
+    fn pattern(&self) -> Option<&Pattern> {
+        match &self.sparse {
+            Sparse::Definite(factor) => factor.pattern(),
+            Sparse::Indefinite(_) => None,
+        }
+    }
+
     /// Forgets what only a factor of another matrix with the same entries would need.
     pub(super) fn settle(&mut self) {
         if let Sparse::Definite(factor) = &mut self.sparse {
@@ -323,11 +330,9 @@ pub(super) fn negative(
     alike: Option<&ConstrainedCholesky>,
 ) -> Result<Option<usize>, LinearAlgebraError> {
     let split = Split::new(matrix, order, constraints);
-    let factored = match alike.map(|other| &other.sparse) {
-        Some(Sparse::Definite(other)) => {
-            SparseLdlt::alike(&split.sparse, &split.order, other, limit)?
-        }
-        _ => SparseLdlt::new(&split.sparse, &split.order, limit)?,
+    let factored = match alike.and_then(ConstrainedCholesky::pattern) {
+        Some(pattern) => SparseLdlt::by_pattern(pattern, &split.sparse, limit)?,
+        None => SparseLdlt::new(&split.sparse, &split.order, limit)?,
     };
     match factored {
         Some(sparse) => {

@@ -135,7 +135,8 @@ impl Solid<'_> {
         let pins = self.pins(&whole, &partition, interface)?;
         let constraints = Constraints { rows: &partition.rows, pins: &pins };
         let stiffness = partition.inner(&whole);
-        let factor = ConstrainedCholesky::new(&stiffness, &order, constraints, self.memory)?;
+        let mut factor = ConstrainedCholesky::new(&stiffness, &order, constraints, self.memory)?;
+        factor.settle();
         Ok(Factored { tied, partition, factor })
     }
 }

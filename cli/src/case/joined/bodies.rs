@@ -154,7 +154,7 @@ fn carry(form: &mut Form, attached: &mut Vec<Attached>) {
             shaft.sections.sort_by(f64::total_cmp);
         }
         Dimensions::Sections(sections) => {
-            for own in &sections.inertias {
+            for own in &sections.rings {
                 let Ring { z, mass, inertias: [polar_inertia, diametral_inertia] } = own.ring;
                 let what = AttachmentKind::Disc { mass, polar_inertia, diametral_inertia };
                 attached.push(Attached { name: own.place.clone(), z, what });

@@ -72,11 +72,11 @@ pub(super) fn read(
     let mut places = table.places();
     places.insert("sections".to_owned(), table.written("sections"));
     let rows = row::rows(table, &drafts, (materials, material.as_ref(), turns), &mut places);
-    let (rows, inertias) = rows.filter(|_| table.errors() == before)?;
+    let (rows, rings) = rows.filter(|_| table.errors() == before)?;
     let planes = Vec::new();
     let dimensions = Dimensions::Sections(Box::new(Sections {
         table: SectionTable { rows, planes, cells },
-        inertias,
+        rings,
     }));
     Some(Body {
         modes: table.count_or_one("modes"),

@@ -8,7 +8,7 @@ use whirl_codegen::document::Table;
 use whirl_solver::mesh::Material;
 use whirl_solver::mesh::sections::SectionRow;
 
-use crate::case::dimensions::RowInertia;
+use crate::case::dimensions::RowRing;
 use crate::case::machine::Materials;
 use crate::ring::Ring;
 
@@ -83,16 +83,16 @@ impl RowDraft {
     }
 }
 
-/// The rows as the mesh is made from them, and what their cells lack of their inertia; `places` get the place of each row.
+/// The rows as the mesh is made from them, and what their cells lack of their mass and inertia; `places` get the place of each row.
 /// None where one is wrong, which is noted.
 pub(super) fn rows(
     table: &Table,
     drafts: &[RowDraft],
     (materials, usual, turns): (&Materials, Option<&Material>, bool),
     places: &mut BTreeMap<String, Located>,
-) -> Option<(Vec<SectionRow>, Vec<RowInertia>)> {
+) -> Option<(Vec<SectionRow>, Vec<RowRing>)> {
     let before = table.errors();
-    let (mut rows, mut inertias, mut next) = (Vec::with_capacity(drafts.len()), Vec::new(), 0.0);
+    let (mut rows, mut rings, mut next) = (Vec::with_capacity(drafts.len()), Vec::new(), 0.0);
     let mut names = BTreeSet::new();
     let mut lacks_material = false;
     for (k, draft) in drafts.iter().enumerate() {
@@ -182,17 +182,17 @@ pub(super) fn rows(
             } else {
                 let called = format!("beside row {}", k + 1);
                 let place = Located::new(draft.place.source(), draft.place.span(), called);
-                inertias.extend(carry(&mut row, 0.5 * reach, &place));
+                rings.extend(carry(&mut row, 0.5 * reach, &place));
             }
         }
         rows.push(row);
     }
-    (table.errors() == before).then_some((rows, inertias))
+    (table.errors() == before).then_some((rows, rings))
 }
 
 /// Gives the cells of a row mass of what is around them up to a radius (m), as far as one density can, and returns what they
 /// lack then: polar inertia, and along a cone mass, too, as rings that have its centre and its inertia.
-fn carry(row: &mut SectionRow, reach: f64, place: &Located) -> Vec<RowInertia> {
+fn carry(row: &mut SectionRow, reach: f64, place: &Located) -> Vec<RowRing> {
     let Some(density) = row.material.properties.get("rho").copied() else { return Vec::new() };
     let [from, to] = row.z;
     let length = to - from;
@@ -222,7 +222,7 @@ fn carry(row: &mut SectionRow, reach: f64, place: &Located) -> Vec<RowInertia> {
     let whole = density * PI * reach.powi(2) * length;
     let rings = ends.windows(2).map(|ends| {
         let ring = Ring::new([ends[0], ends[1]], density, whole, lacks);
-        RowInertia { place: place.clone(), ring }
+        RowRing { place: place.clone(), ring }
     });
     let rings = rings.collect();
     row.material.properties.insert("rho".to_owned(), density * factor);

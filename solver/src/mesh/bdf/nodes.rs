@@ -53,7 +53,7 @@ impl Grids {
         // −1 has a fluid's nodes, which no solid has.
         let axes = card.field(5).filter(|field| field.text != "-1").copied();
         let axes = axes.map(|_| report.count_or_zero(card, 5, "coordinate system"));
-        self.held += match card.field(6) {
+        let held = match card.field(6) {
             Some(field) => usize::from(field.text != "0"),
             None => usize::from(self.held_by_default),
         };
@@ -66,7 +66,7 @@ impl Grids {
             place: card.place,
         };
         if let Some(&first) = self.index.get(&label) {
-            // One may stand twice, as what two files share.
+            // One may stand twice, where two files share it.
             let known = &self.list[first];
             if (known.system, known.at, known.axes) == (own.system, own.at, own.axes) {
                 return;
@@ -80,6 +80,7 @@ impl Grids {
             );
             return;
         }
+        self.held += held;
         self.index.insert(label, self.list.len());
         self.list.push(own);
     }

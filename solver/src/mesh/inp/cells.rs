@@ -45,7 +45,7 @@ pub(super) fn read_nodes(
                 report.error(*token, what, "write label, x, y, z");
             }
             let position = motion.place(position);
-            // A node may stand twice, as what two files share.
+            // A node may stand twice, where two files share it.
             let known = nodes.named.index.get(&label).copied();
             if let Some(known) = known.filter(|&known| nodes.positions[known] == position) {
                 members.push(known);

@@ -24,10 +24,10 @@ pub(super) struct Piece {
     pub(super) free: [bool; 2],
 }
 
-/// Steps of so small a part of the radius are none: rings as thin would take away the digits of a slender body.
+/// A step of at most this part of the radius is levelled: a ring as thin would take away the digits of a slender body.
 const STEP: f64 = 1e-3;
-/// Walls beside such a step are at least so many times as thick.
-const WALL: f64 = 8.0;
+/// Unless another radius, of a layer or a gap, is within so many times the step.
+const CLEAR: f64 = 8.0;
 
 /// Planes with radii, and what is between them.
 pub(super) struct Partition {
@@ -122,30 +122,41 @@ impl Partition {
     }
 }
 
-/// Takes small steps out of the plane between two strips: both sides get the radius of the one that has a name, or the mean.
+/// Levels small steps in the plane between two strips: both sides get the radius of the one that has a name, or the mean. A
+/// step between two that have names stays.
 fn level(rows: &[SectionRow], strips: &mut [Vec<Range>], plane: usize, same: f64) {
     let (left, right) = strips.split_at_mut(plane);
     let (left, right) = (&mut left[plane - 1], &mut right[0]);
-    let step = |a: f64, b: f64| (a - b).abs() > same && (a - b).abs() <= STEP * a.max(b);
-    let mut levelled: Vec<(f64, f64)> = Vec::new();
-    for (own, other) in left.iter().flat_map(|own| right.iter().map(move |other| (own, other))) {
-        for (a, b) in own.right.into_iter().zip(other.left) {
-            let wall = (own.right[1] - own.right[0]).min(other.left[1] - other.left[0]);
-            if !step(a, b) || wall < WALL * (a - b).abs() {
+    let ends = |strip: &[Range], side: fn(&Range) -> [f64; 2]| -> Vec<(f64, bool)> {
+        let of = |own: &Range| side(own).map(|r| (r, rows[own.row].name.is_some()));
+        strip.iter().flat_map(of).collect()
+    };
+    let (before, behind) = (ends(left, |own| own.right), ends(right, |own| own.left));
+    let named = |all: &[(f64, bool)], r: f64| all.iter().any(|own| own.1 && own.0 == r);
+    let mut levelled: Vec<([f64; 2], f64)> = Vec::new();
+    for &(a, _) in &before {
+        for &(b, _) in &behind {
+            let step = (a - b).abs();
+            let alone = |r: &f64| {
+                let others = before.iter().filter(|own| (own.0 - a).abs() > same);
+                let others = others.chain(behind.iter().filter(|own| (own.0 - b).abs() > same));
+                others.clone().all(|own| (own.0 - r).abs() > CLEAR * step)
+            };
+            if step <= same || step > STEP * a.max(b) || ![a, b].iter().all(alone) {
                 continue;
             }
-            let r = match [own, other].map(|range| rows[range.row].name.is_some()) {
-                [true, true] => continue,
-                [true, false] => a,
-                [false, true] => b,
-                [false, false] => 0.5 * (a + b),
-            };
-            levelled.extend([(a, r), (b, r)]);
+            match [named(&before, a), named(&behind, b)] {
+                [true, true] => {}
+                [true, false] => levelled.push(([a, b], a)),
+                [false, true] => levelled.push(([a, b], b)),
+                [false, false] => levelled.push(([a, b], 0.5 * (a + b))),
+            }
         }
     }
     let ends = left.iter_mut().map(|own| &mut own.right);
     for radius in ends.chain(right.iter_mut().map(|own| &mut own.left)).flatten() {
-        if let Some((_, r)) = levelled.iter().find(|own| (own.0 - *radius).abs() <= same) {
+        let near = |own: &&([f64; 2], f64)| own.0.iter().any(|r| (r - *radius).abs() <= same);
+        if let Some((_, r)) = levelled.iter().find(near) {
             *radius = *r;
         }
     }

@@ -98,6 +98,24 @@ fn tables() -> Vec<(&'static str, SectionTable)> {
             ]),
         ),
         ("a thin tube", table(vec![row([0.0, 500.0], [100.0; 2], [99.8; 2])])),
+        (
+            "a coating flush with a journal",
+            table(vec![
+                row([0.0, 60.0], [100.0; 2], [0.0; 2]),
+                row([60.0, 120.0], [99.96; 2], [0.0; 2]),
+                row([60.0, 120.0], [100.0; 2], [99.96; 2]),
+                row([120.0, 150.0], [100.0; 2], [0.0; 2]),
+            ]),
+        ),
+        (
+            "a gap beside a small step",
+            table(vec![
+                row([0.0, 50.0], [100.1; 2], [0.0; 2]),
+                row([50.0, 100.0], [100.0; 2], [0.0; 2]),
+                row([50.0, 100.0], [160.0; 2], [100.04; 2]),
+                row([100.0, 150.0], [160.0; 2], [0.0; 2]),
+            ]),
+        ),
         ("a sleeve that runs out", table(named)),
         (
             "a drum on two webs",
@@ -116,6 +134,39 @@ fn tables() -> Vec<(&'static str, SectionTable)> {
             },
         ),
     ]
+}
+
+/// The circle between both rows of a small step has one radius: that of the row with a name, or the mean.
+#[test]
+fn small_steps_are_levelled() {
+    let step = |names: [Option<&str>; 2]| {
+        let mut rows = vec![
+            row([0.0, 100.0], [50.0; 2], [0.0; 2]),
+            row([100.0, 200.0], [50.02; 2], [20.0; 2]),
+        ];
+        rows.iter_mut().zip(names).for_each(|(row, name)| row.name = name.map(str::to_owned));
+        let own = table(rows);
+        let mesh = mesh(&own);
+        assert_eq!(mesh.worst_cell().expect("cells").1, 0);
+        let there = mesh.nodes().iter().filter(|x| (x[2] - 0.1).abs() < 1e-9 && x[1].abs() < 1e-9);
+        let mut radii: Vec<f64> = there.map(|x| 2e3 * x[0]).filter(|d| *d > 40.0).collect();
+        radii.sort_by(f64::total_cmp);
+        let scale = crate::mesh::quadratic::corner_radius(1.0, own.cells.sectors);
+        radii.iter().map(|d| d / scale).collect::<Vec<f64>>()
+    };
+    for (names, known) in [
+        ([None, None], &[50.01][..]),
+        ([Some("LEFT"), None], &[50.0]),
+        ([None, Some("RIGHT")], &[50.02]),
+        // With the middle of the edge between them.
+        ([Some("LEFT"), Some("RIGHT")], &[50.0, 50.01, 50.02]),
+    ] {
+        let found = step(names);
+        assert_eq!(found.len(), known.len(), "{names:?}: {found:?}");
+        for (found, known) in found.iter().zip(known) {
+            assert!((found - known).abs() < 1e-9, "{names:?}: {found}");
+        }
+    }
 }
 
 #[test]

@@ -319,11 +319,12 @@ fn part(line: &str, piece: &str) -> Range<usize> {
 /// A decimal number with an optional sign; programs write `.5` and `2.`, too.
 fn number(text: &str) -> Option<Rational> {
     let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
-    let (whole, rest) = unsigned.split_once('.').unwrap_or((unsigned, ""));
-    let has_digit = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
-    let unsigned = &match (has_digit(whole), has_digit(rest)) {
-        (false, true) if whole.is_empty() => format!("0.{rest}"),
-        (true, false) if rest.is_empty() || rest.starts_with(['e', 'E']) => {
+    let are_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+    let unsigned = &match unsigned.split_once('.') {
+        Some(("", rest)) => format!("0.{rest}"),
+        Some((whole, rest))
+            if are_digits(whole) && (rest.is_empty() || rest.starts_with(['e', 'E'])) =>
+        {
             format!("{whole}{rest}")
         }
         _ => unsigned.to_owned(),

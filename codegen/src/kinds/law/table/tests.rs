@@ -87,7 +87,7 @@ fn numbers_may_begin_or_end_with_a_point() {
     for h in [0.0, 0.3e-3, 1.1e-3, 2.5e-3] {
         assert_eq!(value(&plain, h), value(&other, h));
     }
-    for wrong in [".", "-.", "1..2", "e5", ".e5", "1.2.3", ""] {
+    for wrong in [".", "-.", "1..2", "1..2e3", "1e5.", "e5", ".e5", "1.2.3", ""] {
         let text = format!("x [mm],y [N]\n0,1\n1,{wrong}\n2,3\n");
         assert!(law("", "[0, 2]", &text).is_err(), "{wrong}");
     }
