@@ -11,6 +11,8 @@ pub(crate) struct LoadInput {
     pub(crate) value: [f64; 3],
     /// Its rate from there on (1/s times that).
     pub(crate) rate: [f64; 3],
+    /// Which parts were ever set: they are those of the case until then.
+    pub(crate) is_set: [bool; 3],
     /// Value and rate as the march was told them last.
     told: [[f64; 3]; 2],
 }
@@ -28,11 +30,14 @@ pub(crate) struct SpeedInput {
 
 impl LoadInput {
     pub(crate) fn new(start: [f64; 3]) -> Self {
-        LoadInput { value: start, rate: [0.0; 3], told: [start, [0.0; 3]] }
+        LoadInput { value: start, rate: [0.0; 3], is_set: [false; 3], told: [start, [0.0; 3]] }
     }
 
     /// Nothing was told of it to a march in which it is at `start`.
     pub(crate) fn untold(&mut self, start: [f64; 3]) {
+        for axis in (0..3).filter(|axis| !self.is_set[*axis]) {
+            self.value[axis] = start[axis];
+        }
         self.told = [start, [0.0; 3]];
     }
 

@@ -12,7 +12,10 @@ use crate::inputs::{LoadInput, SpeedInput};
 use crate::running::Running;
 
 /// Layout of states.
-const LAYOUT: &str = "whirl unit state 1";
+const LAYOUT: &str = "whirl unit state 2";
+
+/// What is said of other bytes.
+pub(crate) const NO_STATE: &str = "these bytes are no state of this unit";
 
 /// Where an instance is in its life.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -33,8 +36,9 @@ pub(crate) enum Phase {
 #[derive(Debug, Clone, Serialize, Deserialize)]
 struct Values {
     phase: Phase,
-    /// Time of the start (s), as it is set up.
+    /// Times of the start and of the end (s), as they are set up.
     begins: Option<f64>,
+    ends: Option<f64>,
     /// Of parameters, in their order and units.
     parameters: Vec<f64>,
     loads: Vec<LoadInput>,
@@ -54,6 +58,8 @@ pub(crate) struct Instance {
     pub(crate) warnings: Vec<String>,
 }
 
+/// Most time steps of a communication step.
+const MOST_STEPS: f64 = 1e7;
 /// How far a communication step may be from whole time steps, and a point from where the march is (time steps).
 const NEAR: f64 = 1e-6;
 const NEAR_POINT: f64 = 1e-3;
@@ -118,37 +124,49 @@ impl Instance {
         })
     }
 
-    /// Sets the value of a variable.
+    /// Sets the values of variables: all, or none where one cannot be set.
     ///
     /// # Errors
-    /// It cannot be set, in words.
-    pub(crate) fn set(&mut self, reference: u32, value: f64) -> Result<(), String> {
-        let role = self.role(reference)?;
-        let starting = matches!(self.phase(), Phase::Instantiated | Phase::Initializing);
+    /// One that cannot be, in words.
+    pub(crate) fn set(&mut self, references: &[u32], values: &[f64]) -> Result<(), String> {
+        let pairs = || references.iter().copied().zip(values.iter().copied());
+        pairs().try_for_each(|(reference, value)| self.may_be(reference, value))?;
+        pairs().try_for_each(|(reference, value)| self.put(reference, value))
+    }
+
+    fn is_starting(&self) -> bool {
+        matches!(self.phase(), Phase::Instantiated | Phase::Initializing)
+    }
+
+    fn may_be(&self, reference: u32, value: f64) -> Result<(), String> {
+        let (role, starting) = (self.role(reference)?, self.is_starting());
         if !value.is_finite() {
             return Err(format!("`{}` cannot be {value}", self.name(reference)));
         }
         match role {
-            Role::Output(_) => {
-                return Err(format!("`{}` is an output", self.name(reference)));
-            }
+            Role::Output(_) => Err(format!("`{}` is an output", self.name(reference))),
             Role::Parameter(_) if !starting => {
                 let name = self.name(reference);
-                return Err(format!(
-                    "the parameter `{name}` is fixed once the unit is initialized"
-                ));
+                Err(format!("the parameter `{name}` is fixed once the unit is initialized"))
             }
+            _ => Ok(()),
+        }
+    }
+
+    fn put(&mut self, reference: u32, value: f64) -> Result<(), String> {
+        match self.role(reference)? {
+            Role::Output(_) => {}
             Role::Parameter(parameter) => self.values.parameters[parameter] = value,
             Role::Load(load, axis) => {
                 let own = &mut self.values.loads[load];
-                (own.value[axis], own.rate[axis]) = (value, 0.0);
+                (own.value[axis], own.rate[axis], own.is_set[axis]) = (value, 0.0, true);
             }
             Role::Speed(speed) => {
                 let own = &mut self.values.speeds[speed];
                 (own.value, own.rate, own.is_set) = (value, 0.0, true);
             }
         }
-        if starting {
+        if self.is_starting() {
             self.running = None;
         }
         Ok(())
@@ -174,9 +192,16 @@ impl Instance {
         Ok(())
     }
 
-    /// Says when it starts (s).
-    pub(crate) fn set_up(&mut self, begins: f64) {
-        self.values.begins = Some(begins);
+    /// Says when it starts, and when it ends if that is known (s).
+    ///
+    /// # Errors
+    /// An end that is no time after the start, in words.
+    pub(crate) fn set_up(&mut self, begins: f64, ends: Option<f64>) -> Result<(), String> {
+        if let Some(ends) = ends.filter(|ends| !(ends.is_finite() && *ends >= begins)) {
+            return Err(format!("the end at {ends} s is not after the start at {begins} s"));
+        }
+        (self.values.begins, self.values.ends) = (Some(begins), ends);
+        Ok(())
     }
 
     /// Begins the initialization.
@@ -230,7 +255,11 @@ impl Instance {
         if let Some(wanted) = self.values.begins.filter(|own| !((own - begins).abs() <= near)) {
             return Err(format!("this unit starts at {begins} s, not at {wanted} s"));
         }
-        let Values { loads, row, .. } = &mut self.values;
+        let Values { loads, speeds, row, .. } = &mut self.values;
+        // What was not set is as the case with these parameters has it.
+        for (own, body) in speeds.iter_mut().zip(made.speeds()).filter(|(own, _)| !own.is_set) {
+            own.value = made.speed_at_start(*body);
+        }
         // What the march of the case has, it was not told.
         let mut amplitudes = Vec::new();
         for (own, group) in loads.iter_mut().zip(made.loads()) {
@@ -263,6 +292,11 @@ impl Instance {
             return Err(format!("the unit stands at {at} s, and the step begins at {now} s"));
         }
         let steps = whole_steps(length, dt)?;
+        if let Some(ends) = self.values.ends.filter(|ends| now + length > ends + 0.5 * dt) {
+            return Err(format!(
+                "a communication step of {length:e} s from {now} s goes beyond the end at {ends} s"
+            ));
+        }
         let span = steps as f64 * dt;
         let Values { loads, speeds, row, phase, .. } = &mut self.values;
         let mut amplitudes = Vec::new();
@@ -329,8 +363,7 @@ impl Instance {
     /// It is none of this unit, in words.
     pub(crate) fn restore(&mut self, state: &[u8]) -> Result<(), String> {
         let kept: Option<(Values, Option<Checkpoint>)> = unpack(&self.key(), state);
-        let (values, point) =
-            kept.ok_or_else(|| "these bytes are no state of this unit".to_owned())?;
+        let (values, point) = kept.ok_or_else(|| NO_STATE.to_owned())?;
         self.running = None;
         self.values = values;
         if let Some(point) = point {
@@ -339,6 +372,11 @@ impl Instance {
             self.running = Some(running.map_err(|failure| failure.to_string())?);
         }
         Ok(())
+    }
+
+    /// Whether these bytes are a state of this unit.
+    pub(crate) fn knows(&self, state: &[u8]) -> bool {
+        unpack::<(Values, Option<Checkpoint>)>(&self.key(), state).is_some()
     }
 
     fn key(&self) -> Key {
@@ -352,6 +390,7 @@ impl Values {
         Values {
             phase: Phase::Instantiated,
             begins: None,
+            ends: None,
             parameters,
             loads: made.loads().iter().map(|own| LoadInput::new(own.start)).collect(),
             speeds: made.speeds().iter().map(|body| SpeedInput::new(start(body))).collect(),
@@ -367,6 +406,11 @@ impl Values {
 fn whole_steps(length: f64, dt: f64) -> Result<usize, String> {
     let ratio = length / dt;
     let steps = ratio.round();
+    if ratio.is_finite() && steps > MOST_STEPS {
+        return Err(format!(
+            "a communication step of {length:e} s has more than {MOST_STEPS:e} time steps of {dt:e} s: take shorter ones"
+        ));
+    }
     if steps >= 1.0 && (ratio - steps).abs() <= NEAR {
         return Ok(steps as usize);
     }
@@ -389,7 +433,7 @@ mod tests {
     fn steps_are_whole_up_to_rounding() {
         assert_eq!(whole_steps(7.4e-5, 7.4e-5), Ok(1));
         assert_eq!(whole_steps(0.3 - 0.2, 1e-5), Ok(10_000));
-        for bad in [0.0, -7.4e-5, 1e-4, f64::NAN, f64::INFINITY, 1e-9] {
+        for bad in [0.0, -7.4e-5, 1e-4, f64::NAN, f64::INFINITY, 1e-9, 7.4e5, 1e300] {
             assert!(whole_steps(bad, 7.4e-5).is_err(), "{bad}");
         }
         let said = whole_steps(1e-4, 7.4e-5).unwrap_err();

@@ -112,7 +112,7 @@ pub unsafe extern "C" fn fmi2SetDebugLogging(
     }
 }
 
-/// Says when the experiment starts; its end and tolerance have no effect.
+/// Says when the experiment starts and ends; its tolerance has no effect.
 ///
 /// # Safety
 /// As [`fmi2Instantiate`].
@@ -122,15 +122,12 @@ pub unsafe extern "C" fn fmi2SetupExperiment(
     _tolerance_defined: Boolean,
     _tolerance: Real,
     start: Real,
-    _stop_defined: Boolean,
-    _stop: Real,
+    stop_defined: Boolean,
+    stop: Real,
 ) -> Status {
     // SAFETY: as of all functions here.
     unsafe {
-        with(component, |own| {
-            own.instance.set_up(start);
-            Ok(())
-        })
+        with(component, |own| own.instance.set_up(start, (stop_defined != 0).then_some(stop)))
     }
 }
 

@@ -1,6 +1,7 @@
 //! States of units, which importers keep, and their bytes.
 
 use crate::component::with;
+use crate::instance::NO_STATE;
 use crate::slices::{NULL, slice_for, slice_of};
 use crate::types::{Component, State, Status};
 
@@ -128,8 +129,11 @@ pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
 ) -> Status {
     // SAFETY: as of all functions here; there are `size` bytes, and what `state` points at is null or a state.
     unsafe {
-        with(component, |_| {
+        with(component, |own| {
             let bytes = slice_of(bytes, size)?.to_vec();
+            if !own.instance.knows(&bytes) {
+                return Err(NO_STATE.to_owned());
+            }
             put(state.as_mut().ok_or(NULL)?, bytes);
             Ok(())
         })

@@ -42,8 +42,7 @@ pub unsafe extern "C" fn fmi2SetReal(
     unsafe {
         with(component, |own| {
             let (references, values) = (slice_of(references, count)?, slice_of(values, count)?);
-            let mut pairs = references.iter().zip(values);
-            pairs.try_for_each(|(&reference, &value)| own.instance.set(reference, value))
+            own.instance.set(references, values)
         })
     }
 }

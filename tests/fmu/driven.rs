@@ -37,6 +37,24 @@ fn the_numbers_are_those_of_a_run_to_the_bit() {
     same(&unit, &history, 1);
 }
 
+/// Inputs that are not set are those of the case with the parameters as they are.
+#[test]
+fn inputs_follow_parameters_until_they_are_set() {
+    let beat = "[loads.beat]\nbody = \"r\"\nforce = [\"40 N\", \"-25 N\", \"0 N\"]\nfrequency = \"30 Hz\"\n";
+    let bench = Bench::new(&rotor(beat));
+    bench.file("other.toml", &rotor(beat).replace("3000 rpm", "4500 rpm"));
+    let (folder, history) =
+        (bench.unit(&["--parameter", "body.r.speed"]), bench.history("other.toml"));
+    let unit = Instance::new(&folder).unwrap();
+    unit.set("body.r.speed", 4500.0);
+    let unit = unit.started();
+    assert_eq!(unit.get("speed.r"), unit.get("omega_rad_s"));
+    // An importer that writes back what it reads changes nothing.
+    unit.set("speed.r", unit.get("speed.r"));
+    unit.set("load.beat.fx", unit.get("load.beat.fx"));
+    same(&unit, &history, 1);
+}
+
 /// A force that is told at a communication point acts from there on as one of the case that begins at that time.
 #[test]
 fn a_told_load_is_one_that_begins_there() {

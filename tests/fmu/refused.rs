@@ -33,12 +33,27 @@ fn calls_out_of_place_are_errors_with_reasons() {
     assert_eq!(said, "all variables are real, and none is an integer");
     let said = unit.refused(|own| unsafe { fmi2SetRealInputDerivatives(own, &port, 1, &2, &one) });
     assert_eq!(said, "inputs have first derivatives, and no higher ones");
+    // All or none.
+    let (both, values) = ([port, 99], [5.0, 1.0]);
+    let said = unit.refused(|own| unsafe { fmi2SetReal(own, both.as_ptr(), 2, values.as_ptr()) });
+    assert_eq!(said, "there is no variable with the value reference 99");
+    unit.expect(|own| unsafe { fmi2GetReal(own, &port, 1, &mut value) });
+    assert_eq!(value, 0.0);
+    let said = unit.refused(|own| unsafe { fmi2SetupExperiment(own, 0, 0.0, 0.0, 1, -1.0) });
+    assert_eq!(said, "the end at -1 s is not after the start at 0 s");
+    let mut state = ptr::null_mut();
+    let said = unit
+        .refused(|own| unsafe { fmi2DeSerializeFMUstate(own, [7; 10].as_ptr(), 10, &mut state) });
+    assert_eq!(said, "these bytes are no state of this unit");
+    assert!(state.is_null());
     let unit = unit.started();
     let said = unit.refused(|own| unsafe { fmi2SetReal(own, &stiffness, 1, &one) });
     assert_eq!(said, "the parameter `joint.b.stiffness.xx` is fixed once the unit is initialized");
     let said = unit.refused(|own| unsafe { fmi2DoStep(own, 0.0, 2.5e-4, 1) });
     let words = "a communication step of 2.5e-4 s is no whole number of time steps of 1e-4 s: take 2e-4 s or 3e-4 s";
     assert_eq!(said, words);
+    let said = unit.refused(|own| unsafe { fmi2DoStep(own, 0.0, 1e300, 1) });
+    assert!(said.contains("has more than 1e7 time steps of 1e-4 s: take shorter ones"), "{said}");
     let said = unit.refused(|own| unsafe { fmi2DoStep(own, 0.1, 1e-4, 1) });
     assert_eq!(said, "the unit stands at 0 s, and the step begins at 0.1 s");
     unit.step(0.0, 3e-4);
@@ -62,6 +77,22 @@ fn units_start_when_their_case_does() {
     unit.expect(|own| unsafe { fmi2EnterInitializationMode(own) });
     let said = unit.refused(|own| unsafe { fmi2ExitInitializationMode(own) });
     assert_eq!(said, "this unit starts at 0 s, not at 2 s");
+}
+
+/// No step goes beyond the end that the importer has told.
+#[test]
+fn units_end_when_they_are_told() {
+    let bench = Bench::new(&rotor(PORT));
+    let unit = Instance::new(&bench.unit(&[])).unwrap();
+    unit.expect(|own| unsafe { fmi2SetupExperiment(own, 0, 0.0, 0.0, 1, 7e-4) });
+    unit.expect(|own| unsafe { fmi2EnterInitializationMode(own) });
+    unit.expect(|own| unsafe { fmi2ExitInitializationMode(own) });
+    let said = unit.refused(|own| unsafe { fmi2DoStep(own, 0.0, 8e-4, 1) });
+    assert_eq!(said, "a communication step of 8e-4 s from 0 s goes beyond the end at 0.0007 s");
+    unit.step(0.0, 4e-4);
+    unit.step(4e-4, 3e-4);
+    let said = unit.refused(|own| unsafe { fmi2DoStep(own, 7e-4, 1e-4, 1) });
+    assert!(said.contains("goes beyond the end"), "{said}");
 }
 
 /// A value that the case refuses is told with what the case says of it.

@@ -69,6 +69,11 @@ pub(crate) fn asked(text: &CaseText, keys: &[String]) -> Result<Vec<Parameter>, 
             message: format!("`--parameter {key}`: {what}"),
             help,
         };
+        if key.split('.').next() == Some("march") {
+            let help =
+                "set it in the case: steps of the march and its end are no parameters of a unit";
+            return Err(refused("it is of the march, not of the machine", help.to_owned()));
+        }
         let Some((_, node)) = all.iter().find(|(own, _)| own == key) else {
             let numbers = all.iter().filter_map(|(own, node)| Parameter::of(own, node));
             let names: Vec<String> = numbers.map(|own| own.key).collect();
