@@ -252,6 +252,17 @@ fn files_include_files() {
     );
 }
 
+/// As files that share an interface have it; what differs in any field is another node.
+#[test]
+fn a_grid_may_stand_twice() {
+    let grid = "GRID           9              2.      0.      0.\n";
+    assert_eq!(GOOD.matches(grid).count(), 1);
+    let twice = good(&GOOD.replace(grid, &format!("{grid}GRID,9,,2.,0.,0.\n"))).mesh;
+    let once = good(GOOD).mesh;
+    assert_eq!((twice.nodes(), twice.labels()), (once.nodes(), once.labels()));
+    assert!(read(&GOOD.replace(grid, &format!("{grid}GRID,9,,2.,0.,0.,3\n"))).is_err());
+}
+
 #[test]
 fn masses_are_in_units_of_the_file() {
     let units = MeshUnits { length: 1e-3, force: 1.0, mass: 1e3 };

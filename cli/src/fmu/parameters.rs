@@ -69,14 +69,15 @@ pub(crate) fn asked(text: &CaseText, keys: &[String]) -> Result<Vec<Parameter>, 
             message: format!("`--parameter {key}`: {what}"),
             help,
         };
-        if key.split('.').next() == Some("march") {
+        if of_march(key) {
             let help =
                 "set it in the case: steps of the march and its end are no parameters of a unit";
             return Err(refused("it is of the march, not of the machine", help.to_owned()));
         }
         let Some((_, node)) = all.iter().find(|(own, _)| own == key) else {
             let numbers = all.iter().filter_map(|(own, node)| Parameter::of(own, node));
-            let names: Vec<String> = numbers.map(|own| own.key).collect();
+            let names: Vec<String> =
+                numbers.map(|own| own.key).filter(|own| !of_march(own)).collect();
             let names: Vec<&str> = names.iter().map(String::as_str).collect();
             let help = suggest(key, &names);
             let help = help.unwrap_or_else(|| "name a key as `--vary` takes it".to_owned());
@@ -92,6 +93,11 @@ pub(crate) fn asked(text: &CaseText, keys: &[String]) -> Result<Vec<Parameter>, 
         found.push(own);
     }
     Ok(found)
+}
+
+/// Whether a key says how to march, not what.
+fn of_march(key: &str) -> bool {
+    key.split('.').next() == Some("march")
 }
 
 /// By how much a value is changed to see what depends on it: exactly, in binary numbers.

@@ -29,7 +29,7 @@ const CASES: &[(&str, &str)] = &[
     // Nodes and systems.
     (NODE_9, "GRID           9       7      2.      0.      0."),
     ("GRID,5,,0.,0.,1.\nGRID,6,,", "GRID,5,7,0.,0.,1.\nGRID,6,7,"),
-    (NODE_9, "GRID           9              2.      0.      0.\nGRID,9,,2.,0.,0."),
+    (NODE_9, "GRID           9              2.      0.      0.\nGRID,9,,2.,0.,1."),
     (NODE_9, "GRID,9,,2.,0.,0.,,,3"),
     (NODE_9, "GRID,9,,2.,0.,0.\nCORD2R,7,8,0.,0.,0.,0.,0.,1.\n,1.,0.,0."),
     (
