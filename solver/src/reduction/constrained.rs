@@ -122,7 +122,7 @@ impl<'a> Split<'a> {
 
 /// The factor of what is left without the pins.
 enum Sparse {
-    Definite(SparseCholesky),
+    Definite(Box<SparseCholesky>),
     Indefinite(SparseLdlt),
 }
 
@@ -167,7 +167,7 @@ impl ConstrainedCholesky {
             other => other,
         })?;
         let solved = split.solved(|columns| sparse.solve_in_place(columns));
-        let factors = (Sparse::Definite(sparse), solved);
+        let factors = (Sparse::Definite(Box::new(sparse)), solved);
         ConstrainedCholesky::of(split, factors, constraints.pins, matrix.size)
     }
 
