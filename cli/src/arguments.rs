@@ -8,6 +8,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use whirl_solver::cache::Cache;
 
 use crate::case::{MODES, MatrixFormat};
+use crate::other_files::OtherFiles;
 use crate::schema;
 use crate::sweep::Order;
 
@@ -123,18 +124,9 @@ pub(crate) struct RunArguments {
     /// Write no report.html
     #[arg(long)]
     pub(crate) no_report: bool,
-    /// Also write the history as history.npz, for NumPy, with one array per column
-    #[arg(long)]
-    pub(crate) npz: bool,
-    /// Also write the history as history.parquet, with the units of its columns
-    #[arg(long)]
-    pub(crate) parquet: bool,
-    /// Also write the history as history.mat, for MATLAB, with one variable per column
-    #[arg(long)]
-    pub(crate) mat: bool,
-    /// Also write the history as history.h5, HDF5 with one dataset per column
-    #[arg(long)]
-    pub(crate) hdf5: bool,
+    /// The history as files for other programs
+    #[command(flatten)]
+    pub(crate) other_files: OtherFiles,
     /// Resume an interrupted run in the same folder
     #[arg(long)]
     pub(crate) resume: bool,

@@ -4,33 +4,55 @@
 use std::io;
 use std::path::Path;
 
-use crate::arguments::RunArguments;
+use clap::Args;
+
 use crate::case::Case;
 use crate::checkpoint::{Identity, Point};
 use crate::errors::Failure;
-use crate::history::{self, KeptRows};
+use crate::history::{self, Format, HistoryFile, KeptRows};
 use crate::machine::Built;
 use crate::parquet::Facts;
 use crate::results::Results;
 use crate::version;
 
-/// Which of them are wanted.
-#[derive(Debug, Clone, Copy)]
+/// Which of them are wanted, an option each.
+#[derive(Debug, Clone, Copy, Args)]
 pub(crate) struct OtherFiles {
+    /// Also write the history as history.npz, for NumPy, with one array per column
+    #[arg(long)]
+    npz: bool,
+    /// Also write the history as history.parquet, with the units of its columns
+    #[arg(long)]
     parquet: bool,
+    /// Also write the history as history.mat, for MATLAB, with one variable per column
+    #[arg(long)]
     mat: bool,
+    /// Also write the history as history.h5, HDF5 with one dataset per column
+    #[arg(long)]
     hdf5: bool,
 }
 
+/// Writes one of them from the kept rows.
+type Write = fn(&KeptRows, &[String], &Facts, &Path) -> io::Result<()>;
+
 impl OtherFiles {
-    /// Those of a command.
-    pub(crate) fn of(arguments: &RunArguments) -> Self {
-        OtherFiles { parquet: arguments.parquet, mat: arguments.mat, hdf5: arguments.hdf5 }
+    /// Those that are made of kept rows, with how; history.parquet is what the file of the kept rows becomes.
+    fn of_kept(self) -> [(bool, Format, Option<Write>); 3] {
+        [
+            (self.parquet, history::PARQUET, None),
+            (self.mat, history::MAT, Some(history::write_mat)),
+            (self.hdf5, history::HDF5, Some(history::write_hdf5)),
+        ]
+    }
+
+    /// The first of them that is wanted.
+    fn first_of_kept(self) -> Option<Format> {
+        self.of_kept().into_iter().find(|own| own.0).map(|(_, format, _)| format)
     }
 
     /// Whether rows are to be kept for them.
     pub(crate) fn any(self) -> bool {
-        self.parquet || self.mat || self.hdf5
+        self.first_of_kept().is_some()
     }
 
     /// Whether a run left what is needed to go on with those that are wanted.
@@ -51,11 +73,7 @@ impl OtherFiles {
     ) -> Result<u64, Failure> {
         let folder = results.folder();
         if !self.can_go_on(results) {
-            let wanted = match (self.parquet, self.mat) {
-                (true, _) => "--parquet",
-                (_, true) => "--mat",
-                _ => "--hdf5",
-            };
+            let wanted = self.first_of_kept().map_or("", |own| own.option);
             return Err(Failure::Argument {
                 message: format!(
                     "`{wanted}` needs all digits of the rows, and the run in `{}` has ten in `{}`: it was begun without \
@@ -82,16 +100,18 @@ impl OtherFiles {
         }
     }
 
+    /// Writes history.npz from the rows as history.csv has them, if it is wanted; why it cannot be written.
+    pub(crate) fn write_npz(self, history: &HistoryFile, results: &Results) -> Option<String> {
+        let path = results.path(history::NPZ.name);
+        self.npz.then(|| failed(history::write_npz(history, &path), &path)).flatten()
+    }
+
     /// Writes those that are made of the kept rows; why they cannot be written.
     pub(crate) fn write_copies(self, about: &About, results: &Results) -> Vec<String> {
-        type Write = fn(&KeptRows, &[String], &Facts, &Path) -> io::Result<()>;
-        let copies: [(bool, &str, Write); 2] = [
-            (self.mat, history::MAT, history::write_mat),
-            (self.hdf5, history::HDF5, history::write_hdf5),
-        ];
-        let wanted = copies.into_iter().filter(|(wanted, ..)| *wanted);
-        let problem = |(_, name, write): (bool, &str, Write)| {
-            let path = results.path(name);
+        let wanted = self.of_kept().into_iter().filter(|(wanted, ..)| *wanted);
+        let problem = |(_, format, write): (bool, Format, Option<Write>)| {
+            let write = write?;
+            let path = results.path(format.name);
             let written = KeptRows::open(results.folder(), about.names.len())
                 .and_then(|rows| write(&rows, &about.names, &about.facts, &path));
             failed(written, &path)
@@ -101,7 +121,7 @@ impl OtherFiles {
 
     /// Writes what the kept rows become when the run is `over`; why it cannot be written.
     pub(crate) fn write_last(self, about: &About, results: &Results, over: bool) -> Option<String> {
-        let path = results.path(history::PARQUET);
+        let path = results.path(history::PARQUET.name);
         let write = || {
             let rows = KeptRows::open(results.folder(), about.names.len())?;
             history::write_parquet(&rows, &about.names, (&about.facts, over), &path)

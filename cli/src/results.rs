@@ -144,13 +144,9 @@ pub(crate) fn held(locked: Locked, folder: &Path, warnings: &mut Vec<String>) ->
 fn names() -> impl Iterator<Item = String> {
     let figures =
         figures::NAMES.iter().flat_map(|stem| [format!("{stem}.svg"), format!("{stem}.png")]);
+    let copies = history::FORMATS.iter().flat_map(|own| own.part.into_iter().chain([own.name]));
     [
         history::NAME,
-        history::NPZ,
-        history::PARQUET,
-        history::MAT,
-        history::HDF5,
-        history::HDF5_PART,
         history::PART,
         history::REST,
         SUMMARY,
@@ -161,8 +157,9 @@ fn names() -> impl Iterator<Item = String> {
         STATE,
         FRAMES,
     ]
-    .map(String::from)
     .into_iter()
+    .chain(copies)
+    .map(String::from)
     .chain(figures)
 }
 

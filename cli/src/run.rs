@@ -32,7 +32,7 @@ use crate::checkpoint::{self, Identity};
 use crate::errors::Failure;
 use crate::history::HistoryFile;
 use crate::machine::{self, Built};
-use crate::other_files::{About as AboutFiles, OtherFiles};
+use crate::other_files::About as AboutFiles;
 use crate::page::About;
 use crate::progress::{self, ProgressMode, Terminal};
 use crate::report::{Summary, of_orders, stops, supports};
@@ -57,7 +57,7 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let show = ProgressMode::fitting(arguments.quiet);
     let case = streams::warned(|warnings| machine::read(&arguments.case, warnings))?;
     case.marched()?;
-    let files = OtherFiles::of(arguments);
+    let files = arguments.other_files;
     let folder = folder(arguments, &case);
     let mut results = streams::warned(|warnings| Results::open(&folder, warnings))?;
     let interruption = Interruption::install().map_err(|error| Failure::Output {
@@ -167,7 +167,7 @@ fn report(
     if let Some(words) = motions.as_ref().and_then(fields::Motions::without_frames) {
         streams::warn(words);
     }
-    let files = OtherFiles::of(arguments);
+    let files = arguments.other_files;
     // Rows that are not all in one file or the other make none of a third kind.
     let complete = matches!(marched.end, End::Done);
     let about = (!matches!(marched.end, End::NotWritten(..)) && made.is_ok())
@@ -190,12 +190,7 @@ fn report(
                 problems.extend(results.write(SHAPES, moved.json().as_bytes()).err());
             }
             problems.extend(motions.and_then(|own| write_fields(&own, results)));
-            if arguments.npz {
-                let path = results.path(history::NPZ);
-                let written = history::write_npz(&history, &path);
-                let failed = |error| format!("cannot write `{}`: {error}", path.display());
-                problems.extend(written.err().map(failed));
-            }
+            problems.extend(files.write_npz(&history, results));
             if let Some(about) = &about {
                 problems.extend(files.write_copies(about, results));
             }

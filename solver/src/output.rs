@@ -144,6 +144,59 @@ pub enum JointQuantity {
     AxialDeformation,
 }
 
+/// Whose an output is, by its place in the machine.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Owner {
+    /// Of a body.
+    Body(usize),
+    /// Of a joint.
+    Joint(usize),
+}
+
+impl<P> Wanted<P> {
+    /// Whose it is.
+    pub fn owner(&self) -> Owner {
+        match self {
+            Wanted::Motion { body, .. } | Wanted::Energy { body } | Wanted::Power { body } => {
+                Owner::Body(*body)
+            }
+            Wanted::Joint { joint, .. }
+            | Wanted::JointPower { joint }
+            | Wanted::Film { joint, .. }
+            | Wanted::States { joint, .. } => Owner::Joint(*joint),
+        }
+    }
+
+    /// What oscillates there, with the axes of its columns; nothing of what has no spectrum worth a figure.
+    pub fn oscillates(&self) -> Option<(&'static str, Vec<&'static str>)> {
+        let (what, axes): (_, &[usize]) = match self {
+            Wanted::Motion { motion, components, .. } => match motion {
+                Motion::Displacement => ("displacement", components),
+                Motion::Velocity => ("velocity", components),
+                Motion::Acceleration => ("acceleration", components),
+            },
+            Wanted::Joint { quantity, .. } => match quantity {
+                JointQuantity::Force => ("force", &[0, 1]),
+                JointQuantity::Deformation => ("deformation", &[0, 1]),
+                JointQuantity::Rate => ("rate", &[0, 1]),
+                JointQuantity::Torque => ("torque", &[2]),
+                JointQuantity::Twist => ("twist", &[2]),
+                JointQuantity::TwistRate => ("twist rate", &[2]),
+                JointQuantity::Moment => ("moment", &[0, 1]),
+                JointQuantity::Tilt => ("tilt", &[0, 1]),
+                JointQuantity::AxialForce => ("axial force", &[2]),
+                JointQuantity::AxialDeformation => ("axial deformation", &[2]),
+            },
+            Wanted::Energy { .. }
+            | Wanted::Power { .. }
+            | Wanted::JointPower { .. }
+            | Wanted::Film { .. }
+            | Wanted::States { .. } => return None,
+        };
+        Some((what, axes.iter().map(|&axis| AXES[axis]).collect()))
+    }
+}
+
 impl<P> Output<P> {
     /// With another point, which is given by the body and this one.
     pub fn with_points<Q>(self, point_of: &mut impl FnMut(usize, P) -> Q) -> Output<Q> {
@@ -180,7 +233,7 @@ impl Output {
     }
 
     /// Its columns.
-    pub(crate) fn described(&self) -> Vec<Column> {
+    pub fn described(&self) -> Vec<Column> {
         let name = &self.name;
         let in_plane =
             |letter: &str, suffix: &str, unit: &'static str, what: &str| -> Vec<Column> {

@@ -4,7 +4,7 @@ use crate::bearing::Plane;
 use crate::error::Error;
 use crate::history::History;
 use crate::machine::Machine;
-use crate::output::{Output, Wanted};
+use crate::output::{Output, Owner, Wanted};
 
 impl Machine {
     /// Outputs by request.
@@ -20,20 +20,14 @@ impl Machine {
     pub fn with_outputs(mut self, outputs: Vec<Output>) -> Result<Machine, Error> {
         let wrong = |name: &str, what: &str| Err(Error::Machine(format!("output {name}: {what}")));
         for Output { name, what } in &outputs {
-            let (body, joint) = match what {
-                Wanted::Motion { body, .. } | Wanted::Energy { body } | Wanted::Power { body } => {
-                    (Some(*body), None)
+            match what.owner() {
+                Owner::Body(body) if body >= self.bodies.len() => {
+                    return wrong(name, "there is no such body");
                 }
-                Wanted::Joint { joint, .. }
-                | Wanted::JointPower { joint }
-                | Wanted::Film { joint, .. }
-                | Wanted::States { joint, .. } => (None, Some(*joint)),
-            };
-            if body.is_some_and(|body| body >= self.bodies.len()) {
-                return wrong(name, "there is no such body");
-            }
-            if joint.is_some_and(|joint| joint >= self.monitors.len()) {
-                return wrong(name, "there is no such joint");
+                Owner::Joint(joint) if joint >= self.monitors.len() => {
+                    return wrong(name, "there is no such joint");
+                }
+                _ => {}
             }
             if let Wanted::States { joint, states, places } = what {
                 let planes =

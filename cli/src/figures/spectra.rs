@@ -302,7 +302,7 @@ fn stacked(own: &Oscillation, k: usize, slices: &[Slice]) -> Option<Panel> {
     let all: Vec<Stacked> = slices.iter().zip(heights).map(of).collect();
     let title = format!("{}, {} {}", own.title, own.quantity, own.columns[0].1.to_lowercase());
     let heights = if by_time { ("time", "ms") } else { ("speed", "rpm") };
-    Some(stack(&all, end, (largest, own.unit), (title, heights)))
+    Some(stack(&all, end, (largest, &own.unit), (title, heights)))
 }
 
 #[cfg(test)]
@@ -316,7 +316,7 @@ mod tests {
         Oscillation {
             title: "disc".into(),
             quantity: "displacement",
-            unit: "µm",
+            unit: "µm".to_owned(),
             columns: vec![("x_um".into(), "x")],
             angle: Some("theta_rad".into()),
         }

@@ -9,11 +9,20 @@ use hdf5_pure::{
     SyncPolicy,
 };
 
+use super::Format;
 use super::kept_rows::KeptRows;
 use crate::parquet::{Facts, GROUP};
 
 /// The file while it is written.
-pub(crate) const PART: &str = "history.h5.part";
+const PART: &str = "history.h5.part";
+
+/// What it is called and asked for by.
+pub(crate) const HDF5: Format = Format {
+    name: "history.h5",
+    option: "--hdf5",
+    meaning: "the history with all digits as HDF5",
+    part: Some(PART),
+};
 
 /// Writes the rows that a run has kept, whole or not at all.
 ///

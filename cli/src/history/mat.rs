@@ -6,6 +6,7 @@ use std::path::Path;
 
 use whirl_solver::cache::write_aside_by;
 
+use super::Format;
 use super::kept_rows::KeptRows;
 use crate::matlab;
 use crate::parquet::Facts;
@@ -14,6 +15,14 @@ use crate::parquet::Facts;
 const MOST: u64 = (1 << 28) - 64;
 /// Variables that are no columns: names as in history.csv, units by the names of variables, facts of the run.
 const OTHERS: [&str; 3] = ["columns", "units", "run"];
+
+/// What it is called and asked for by.
+pub(crate) const MAT: Format = Format {
+    name: "history.mat",
+    option: "--mat",
+    meaning: "the history with all digits for MATLAB",
+    part: None,
+};
 
 /// Writes the rows that a run has kept, whole or not at all.
 ///

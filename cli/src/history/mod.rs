@@ -19,11 +19,11 @@ mod written;
 
 pub(crate) use file::HistoryFile;
 pub(crate) use groups::Groups;
-pub(crate) use hdf5::{PART as HDF5_PART, write_hdf5};
+pub(crate) use hdf5::{HDF5, write_hdf5};
 pub(crate) use kept_rows::{KeptRows, PART, REST};
-pub(crate) use mat::write_mat;
-pub(crate) use npz::write_npz;
-pub(crate) use parquet::write_parquet;
+pub(crate) use mat::{MAT, write_mat};
+pub(crate) use npz::{NPZ, write_npz};
+pub(crate) use parquet::{PARQUET, write_parquet};
 pub(crate) use read::ReadHistory;
 pub use table::HistoryTable;
 pub(crate) use thinned::{Bucket, Thinned};
@@ -32,10 +32,18 @@ pub(crate) use written::Written;
 
 /// Name of the file among the results.
 pub(crate) const NAME: &str = "history.csv";
-/// Name of the same for NumPy, where it is wanted.
-pub(crate) const NPZ: &str = "history.npz";
-/// The same for programs that read columns, and for MATLAB.
-pub(crate) const PARQUET: &str = "history.parquet";
-pub(crate) const MAT: &str = "history.mat";
-/// The same as HDF5.
-pub(crate) const HDF5: &str = "history.h5";
+
+/// A file for other programs, which a run writes beside it where an option asks for it.
+pub(crate) struct Format {
+    /// Name of the file.
+    pub(crate) name: &'static str,
+    /// The option.
+    pub(crate) option: &'static str,
+    /// What the file is.
+    pub(crate) meaning: &'static str,
+    /// Name of the file while it is written, where it has one of its own.
+    pub(crate) part: Option<&'static str>,
+}
+
+/// All of them.
+pub(crate) const FORMATS: [Format; 4] = [NPZ, PARQUET, MAT, HDF5];

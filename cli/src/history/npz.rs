@@ -7,11 +7,15 @@ use std::path::Path;
 
 use whirl_solver::cache::write_aside_by;
 
-use super::ReadHistory;
+use super::{Format, ReadHistory};
 use crate::archive::{Entry, LARGEST, end, header};
 
 /// Rows that are in memory at a time.
 const ROWS: usize = 4096;
+
+/// What it is called and asked for by.
+pub(crate) const NPZ: Format =
+    Format { name: "history.npz", option: "--npz", meaning: "the history for NumPy", part: None };
 
 /// Writes a history, whole or not at all.
 ///

@@ -6,11 +6,20 @@ use std::path::Path;
 
 use whirl_solver::cache::write_aside_by;
 
+use super::Format;
 use super::kept_rows::{KeptRows, PART};
 use crate::parquet::{Facts, Numbers};
 
 /// Who writes it.
 const CREATOR: &str = concat!("whirl ", env!("CARGO_PKG_VERSION"));
+
+/// What it is called and asked for by.
+pub(crate) const PARQUET: Format = Format {
+    name: "history.parquet",
+    option: "--parquet",
+    meaning: "the history with all digits and its units, for programs that read columns",
+    part: None,
+};
 
 /// Writes the rows that a run has kept in the folder of `to`, whole or not at all. Of a run that is `over` the file that they
 /// are in becomes this one, as nobody goes on with them.

@@ -8,7 +8,6 @@ use std::fmt::Write;
 use std::path::Path;
 
 use whirl_solver::mesh::Mesh;
-use whirl_solver::mesh::format::Format;
 
 pub(crate) use self::open::{Opened, body_name, bounds, mm, named, open};
 use crate::arguments::MeshArguments;
@@ -42,10 +41,12 @@ pub(crate) fn mesh(arguments: &MeshArguments) -> Result<String, Failure> {
             line!(text, "units: taken for \"{units}\", by its size; else give `--units`")
         }
         (Some(units), Some(_)) => line!(text, "units: \"{units}\""),
-        (None, _) if format == Format::Unv => {
-            line!(text, "units: those of the file (dataset 164), or m; else give `--units`")
-        }
-        (None, _) => line!(text, "units: m, N, kg, by its size; else give `--units`"),
+        (None, _) => match format.units_in() {
+            Some(place) => {
+                line!(text, "units: those of the file ({place}), or m; else give `--units`")
+            }
+            None => line!(text, "units: m, N, kg, by its size; else give `--units`"),
+        },
     }
     say(&mut text, &mesh);
     let said = (units.as_deref(), arguments.merge.as_deref());

@@ -142,14 +142,11 @@ pub(super) fn all(folder: &Path) -> io::Result<(Vec<FileFacts>, Vec<FigureFacts>
 
 /// What a file is, by its name; none of one that is not of the program.
 fn what(name: &str) -> Option<String> {
+    if let Some(copy) = history::FORMATS.iter().find(|own| own.name == name) {
+        return Some(copy.meaning.to_owned());
+    }
     let own = match name {
         history::NAME => "the history: a row a time, a column a quantity, ten digits",
-        history::NPZ => "the history for NumPy",
-        history::PARQUET => {
-            "the history with all digits and its units, for programs that read columns"
-        }
-        history::MAT => "the history with all digits for MATLAB",
-        history::HDF5 => "the history with all digits as HDF5",
         SUMMARY => {
             "the summary: verdict, extremes and means of the last cycle, orders, energy, times"
         }

@@ -7,7 +7,7 @@ use whirl_solver::history::Column;
 
 use crate::case::{Case, JointKind, SupportName};
 use crate::machine::Built;
-use crate::report::{angle, films, oscillations};
+use crate::report::{angle, films, oscillations, shown_unit};
 
 /// Supports and outputs whose charts are shown unasked.
 const MOST_SHOWN: usize = 6;
@@ -93,7 +93,7 @@ pub(super) fn groups(case: &Case, built: &Built, columns: &[Column]) -> Vec<Grou
     for (place, own) in oscillations(case, &built.machine).iter().enumerate() {
         let lines = own.columns.iter().map(|(column, axis)| (column.clone(), axis.to_lowercase()));
         let title = format!("{}: {}", own.title, own.quantity);
-        all.add((&title, own.quantity, own.unit, 1.0), lines.collect(), place < 2 * MOST_SHOWN);
+        all.add((&title, own.quantity, &own.unit, 1.0), lines.collect(), place < 2 * MOST_SHOWN);
     }
     for own in films(case, &built.machine) {
         let shown = own.angle.is_some();
@@ -119,16 +119,6 @@ pub(super) fn groups(case: &Case, built: &Built, columns: &[Column]) -> Vec<Grou
 
 fn along(own: &SupportName) -> (String, String) {
     (own.column("RZ", "N"), "z, axial".to_owned())
-}
-
-/// A unit as people write it.
-fn shown_unit(unit: &str) -> &str {
-    match unit {
-        "um" => "µm",
-        "N*m" => "N·m",
-        "m/s^2" => "m/s²",
-        other => other,
-    }
 }
 
 fn capital(words: &str) -> String {

@@ -11,7 +11,7 @@ use std::io;
 
 pub(crate) use films::{FilmChart, films};
 pub(crate) use orders::{OrderFacts, orders};
-pub(crate) use oscillations::{Oscillation, angle, oscillations};
+pub(crate) use oscillations::{Oscillation, angle, oscillations, shown_unit};
 pub(crate) use summary::{Summary, Times};
 pub(crate) use table::{of_orders, stops, supports, table};
 pub(crate) use verdict::VerdictFacts;

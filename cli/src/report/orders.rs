@@ -252,7 +252,7 @@ mod tests {
         let all = [Oscillation {
             title: "disc".into(),
             quantity: "displacement",
-            unit: "µm",
+            unit: "µm".to_owned(),
             columns: vec![("x_um".into(), "x")],
             angle: Some("theta_rad".into()),
         }];
@@ -301,7 +301,7 @@ mod tests {
         let all = [Oscillation {
             title: "disc".into(),
             quantity: "displacement",
-            unit: "µm",
+            unit: "µm".to_owned(),
             columns: vec![("x_um".into(), "x"), ("y_um".into(), "y")],
             angle: Some("theta_rad".into()),
         }];

@@ -1,7 +1,7 @@
 //! What oscillates: displacements of the journals, and what else a case wants, with the angles that orders count by.
 
 use whirl_solver::machine::Machine;
-use whirl_solver::output::{JointQuantity, Motion, Wanted};
+use whirl_solver::output::Owner;
 
 use crate::case::{Case, JointKind};
 
@@ -13,7 +13,7 @@ pub(crate) struct Oscillation {
     /// What it is, such as `displacement`.
     pub(crate) quantity: &'static str,
     /// Its unit.
-    pub(crate) unit: &'static str,
+    pub(crate) unit: String,
     /// Columns of the history, each with what it is called by in figures.
     pub(crate) columns: Vec<(String, &'static str)>,
     /// The column of the angle about which its orders are counted: that of its body or, if it stands, of the first body
@@ -34,54 +34,38 @@ pub(crate) fn oscillations(case: &Case, machine: &Machine) -> Vec<Oscillation> {
             all.push(Oscillation {
                 title: own.title.clone(),
                 quantity: "displacement",
-                unit: "µm",
+                unit: "µm".to_owned(),
                 columns: ["X", "Y"].map(|axis| (own.column(axis, "um"), axis)).to_vec(),
                 angle: angle(case, machine, journal(case, place)),
             });
         }
     }
     for output in machine.outputs() {
-        let (body, quantity, unit, labels): (_, _, _, &[&'static str]) = match &output.what {
-            Wanted::Motion { body, motion, .. } => match motion {
-                Motion::Displacement => (*body, "displacement", "µm", &["x", "y", "z"]),
-                Motion::Velocity => (*body, "velocity", "mm/s", &["x", "y", "z"]),
-                Motion::Acceleration => (*body, "acceleration", "m/s²", &["x", "y", "z"]),
-            },
-            Wanted::Joint { joint, quantity, .. } => {
-                let (quantity, unit, labels): (_, _, &[&'static str]) = match quantity {
-                    JointQuantity::Force => ("force", "N", &["x", "y"]),
-                    JointQuantity::Deformation => ("deformation", "µm", &["x", "y"]),
-                    JointQuantity::Rate => ("rate", "mm/s", &["x", "y"]),
-                    JointQuantity::Torque => ("torque", "N·m", &["z"]),
-                    JointQuantity::Twist => ("twist", "rad", &["z"]),
-                    JointQuantity::TwistRate => ("twist rate", "rad/s", &["z"]),
-                    JointQuantity::Moment => ("moment", "N·m", &["x", "y"]),
-                    JointQuantity::Tilt => ("tilt", "rad", &["x", "y"]),
-                    JointQuantity::AxialForce => ("axial force", "N", &["z"]),
-                    JointQuantity::AxialDeformation => ("axial deformation", "µm", &["z"]),
-                };
-                (journal(case, *joint), quantity, unit, labels)
-            }
-            Wanted::Energy { .. }
-            | Wanted::Power { .. }
-            | Wanted::JointPower { .. }
-            | Wanted::Film { .. }
-            | Wanted::States { .. } => continue,
+        let Some((quantity, axes)) = output.what.oscillates() else { continue };
+        let body = match output.what.owner() {
+            Owner::Body(body) => body,
+            Owner::Joint(joint) => journal(case, joint),
         };
-        let axes: Vec<usize> = match &output.what {
-            Wanted::Motion { components, .. } => components.clone(),
-            _ => (0..labels.len()).collect(),
-        };
-        let columns = output.columns().into_iter().zip(axes.iter().map(|&axis| labels[axis]));
+        let columns = output.described();
         all.push(Oscillation {
             title: output.name.clone(),
             quantity,
-            unit,
-            columns: columns.collect(),
+            unit: columns.first().map_or("", |own| shown_unit(&own.unit)).to_owned(),
+            columns: columns.into_iter().map(|own| own.name).zip(axes).collect(),
             angle: angle(case, machine, body),
         });
     }
     all
+}
+
+/// A unit as people write it.
+pub(crate) fn shown_unit(unit: &str) -> &str {
+    match unit {
+        "um" => "µm",
+        "N*m" => "N·m",
+        "m/s^2" => "m/s²",
+        other => other,
+    }
 }
 
 /// The body of the journal of a support or joint.

@@ -82,7 +82,7 @@ fn mass(case: &Case) -> Option<Oscillation> {
     Some(Oscillation {
         title: "Mass".to_owned(),
         quantity: "displacement",
-        unit: "µm",
+        unit: "µm".to_owned(),
         columns: vec![(first.column("X", "um"), "x")],
         angle: None,
     })
@@ -206,7 +206,7 @@ mod tests {
         let all = [Oscillation {
             title: "disc".into(),
             quantity: "displacement",
-            unit: "µm",
+            unit: "µm".to_owned(),
             columns: vec![("x_um".into(), "x")],
             angle: Some("theta_rad".into()),
         }];

@@ -6,6 +6,7 @@ use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
 use super::packed::{BLOCK, Backward, Forward, pack, solve};
+use super::values::Values;
 use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
 
 use crate::together::both;
@@ -44,7 +45,7 @@ impl BlockSolve {
     /// Takes the values of a factor of one row at least, each supernode column after column, the rows of its own columns first.
     pub(super) fn new(
         symbolic: &SymbolicSupernodalCholesky<usize>,
-        mut values: Vec<f64>,
+        mut values: Values,
     ) -> BlockSolve {
         let count = symbolic.n_supernodes();
         let (begin, end) = (symbolic.supernode_begin(), symbolic.supernode_end());
@@ -52,12 +53,10 @@ impl BlockSolve {
         let mut children = vec![Vec::new(); count];
         let mut roots = Vec::new();
         let mut costs = vec![0; count];
-        let mut memory = Vec::new();
         for s in 0..count {
             let (cols, pattern) = (end[s] - begin[s], symbolic.supernode(s).pattern());
             let from = symbolic.col_ptr_for_val()[s];
             let block = from..from + cols * (cols + pattern.len());
-            pack(&mut values[block.clone()], cols, &mut memory);
             costs[s] += block.len();
             match pattern.first() {
                 Some(first) => {
@@ -71,6 +70,7 @@ impl BlockSolve {
             rows.extend_from_slice(pattern);
             own.push(Supernode { columns: begin[s]..end[s], below, block });
         }
+        pack_all(&own, &mut values);
         let (parts, mut top) = divide(roots, &children, &costs);
         let parts = parts.map(|roots| {
             let mut all = roots;
@@ -172,6 +172,26 @@ fn copy(rows: &[Range<usize>], from: &[f64], to: &mut [f64]) {
     }
 }
 
+/// Packs every block of a factor, those of the first half of its values beside those of the second.
+fn pack_all(supernodes: &[Supernode], values: &mut [f64]) {
+    let middle = supernodes.partition_point(|own| own.block.end <= values.len() / 2);
+    let (first, second) = supernodes.split_at(middle);
+    let start = second.first().map_or(values.len(), |own| own.block.start);
+    let pack = |supernodes: &[Supernode], values: &mut [f64], start: usize| {
+        let mut memory = Vec::new();
+        for own in supernodes {
+            let block = own.block.start - start..own.block.end - start;
+            pack(&mut values[block], own.columns.len(), &mut memory);
+        }
+    };
+    if values.len() >= WORTH {
+        let (early, late) = values.split_at_mut(start);
+        both(|| pack(first, early, 0), || pack(second, late, start));
+    } else {
+        pack(supernodes, values, 0);
+    }
+}
+
 /// Shares subtrees out to two parts of about the same cost, each split into those below its root while they are uneven: the roots
 /// of either part, and those on top.
 fn divide(
@@ -208,7 +228,7 @@ struct Supernodes {
     /// Rows below the columns of each.
     rows: Vec<usize>,
     /// As [`pack`] leaves them.
-    values: Vec<f64>,
+    values: Values,
 }
 
 #[derive(Debug)]

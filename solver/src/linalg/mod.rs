@@ -19,6 +19,7 @@ mod quadratic;
 mod rough_inverse;
 mod sparse;
 mod sums;
+mod values;
 
 pub use cholesky::Cholesky;
 pub(crate) use combination::{add_columns, add_product, add_transposed, widely};

@@ -13,6 +13,7 @@ use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, Par, Side};
 
 use super::block_solve::BlockSolve;
+use super::values::Values;
 use super::{LinearAlgebraError, LowerTriangle, MemoryLimit, view_mut};
 use crate::together::both;
 
@@ -120,7 +121,7 @@ impl SparseCholesky {
 #[derive(Debug)]
 pub struct SparseLdlt {
     symbolic: Arc<SymbolicCholesky<usize>>,
-    values: Vec<f64>,
+    values: Values,
     inertia: Inertia,
 }
 
@@ -238,8 +239,8 @@ fn parallelism(symbolic: &SymbolicCholesky<usize>) -> Par {
 }
 
 /// Zeros for the values of a factor: of many, pages of memory are taken into use by two threads.
-fn zeros(count: usize) -> Vec<f64> {
-    let mut values = vec![0.0; count];
+fn zeros(count: usize) -> Values {
+    let mut values = Values::zeros(count);
     if count >= MANY {
         let (first, second) = values.split_at_mut(count / 2);
         both(|| first.fill(0.0), || second.fill(0.0));

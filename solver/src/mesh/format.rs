@@ -58,6 +58,11 @@ impl Format {
         }
     }
 
+    /// Where files of it may state their units.
+    pub fn units_in(self) -> Option<&'static str> {
+        (self == Format::Unv).then_some("dataset 164")
+    }
+
     /// The line of a text, from 1, in which a cell has its label; the cell may go on in the next lines.
     pub fn line_of_cell(self, text: &str, label: u64) -> Option<usize> {
         match self {
