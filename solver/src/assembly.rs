@@ -317,13 +317,38 @@ fn place(matrix: &LowerTriangle, row: usize, column: usize) -> usize {
 /// Zeros at every pair of nodes that share a cell.
 fn node_graph(mesh: &Mesh) -> LowerTriangle {
     let nodes = mesh.nodes().len();
-    let mut neighbours: Vec<Vec<usize>> = (0..nodes).map(|node| vec![node]).collect();
-    for cell in mesh.blocks().iter().flat_map(Block::cells) {
-        for_lower_pairs(cell, |a, b| neighbours[cell[b]].push(cell[a]));
+    let cells: Vec<&[usize]> = mesh.blocks().iter().flat_map(Block::cells).collect();
+    // Cells of each node, one after the other.
+    let mut ends = vec![0; nodes + 1];
+    cells.iter().flat_map(|cell| cell.iter()).for_each(|&node| ends[node + 1] += 1);
+    (0..nodes).for_each(|node| ends[node + 1] += ends[node]);
+    let mut around = vec![0; ends[nodes]];
+    let mut next = ends.clone();
+    for (place, cell) in cells.iter().enumerate() {
+        for &node in *cell {
+            around[next[node]] = place;
+            next[node] += 1;
+        }
     }
-    for list in &mut neighbours {
-        list.sort_unstable();
-        list.dedup();
+    let mut graph =
+        LowerTriangle { size: nodes, starts: vec![0], rows: Vec::new(), values: Vec::new() };
+    // The last node that has taken each.
+    let mut taken = vec![usize::MAX; nodes];
+    for node in 0..nodes {
+        let start = graph.rows.len();
+        taken[node] = node;
+        graph.rows.push(node);
+        for &cell in &around[ends[node]..ends[node + 1]] {
+            for &other in cells[cell] {
+                if other > node && taken[other] != node {
+                    taken[other] = node;
+                    graph.rows.push(other);
+                }
+            }
+        }
+        graph.rows[start..].sort_unstable();
+        graph.starts.push(graph.rows.len());
     }
-    LowerTriangle::from_columns(nodes, |b| neighbours[b].iter().map(|&a| (a, 0.0)))
+    graph.values = vec![0.0; graph.rows.len()];
+    graph
 }

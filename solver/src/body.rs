@@ -134,7 +134,7 @@ impl BodySpec {
     }
 
     /// An error of the reduction, with the names of what is retained and the labels of nodes.
-    fn named(&self, error: ReductionError, mesh: &Mesh) -> Error {
+    pub(crate) fn named(&self, error: ReductionError, mesh: &Mesh) -> Error {
         match error {
             ReductionError::Follows { place, same } => {
                 let name = &self.retained[place].name;

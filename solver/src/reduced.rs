@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use serde::{Deserialize, Serialize};
 
 use crate::assembly::{assemble, assemble_under};
-use crate::body::{BodyNode, BodySpec, Coordinates, Retained};
+use crate::body::{Assembled, BodyNode, BodySpec, Coordinates, Retained};
 use crate::cache::{Key, PROGRAM, instruction_set};
 use crate::centre_of_mass::CentreOfMass;
 use crate::constraints::{Equation, GroundSpring};
@@ -15,7 +15,7 @@ use crate::linalg::Matrix;
 use crate::measure::MeanMotion;
 use crate::mesh::matrices::BodyMatrices;
 use crate::mesh::{Mesh, NodeSetMean};
-use crate::reduction::{CraigBampton, Row};
+use crate::reduction::{CraigBampton, FixedInterface, Row};
 use crate::section::{self, Section};
 use crate::sparse::SparseMatrix;
 use crate::stiffening::displacement;
@@ -182,8 +182,18 @@ impl Reduced {
 
     fn made(kind: BodyKind, mesh: &Mesh, spec: &BodySpec) -> Result<Reduced, Error> {
         let body = spec.assemble(mesh)?;
-        let has_sections = !spec.sections.is_empty() && mesh.matrices().is_none();
         let fixed = spec.fixed_interface(mesh, &body)?;
+        let made = fixed.counted(|fixed| Reduced::of((kind, mesh, spec), &body, fixed));
+        made.map_err(|error| spec.named(error, mesh))?
+    }
+
+    /// All that is made of the modes and the factor of a body.
+    fn of(
+        (kind, mesh, spec): (BodyKind, &Mesh, &BodySpec),
+        body: &Assembled,
+        fixed: &FixedInterface,
+    ) -> Result<Reduced, Error> {
+        let has_sections = !spec.sections.is_empty() && mesh.matrices().is_none();
         let mut corrections = spec.corrections.clone();
         if has_sections {
             corrections.extend(section::answered(mesh, &body.mass, &spec.means));
@@ -191,7 +201,6 @@ impl Reduced {
             corrections.extend(section::inertia_of_answers(&once, spec.modes, &body.mass));
         }
         let whole = fixed.reduce(&corrections)?;
-        let factored = fixed.into_factored();
         let mut spun = None;
         let spin = match kind {
             BodyKind::Shaft => {
@@ -203,7 +212,8 @@ impl Reduced {
                     Some(_) => assemble(mesh, "stiffening"),
                     None => {
                         let load = &undeformed.y_x0;
-                        let displaced = displacement(mesh, spec, &body, (&whole, &factored), load)?;
+                        let displaced =
+                            displacement(mesh, spec, body, (&whole, fixed.factored()), load)?;
                         assemble_under(mesh, "stiffening", spun.insert(displaced))
                     }
                 };

@@ -42,11 +42,12 @@ struct Memory {
 }
 
 impl BlockSolve {
-    /// Takes the values of a factor of one row at least, each supernode column after column, the rows of its own columns first.
+    /// Takes the values of a factor of one row at least, each supernode column after column, the rows of its own columns first;
+    /// none if one is not finite.
     pub(super) fn new(
         symbolic: &SymbolicSupernodalCholesky<usize>,
         mut values: Values,
-    ) -> BlockSolve {
+    ) -> Option<BlockSolve> {
         let count = symbolic.n_supernodes();
         let (begin, end) = (symbolic.supernode_begin(), symbolic.supernode_end());
         let (mut own, mut rows) = (Vec::with_capacity(count), Vec::new());
@@ -70,7 +71,9 @@ impl BlockSolve {
             rows.extend_from_slice(pattern);
             own.push(Supernode { columns: begin[s]..end[s], below, block });
         }
-        pack_all(&own, &mut values);
+        if !pack_all(&own, &mut values) {
+            return None;
+        }
         let (parts, mut top) = divide(roots, &children, &costs);
         let parts = parts.map(|roots| {
             let mut all = roots;
@@ -84,7 +87,7 @@ impl BlockSolve {
         });
         top.sort_unstable();
         let columns = |all: &[usize]| all.iter().map(|&s| begin[s]..end[s]).collect();
-        BlockSolve {
+        Some(BlockSolve {
             second: columns(&parts[1]),
             last: columns(&top),
             largest: own.iter().map(Supernode::rows).max().unwrap_or(0),
@@ -93,7 +96,7 @@ impl BlockSolve {
             parts,
             top,
             memory: Mutex::new(Vec::new()),
-        }
+        })
     }
 
     /// Replaces each column b of `rhs` by A⁻¹b; `order`: the row of each unknown of the factor.
@@ -172,23 +175,26 @@ fn copy(rows: &[Range<usize>], from: &[f64], to: &mut [f64]) {
     }
 }
 
-/// Packs every block of a factor, those of the first half of its values beside those of the second.
-fn pack_all(supernodes: &[Supernode], values: &mut [f64]) {
+/// Packs every block of a factor, those of the first half of its values beside those of the second; whether all are finite.
+fn pack_all(supernodes: &[Supernode], values: &mut [f64]) -> bool {
     let middle = supernodes.partition_point(|own| own.block.end <= values.len() / 2);
     let (first, second) = supernodes.split_at(middle);
     let start = second.first().map_or(values.len(), |own| own.block.start);
     let pack = |supernodes: &[Supernode], values: &mut [f64], start: usize| {
         let mut memory = Vec::new();
-        for own in supernodes {
-            let block = own.block.start - start..own.block.end - start;
-            pack(&mut values[block], own.columns.len(), &mut memory);
-        }
+        supernodes.iter().all(|own| {
+            let block = &mut values[own.block.start - start..own.block.end - start];
+            let finite = block.iter().all(|value| value.is_finite());
+            pack(block, own.columns.len(), &mut memory);
+            finite
+        })
     };
     if values.len() >= WORTH {
         let (early, late) = values.split_at_mut(start);
-        both(|| pack(first, early, 0), || pack(second, late, start));
+        let finite = both(|| pack(first, early, 0), || pack(second, late, start));
+        finite.0 && finite.1
     } else {
-        pack(supernodes, values, 0);
+        pack(supernodes, values, 0)
     }
 }
 

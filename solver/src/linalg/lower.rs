@@ -1,5 +1,7 @@
 use std::cmp::Ordering;
 
+use crate::together::both;
+
 /// A sparse symmetric matrix by its lower triangle, column after column (compressed).
 #[derive(Debug, Clone, PartialEq)]
 pub struct LowerTriangle {
@@ -19,18 +21,9 @@ impl LowerTriangle {
     where
         C: Iterator<Item = (usize, f64)> + 'a,
     {
-        LowerTriangle::of_about(0, size, column)
-    }
-
-    /// The same, of about `count` values in all.
-    fn of_about<'a, C>(count: usize, size: usize, column: impl Fn(usize) -> C) -> Self
-    where
-        C: Iterator<Item = (usize, f64)> + 'a,
-    {
         let mut starts = Vec::with_capacity(size + 1);
         starts.push(0);
-        let (rows, values) = (Vec::with_capacity(count), Vec::with_capacity(count));
-        let mut lower = LowerTriangle { size, starts, rows, values };
+        let mut lower = LowerTriangle { size, starts, rows: Vec::new(), values: Vec::new() };
         for j in 0..size {
             let start = lower.rows.len();
             for (i, value) in column(j).filter(|&(i, _)| i >= j) {
@@ -57,10 +50,35 @@ impl LowerTriangle {
     }
 
     /// The rows and columns `kept` (ascending) alone; `place`: where each row stands among them.
-    pub(crate) fn block(&self, kept: &[usize], place: impl Fn(usize) -> Option<usize>) -> Self {
-        LowerTriangle::of_about(self.rows.len(), kept.len(), |j| {
-            self.column(kept[j]).filter_map(|(row, value)| Some((place(row)?, value)))
-        })
+    pub(crate) fn block(
+        &self,
+        kept: &[usize],
+        place: impl Fn(usize) -> Option<usize> + Sync,
+    ) -> Self {
+        let columns = |kept: &[usize]| {
+            let count = kept.iter().map(|&j| self.starts[j + 1] - self.starts[j]).sum();
+            let (mut ends, mut rows) = (Vec::with_capacity(kept.len()), Vec::with_capacity(count));
+            let mut values = Vec::with_capacity(count);
+            for &j in kept {
+                for (row, value) in self.column(j) {
+                    if let Some(row) = place(row) {
+                        rows.push(row);
+                        values.push(value);
+                    }
+                }
+                ends.push(rows.len());
+            }
+            (ends, rows, values)
+        };
+        let (early, late) = kept.split_at(kept.len() / 2);
+        let ((ends, mut rows, mut values), (late, more, others)) =
+            both(|| columns(early), || columns(late));
+        let first = rows.len();
+        let starts = std::iter::once(0).chain(ends).chain(late.iter().map(|end| first + end));
+        let starts = starts.collect();
+        rows.extend(more);
+        values.extend(others);
+        LowerTriangle { size: kept.len(), starts, rows, values }
     }
 
     /// The entries (row, value) of column j, diagonal first where it is stored.

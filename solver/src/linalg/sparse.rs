@@ -15,7 +15,7 @@ use faer::{Conj, Par, Side};
 use super::block_solve::BlockSolve;
 use super::values::Values;
 use super::{LinearAlgebraError, LowerTriangle, MemoryLimit, view_mut};
-use crate::together::both;
+use crate::together::each_part;
 
 /// Where a factor has values, and in which order they are found.
 #[derive(Debug)]
@@ -76,12 +76,13 @@ impl SparseCholesky {
             Err(LltError::NonPositivePivot { index }) => {
                 Err(LinearAlgebraError::NotPositiveDefinite { row: row(index), size: a.size })
             }
-            Ok(()) if values.iter().any(|value| !value.is_finite()) => {
-                Err(LinearAlgebraError::NotPositiveDefinite { row: row(0), size: a.size })
-            }
             Ok(()) => {
                 let order = (0..a.size).map(row).collect();
-                let factor = supernodes(&symbolic).map(|own| BlockSolve::new(own, values));
+                let not_finite =
+                    || LinearAlgebraError::NotPositiveDefinite { row: row(0), size: a.size };
+                let factor = supernodes(&symbolic)
+                    .map(|own| BlockSolve::new(own, values).ok_or_else(not_finite))
+                    .transpose()?;
                 Ok(SparseCholesky { pattern: Some(Pattern(Arc::new(symbolic))), order, factor })
             }
         }
@@ -232,18 +233,20 @@ const MANY: usize = 1 << 23;
 /// Parts that their dense blocks are then cut into.
 const PARTS: usize = 2;
 
+/// Values whose pages of memory are taken into use at a time.
+const PAGES: usize = 1 << 18;
+
 /// How dense blocks of a factor are shared out. Into how many parts is of the matrix, not of the processors that there are,
 /// so that all machines compute the same.
 fn parallelism(symbolic: &SymbolicCholesky<usize>) -> Par {
     if symbolic.len_val() < MANY { Par::Seq } else { Par::rayon(PARTS) }
 }
 
-/// Zeros for the values of a factor: of many, pages of memory are taken into use by two threads.
+/// Zeros for the values of a factor: of many, pages of memory are taken into use by all threads that have nothing else to do.
 fn zeros(count: usize) -> Values {
     let mut values = Values::zeros(count);
     if count >= MANY {
-        let (first, second) = values.split_at_mut(count / 2);
-        both(|| first.fill(0.0), || second.fill(0.0));
+        each_part(&mut values, PAGES, |part| part.fill(0.0));
     }
     values
 }

@@ -1,5 +1,3 @@
-use std::borrow::Cow;
-
 use serde::{Deserialize, Serialize};
 
 use crate::linalg::{LowerTriangle, Matrix, transpose_multiply};
@@ -79,7 +77,8 @@ impl Solid<'_> {
         interface: &Interface,
         modes: usize,
     ) -> Result<CraigBampton, ReductionError> {
-        self.fixed_interface(interface, modes)?.reduce(interface.corrections)
+        self.fixed_interface(interface, modes)?
+            .counted(|fixed| fixed.reduce(interface.corrections))?
     }
 
     /// The `count` lowest modes of the body with no dof held, rigid motions first.
@@ -103,10 +102,7 @@ impl Solid<'_> {
         let (whole, mass) = (lower(self.stiffness, "stiffness")?, lower(self.mass, "mass")?);
         let components: Vec<usize> = partition.inner.iter().map(|dof| dof % 3).collect();
         let order = self.order(&whole, &partition.inner);
-        let (stiffness, mass) = match dependent {
-            [] => (whole, mass),
-            _ => (Cow::Owned(partition.inner(&whole)), Cow::Owned(partition.inner(&mass))),
-        };
+        let (stiffness, mass) = (partition.inner(whole), partition.inner(mass));
         let pencil = Pencil {
             stiffness: &stiffness,
             mass: &mass,

@@ -22,6 +22,8 @@ const WIDEST: usize = 8;
 const PAIR: f64 = 1e-3;
 /// Dofs up to which all modes are found at once where the iteration finds no gap to count in.
 const DENSE: usize = 2_000;
+/// Dofs from which on modes are counted before anything is made of them.
+const BESIDE: usize = 200_000;
 /// Searches for modes that the Sturm count says are missing, before giving up.
 const SEARCHES: usize = 4;
 
@@ -36,6 +38,17 @@ fn ends_within_pair(eigenvalues: &[f64], count: usize) -> bool {
     equal(last) && before.is_multiple_of(2)
 }
 
+/// When the modes that were found are counted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Count {
+    Now,
+    /// Where there is a place to count at, by [`Pencil::agrees`].
+    Later,
+}
+
+/// The ω² of modes that were found but not counted, ascending, those of the guard among them.
+pub(super) type Uncounted = Vec<f64>;
+
 impl Pencil<'_> {
     /// The `count` lowest modes of K x = ω² M x for a positive definite K, with K's factor.
     ///
@@ -45,19 +58,35 @@ impl Pencil<'_> {
         &self,
         count: usize,
     ) -> Result<(Modes, ConstrainedCholesky), ReductionError> {
-        self.shifted_modes(count, 0.0, false)
+        let (modes, factor, _) = self.shifted_modes(count, 0.0, (false, Count::Now))?;
+        Ok((modes, factor))
     }
 
     /// As [`Pencil::lowest_modes`], and one more where the last of them would lose the partner with which it is a pair, as the
-    /// bending of a round body about two axes is.
+    /// bending of a round body about two axes is. If it is `later` that they are counted, some may be missing until they agree.
     ///
     /// # Errors
     /// As [`Pencil::lowest_modes`].
     pub(super) fn lowest_pairs(
         &self,
         count: usize,
-    ) -> Result<(Modes, ConstrainedCholesky), ReductionError> {
-        self.shifted_modes(count, 0.0, true)
+        later: bool,
+    ) -> Result<(Modes, ConstrainedCholesky, Option<Uncounted>), ReductionError> {
+        self.shifted_modes(count, 0.0, (true, if later { Count::Later } else { Count::Now }))
+    }
+
+    /// Whether as many of the lowest modes were found as there are, by the factor of K.
+    ///
+    /// # Errors
+    /// Of the linear algebra.
+    pub(super) fn agrees(
+        &self,
+        found: &Uncounted,
+        count: usize,
+        factor: &ConstrainedCholesky,
+    ) -> Result<bool, ReductionError> {
+        let counted = self.count(found, count, Some((self.stiffness, factor)))?;
+        Ok(counted.is_some_and(|(below, _, counted)| below == counted))
     }
 
     /// The `count` lowest modes of a body that may move freely (K positive semidefinite), rigid motions
@@ -68,7 +97,7 @@ impl Pencil<'_> {
     pub(crate) fn free_modes(&self, count: usize) -> Result<Modes, ReductionError> {
         // K is singular to ε·λ_max; the shift stands well clear of that, and as far below the first
         // elastic modes of any mesh that resolves them.
-        Ok(self.shifted_modes(count, 1e-10 * self.highest(), false)?.0)
+        Ok(self.shifted_modes(count, 1e-10 * self.highest(), (false, Count::Now))?.0)
     }
 
     /// Modes by the factor of K + shift·M, and the partner of the last where it is asked for.
@@ -76,8 +105,8 @@ impl Pencil<'_> {
         &self,
         count: usize,
         shift: f64,
-        in_pairs: bool,
-    ) -> Result<(Modes, ConstrainedCholesky), ReductionError> {
+        (in_pairs, counting): (bool, Count),
+    ) -> Result<(Modes, ConstrainedCholesky, Option<Uncounted>), ReductionError> {
         let n = self.mass.size;
         let available = n - self.constraints.rows.len();
         if count > available {
@@ -90,12 +119,15 @@ impl Pencil<'_> {
         };
         let mut factor =
             ConstrainedCholesky::new(&definite, self.order, self.constraints, self.limit(count))?;
-        let mut modes = if n <= dense_limit(count + GUARD) {
-            self.all_dense((&definite, &factor), shift, count)?
+        let (mut modes, counted) = if n <= dense_limit(count + GUARD) {
+            (self.all_dense((&definite, &factor), shift, count)?, true)
         } else {
-            self.by_iteration(&factor, &definite, shift, count)?
+            self.by_iteration((&factor, &definite), shift, count, counting)?
         };
-        factor.settle();
+        let uncounted = (!counted).then(|| modes.eigenvalues.clone());
+        if counted {
+            factor.settle();
+        }
         // With the guard modes: a multiple eigenvalue at the end has all its vectors when it is settled.
         convention::settle(&modes.eigenvalues, self.blur(), &mut modes.vectors, self.components)?;
         let kept =
@@ -103,7 +135,7 @@ impl Pencil<'_> {
         modes.eigenvalues.truncate(kept);
         modes.vectors.cols = kept;
         modes.vectors.data.truncate(n * kept);
-        Ok((modes, factor))
+        Ok((modes, factor, uncounted))
     }
 
     /// What is in use while `count` modes are found and counted, and while the columns are solved for.
@@ -121,10 +153,19 @@ impl Pencil<'_> {
             // of the assembly and for the patterns; M of the inner dofs and in products.
             Stage { factors: 2, besides: lanczos::memory(n, wanted) + 6 * k + 2 * m }
         };
-        // Right sides, answers and the solve's own, then the modes with the answers twice: as shapes, and as products.
+        // Right sides, answers and the solve's own, then the modes with the answers twice: as shapes, and as products; where
+        // the count runs beside it its factor, and K less a cut, as a whole and as it is factored.
         let columns = 3 * self.columns + count + 2 * (count + self.columns);
-        let answers = Stage { factors: 1, besides: columns * column + 2 * k + m };
+        let answers = match self.counts_beside() {
+            true => Stage { factors: 2, besides: columns * column + 5 * k + m },
+            false => Stage { factors: 1, besides: columns * column + 2 * k + m },
+        };
         MemoryLimit { most: self.memory, stages: [iteration, answers] }
+    }
+
+    /// Whether modes are counted beside what is made of them: of a small matrix, whose second factor is no matter.
+    pub(super) fn counts_beside(&self) -> bool {
+        self.mass.size < BESIDE
     }
 
     /// By decomposition of M x = θ (K + shift·M) x, which gives the lowest ω² with the most digits.
@@ -199,14 +240,14 @@ impl Pencil<'_> {
         Ok(Modes { eigenvalues, vectors })
     }
 
-    /// By block Lanczos, until the Sturm count agrees.
+    /// By block Lanczos, until the Sturm count agrees or is left for later; whether it was made.
     fn by_iteration(
         &self,
-        factor: &ConstrainedCholesky,
-        definite: &LowerTriangle,
+        (factor, definite): (&ConstrainedCholesky, &LowerTriangle),
         shift: f64,
         count: usize,
-    ) -> Result<Modes, ReductionError> {
+        counting: Count,
+    ) -> Result<(Modes, bool), ReductionError> {
         let mut wanted = count + GUARD;
         let mass = SparseMatrix::Symmetric(self.mass.clone());
         let mut lanczos = Lanczos::new(factor, &mass, wanted)?;
@@ -219,9 +260,16 @@ impl Pencil<'_> {
                 // They lie closer together than the iteration can tell from here.
                 drop(lanczos);
                 let slices = Slices::new(self, count, eigenvalues, found.vectors).modes()?;
-                return slices.map_or_else(|| self.all_dense((definite, factor), shift, count), Ok);
+                let modes =
+                    slices.map_or_else(|| self.all_dense((definite, factor), shift, count), Ok);
+                return Ok((modes?, true));
             }
             let modes = Modes { eigenvalues, vectors: found.vectors };
+            if counting == Count::Later
+                && sturm::cuts(&modes.eigenvalues, self.blur(), count).next().is_some()
+            {
+                return Ok((modes, false));
+            }
             let known = Some((definite, factor));
             let Some((below, cut, counted)) = self.count(&modes.eigenvalues, count, known)? else {
                 // A multiple eigenvalue reaches beyond the guard: search further up.
@@ -229,7 +277,7 @@ impl Pencil<'_> {
                 let widest = wanted > WIDEST * (count + GUARD);
                 let hopeless = widest || self.hides(&modes.eigenvalues);
                 if self.mass.size <= dense_limit(wanted) || hopeless && self.mass.size <= DENSE {
-                    return self.all_dense((definite, factor), shift, count);
+                    return Ok((self.all_dense((definite, factor), shift, count)?, true));
                 }
                 if self.hides(&modes.eigenvalues) {
                     return Err(self.hidden(&modes.eigenvalues));
@@ -238,14 +286,15 @@ impl Pencil<'_> {
                     drop(lanczos);
                     let slices =
                         Slices::new(self, count, modes.eigenvalues, modes.vectors).modes()?;
-                    return slices
-                        .map_or_else(|| self.all_dense((definite, factor), shift, count), Ok);
+                    let modes =
+                        slices.map_or_else(|| self.all_dense((definite, factor), shift, count), Ok);
+                    return Ok((modes?, true));
                 }
                 lanczos = Lanczos::new(factor, &mass, wanted)?;
                 continue;
             };
             if counted == below {
-                return Ok(modes);
+                return Ok((modes, true));
             }
             if counted < below || searches == SEARCHES {
                 return Err(ReductionError::Miscounted {

@@ -1,5 +1,6 @@
 //! Which dofs of a body stay coordinates, which are held, and on which the means of others are.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use crate::error::ReductionError;
@@ -111,11 +112,15 @@ impl Partition {
     }
 
     /// The block of the inner dofs.
-    pub(super) fn inner(&self, whole: &LowerTriangle) -> LowerTriangle {
-        whole.block(&self.inner, |row| match self.place[row] {
+    pub(super) fn inner<'w>(&self, whole: Cow<'w, LowerTriangle>) -> Cow<'w, LowerTriangle> {
+        if self.inner.len() == whole.size {
+            return whole;
+        }
+        let place = |row: usize| match self.place[row] {
             Place::Inner(i) => Some(i),
             _ => None,
-        })
+        };
+        Cow::Owned(whole.block(&self.inner, place))
     }
 
     /// The blocks (inner, retained) and (retained, retained), without what the means couple.
