@@ -64,13 +64,14 @@ fn parse(
         return Err(refuse(format!("a table has at most {MOST_ROWS} rows")));
     }
     let units = units(heads, allowed, &example).map_err(|error| vec![*error])?;
+    let decimal = decimal(heads, lines);
     let (mut rows, mut places) = (Vec::with_capacity(lines.len()), Vec::new());
     let mut errors: Vec<Diagnostic> = Vec::new();
     for line in lines {
         if errors.len() == MOST_ERRORS {
             break;
         }
-        match row(line, &units) {
+        match row(line, &units, decimal) {
             Ok(row) => {
                 let before: Option<&[f64; 2]> = rows.last();
                 if before.is_some_and(|before| row[0] <= before[0]) {
@@ -114,14 +115,40 @@ pub(super) fn lines(source: &Arc<Source>) -> Result<Vec<Vec<Located>>, Box<Diagn
     for line in source.text.split_inclusive('\n') {
         let comment = outside_quotes(line).into_iter().find(|own| own.1 == '#');
         let text = line[..comment.map_or(line.len(), |own| own.0)].trim_end();
-        let line_of_cells = cells(source, text, start);
+        start += line.len();
+        // How a spreadsheet tells another one what separates the cells.
+        if lines.is_empty() && text.trim_matches(['\u{feff}', ' ', '"']).starts_with("sep=") {
+            continue;
+        }
+        let line_of_cells = cells(source, text, start - line.len());
         // A spreadsheet ends with lines of separators alone.
         if line_of_cells.iter().any(|cell| !cell.text().is_empty()) {
             lines.push(line_of_cells);
         }
-        start += line.len();
     }
     Ok(lines)
+}
+
+/// How the numbers of a file are written: with a comma where some are, in columns that no comma separates, and none has a point.
+pub(super) fn decimal(heads: &[Located], lines: &[Vec<Located>]) -> char {
+    let between = heads
+        .first()
+        .zip(heads.get(1))
+        .map(|(first, second)| &first.source().text[first.span().end..second.span().start]);
+    let cells = || lines.iter().flatten().map(Located::text);
+    let has = |mark: char| cells().any(|cell| cell.contains(mark) && number(cell, mark).is_some());
+    let may = between.is_some_and(|own| !own.contains(','));
+    if may && has(',') && !has('.') { ',' } else { '.' }
+}
+
+/// The number in a cell; none that is not finite.
+pub(super) fn number(cell: &str, decimal: char) -> Option<f64> {
+    let number = match decimal {
+        ',' if cell.contains('.') => return None,
+        ',' => cell.replace(',', ".").parse::<f64>(),
+        _ => cell.parse::<f64>(),
+    };
+    number.ok().filter(|number| number.is_finite())
 }
 
 /// How a file may begin.
@@ -225,7 +252,11 @@ fn unit(
     Ok((unit, *dimension))
 }
 
-fn row(line: &[Located], units: &[(Unit, Dimension); 2]) -> Result<[f64; 2], Box<Diagnostic>> {
+fn row(
+    line: &[Located],
+    units: &[(Unit, Dimension); 2],
+    decimal: char,
+) -> Result<[f64; 2], Box<Diagnostic>> {
     let [first, second] = line else {
         let count = line.len();
         let message = format!(
@@ -237,8 +268,7 @@ fn row(line: &[Located], units: &[(Unit, Dimension); 2]) -> Result<[f64; 2], Box
     };
     let mut values = [0.0; 2];
     for ((value, cell), (unit, _)) in values.iter_mut().zip([first, second]).zip(units) {
-        let number = cell.text().parse::<f64>().ok().filter(|number| number.is_finite());
-        let Some(number) = number else {
+        let Some(number) = number(cell.text(), decimal) else {
             let shown = cell.text().escape_debug();
             let message = format!("expected a number, found `{shown}`");
             let help = "write numbers with a point, such as `0.035` or `3.5e-2`";
@@ -326,7 +356,25 @@ impl Columns {
 mod tests {
     use whirl_codegen::diagnostic::Source;
 
-    use super::lines;
+    use super::{decimal, lines, number};
+
+    #[test]
+    fn a_comma_is_a_decimal_one_where_nothing_else_can_be_meant() {
+        let of = |text: &str| {
+            let source = Source::new("rotor.csv", text);
+            let found = lines(&source).expect("a table");
+            decimal(&found[0], &found[1..])
+        };
+        assert_eq!(of("sep=;\nlength [mm];outer [mm]\n100,5;50\n"), ',');
+        assert_eq!(of("length [mm]\touter [mm]\n100\t1,5e2\n"), ',');
+        // Mixed, none, or thousands in quotes.
+        assert_eq!(of("length [mm];outer [mm]\n100,5;50.5\n"), '.');
+        assert_eq!(of("length [mm];outer [mm]\n100;50\n"), '.');
+        assert_eq!(of("length [mm],outer [mm]\n\"1,000\",50\n"), '.');
+        let numbers = [("1,5", ','), ("1.5", ','), ("1,2,3", ','), ("1,5", '.'), ("inf", '.')];
+        let found = numbers.map(|(cell, decimal)| number(cell, decimal));
+        assert_eq!(found, [Some(1.5), None, None, None, None]);
+    }
 
     #[test]
     fn a_cell_in_quotes_is_one_cell() {

@@ -43,9 +43,10 @@ pub(super) fn read(store: FileStore, table: &Table, name: &Located) -> Option<Ve
         table.push(name.error_here(Code::TABLE, message).help("add a line for each section"));
         return None;
     }
+    let decimal = columns::decimal(heads, lines);
     let (mut rows, mut wrong) = (Vec::with_capacity(lines.len()), 0);
     for line in lines {
-        match row(upto_last(line, columns.len()), &columns) {
+        match row(upto_last(line, columns.len()), &columns, decimal) {
             Ok(own) => rows.push(own),
             Err(error) => {
                 table.push(*error);
@@ -127,7 +128,7 @@ fn column(head: &Located) -> Result<(Column, String), Box<Diagnostic>> {
     Ok((Column::Length(length, unit), name.to_owned()))
 }
 
-fn row(line: &[Located], columns: &[Column]) -> Result<RowDraft, Box<Diagnostic>> {
+fn row(line: &[Located], columns: &[Column], decimal: char) -> Result<RowDraft, Box<Diagnostic>> {
     if line.len() > columns.len() {
         let message = format!("a row has {} cells, and this has {}", columns.len(), line.len());
         let help =
@@ -142,8 +143,7 @@ fn row(line: &[Located], columns: &[Column]) -> Result<RowDraft, Box<Diagnostic>
                 own.texts.insert(name, cell.clone());
             }
             Column::Length(name, unit) => {
-                let number = cell.text().parse::<f64>().ok().filter(|number| number.is_finite());
-                let Some(number) = number else {
+                let Some(number) = columns::number(cell.text(), decimal) else {
                     let message =
                         format!("expected a number, found `{}`", cell.text().escape_debug());
                     let help = "write numbers with a point, such as `0.035` or `3.5e-2`";
