@@ -26,3 +26,4 @@ mod reference_kernels;
 mod reference_modes;
 mod small_shaft;
 mod stiffening;
+mod validation_figures;
