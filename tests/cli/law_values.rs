@@ -95,6 +95,38 @@ fn a_law_has_the_clearance_of_its_stop_and_the_parameters_of_the_case() {
     );
 }
 
+/// A value beyond the limits of a parameter is refused where the case, the command or a law of its own says it.
+#[test]
+fn a_value_that_a_parameter_may_not_have_is_refused_at_its_place() {
+    let refused = |values: &str, words: &str| {
+        let stop = format!("law = \"ocvirk\"\nparameters = {{ {values} }}");
+        let bench = Workbench::new().file("case.toml", &mass(&stop));
+        let said = bench.whirl(&["run", "case.toml", "--no-figures"]);
+        assert_eq!(said.status, 2, "{}", said.stderr);
+        assert!(said.stderr.contains(words), "{}", said.stderr);
+        assert!(!bench.path("results").exists());
+    };
+    refused(
+        "mu = \"-12 mPa*s\"",
+        "`mu` of the law `ocvirk` has to be at least 0 Pa*s, not -12 mPa*s",
+    );
+    refused("eps_m = 1", "`eps_m` of the law `ocvirk` has to be below 1, not 1");
+    refused("c = \"0 um\"", "`c` of the law `ocvirk` has to be above 0 mm, not 0 um");
+    let bench = Workbench::new().file("case.toml", &mass("law = \"ocvirk\""));
+    let varied = ["sweep", "case.toml", "--vary", "stop.1.parameters.mu=-1 Pa*s .. 1 Pa*s, 3"];
+    let said = bench.whirl(&varied);
+    assert!(said.stderr.contains("has to be at least 0 Pa*s"), "{}", said.stderr);
+    let copy = edited(OCVIRK, &[("mu", "-0.01")]);
+    let bench = bench.file("own.toml", &copy).file("own-case.toml", &mass("law = \"own.toml\""));
+    let said = bench.whirl(&["check", "own-case.toml"]);
+    assert_eq!(said.status, 2, "{}", said.stderr);
+    assert!(
+        said.stderr.contains("own.toml") && said.stderr.contains("`mu` has to be at least 0 Pa*s"),
+        "{}",
+        said.stderr
+    );
+}
+
 /// Values that are those of the file, in whatever unit, need no other law than the compiled one.
 #[test]
 fn values_of_the_file_leave_a_law_as_it_is() {

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use whirl_codegen::diagnostic::{Code, Diagnostics, Located};
 use whirl_codegen::document::Table;
-use whirl_codegen::kinds::law::{BearingValue, Given, Parameter};
+use whirl_codegen::kinds::law::{BearingValue, Given, Limits, Parameter};
 use whirl_codegen::rational::{Rational, nearest};
 use whirl_codegen::units::{Quantity, Unit};
 use whirl_solver::bearing::FilmLaw;
@@ -151,6 +151,7 @@ impl FilmSource {
                 value: written.clone(),
                 written,
                 bearing: None,
+                limits: Limits::default(),
             }
         });
         let of_joint = OF_JOINT.iter().map(|(name, own, bearing, title)| Parameter {
@@ -160,6 +161,7 @@ impl FilmSource {
             written: Rational::from(0),
             value: Rational::from(0),
             bearing: Some(*bearing),
+            limits: Limits::default(),
         });
         own.chain(of_joint).collect()
     }

@@ -148,6 +148,17 @@ pub(super) fn check(
             table.push(wrong_unit(law, own, parameter));
             continue;
         }
+        let (limits, unit) = (&parameter.limits, &parameter.unit);
+        if let Some(words) = limits.refuse(own.value.value(), own.value.unit(), unit) {
+            let name = &parameter.name;
+            let message = format!(
+                "`{name}` of the law `{}` has to be {words}, not {}",
+                law.name.text(),
+                own.place.text()
+            );
+            table.push(own.place.error_here(Code::BAD_VALUE, message));
+            continue;
+        }
         if let Some(of) = parameter.bearing {
             let value = exactly(&own.value);
             match facts.value(of) {

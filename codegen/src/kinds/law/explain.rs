@@ -56,7 +56,7 @@ fn variables(page: &mut Page, law: &LawSpec) {
     if !law.parameters.is_empty() {
         page.heading("Parameters");
         let rows = law.parameters.iter().map(|parameter| {
-            let Parameter { name, title, unit, written, bearing, value } = parameter;
+            let Parameter { name, title, unit, written, bearing, limits: _, value } = parameter;
             let number = |value: &Rational| short(value.to_f64().unwrap_or(f64::NAN));
             let unit = if unit.text() == "1" { String::new() } else { format!(" {unit}") };
             let converted = match written == value {

@@ -83,6 +83,10 @@ const PARAMETER: &[Key] = &[
     needed("value", Number, "in the unit beside it"),
     needed("unit", Text, "any unit; \"1\" for a pure number"),
     key("title", Text, "one-line description"),
+    key("min", Number, "the least value that it may have, in the unit beside it"),
+    key("above", Number, "what its value has to be above, in the unit beside it"),
+    key("max", Number, "the largest value that it may have, in the unit beside it"),
+    key("below", Number, "what its value has to be below, in the unit beside it"),
     key(
         "bearing",
         Words(BearingValue::WORDS),

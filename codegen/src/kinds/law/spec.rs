@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::acts::Acts;
 use super::bearing::BearingValue;
+use super::limits::Limits;
 use super::report::LawReport;
 use super::table::LawTable;
 use super::valid::Validity;
@@ -107,6 +108,8 @@ pub struct Parameter {
     pub written: Rational,
     /// What it is of the bearing, if the file says so.
     pub bearing: Option<BearingValue>,
+    /// Values that it may have, in the unit of the file.
+    pub limits: Limits,
     /// Value in the system of units of the file's inputs and outputs.
     pub value: Rational,
 }

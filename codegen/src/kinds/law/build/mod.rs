@@ -180,9 +180,9 @@ pub(super) fn parameters_of(draft: Draft) -> Result<Vec<Parameter>, Diagnostics>
 }
 
 fn parameter(constant: Constant, system: &System) -> Parameter {
-    let Constant { name, title, unit, value: written, bearing, .. } = constant;
+    let Constant { key: _, name, title, unit, value: written, bearing, limits, .. } = constant;
     let value = system.convert(&written, &unit);
-    Parameter { name, title, unit, written, bearing, value }
+    Parameter { name, title, unit, written, bearing, limits, value }
 }
 
 /// The system of the units of inputs and outputs.

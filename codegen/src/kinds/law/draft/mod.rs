@@ -16,6 +16,7 @@ use std::sync::Arc;
 use crate::rational::Rational;
 
 use super::acts::{Acts, Quantity as Known};
+use super::limits::Limits;
 use super::table::{self, TableDraft};
 use super::{BearingValue, Given, KIND};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source};
@@ -57,18 +58,26 @@ pub(super) struct Constant {
     pub(super) unit: Unit,
     pub(super) value: Rational,
     pub(super) bearing: Option<BearingValue>,
+    /// Values that it may have, in the unit of the file.
+    pub(super) limits: Limits,
+    pub(super) file_unit: Unit,
 }
 
 impl Draft {
     /// Puts these values in the place of those of the file.
     ///
     /// # Errors
-    /// A name that is none of its parameters.
+    /// A name that is none of its parameters, or a value that one may not have.
     pub(super) fn give(&mut self, given: &[Given]) -> Result<(), Diagnostics> {
         let mut errors = Diagnostics::new();
         for Given { name, value, unit } in given {
             match self.parameters.iter_mut().find(|parameter| parameter.name == *name) {
                 Some(parameter) => {
+                    let of = &parameter.file_unit;
+                    if let Some(words) = parameter.limits.refuse(value, unit, of) {
+                        let message = format!("`{name}` has to be {words}");
+                        errors.push(parameter.key.error_here(Code::BAD_VALUE, message));
+                    }
                     (parameter.value, parameter.unit) = (value.clone(), unit.clone());
                 }
                 None => {
@@ -182,7 +191,14 @@ fn parameter(entry: &Table<'_>, key: &Located, name: String) -> Option<Constant>
     if let (Some(bearing), Some(unit), Some(place)) = (bearing, &unit, &unit_place) {
         fits(document, &name, bearing, unit, place);
     }
-    Some(Constant { key: key.clone(), name, title, unit: unit?, value: value?.0, bearing })
+    let limits = Limits::read(entry);
+    let (unit, (value, place)) = (unit?, value?);
+    if let Some(words) = limits.refuse(&value, &unit, &unit) {
+        entry.error(Code::BAD_VALUE, place, format!("`{name}` has to be {words}"));
+        return None;
+    }
+    let (key, file_unit) = (key.clone(), unit.clone());
+    Some(Constant { key, name, title, unit, value, bearing, limits, file_unit })
 }
 
 /// Notes a parameter that cannot be what it says it is of the bearing.

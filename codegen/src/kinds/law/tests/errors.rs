@@ -35,6 +35,35 @@ pieces = []
 }
 
 #[test]
+fn parameters_keep_their_limits() {
+    let law = |parameter: &str| {
+        messages(&format!(
+            "[inputs]\nh = {{ unit = \"mm\" }}\n[parameters]\nk = {{ {parameter} }}\n[outputs.Q]\nunit = \"N\"\nvalue = 'k*h'\n"
+        ))
+    };
+    let cases = [
+        ("value = 0, unit = \"N/mm\", above = 0", "law.toml:8:15: `k` has to be above 0 N/mm"),
+        ("value = -1, unit = \"N/mm\", min = 0", "law.toml:8:15: `k` has to be at least 0 N/mm"),
+        ("value = 5, unit = \"N/mm\", max = 4.5", "law.toml:8:15: `k` has to be at most 4.5 N/mm"),
+        (
+            "value = 5, unit = \"N/mm\", min = 0, below = 5",
+            "law.toml:8:15: `k` has to be below 5 N/mm",
+        ),
+        (
+            "value = 5, unit = \"N/mm\", min = 0, above = 0",
+            "law.toml:8:33: `min` and `above` exclude each other (keep one of them)",
+        ),
+    ];
+    for (parameter, expected) in cases {
+        assert_eq!(law(parameter), [expected]);
+    }
+    for fine in ["above = 4, max = 5", "min = 5, below = 6"] {
+        let found = law(&format!("value = 5, unit = \"N/mm\", {fine}"));
+        assert!(found.is_empty(), "{found:?}");
+    }
+}
+
+#[test]
 fn pieces_units_and_dimensions_are_checked() {
     let law = |inputs: &str, output: &str| {
         messages(&format!(
