@@ -155,6 +155,11 @@ impl OilFilm {
         if self.grid.arc.is_some() { 4 } else { 2 }
     }
 
+    /// Whether a side is an edge of an arc that stands in oil.
+    pub(super) fn is_edge_in_oil(&self, side: usize) -> bool {
+        (2..self.sides()).contains(&side) && self.openings[side].edge.name == "supply"
+    }
+
     fn edge(&self, name: &str) -> Result<&'static FilmEdge, WrongFilm> {
         let known: Vec<&str> = self.kernel.edges.iter().map(|edge| edge.name).collect();
         match self.kernel.edge(name) {

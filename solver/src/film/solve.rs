@@ -115,10 +115,11 @@ impl Balance {
     }
 
     /// What enters at an opening (m³/s); negative where oil leaves. Of a film that carries no fill, the oil with which its cavity
-    /// fills up again comes from nowhere, and does not enter where there is no pressure.
+    /// fills up again comes from nowhere, and does not enter where there is no pressure; at an edge of an arc that is in oil the
+    /// journal draws it in.
     pub fn inflow(&self, film: &OilFilm, opening: usize) -> f64 {
         let own = &film.openings[opening];
-        let feeds = own.pressure > 0.0 || film.carries_fill();
+        let feeds = own.pressure > 0.0 || film.carries_fill() || film.is_edge_in_oil(opening);
         let flows = own.nodes.iter().map(|node| self.residual[*node]);
         flows.map(|flow| if feeds { flow } else { flow.min(0.0) }).sum()
     }

@@ -110,6 +110,7 @@ fn arcs_carry_what_finite_volumes_find() {
         let displacement = place.map(|own| own * CLEARANCE);
         let exact = pad.force(displacement, [0.0; 2]);
         let size = exact[0].hypot(exact[1]);
+        let mut drawn_in = Vec::new();
         for name in ["reynolds", "jfo"] {
             let mut bench = pad.bench(name, [97, 17]);
             let motion = JournalMotion { displacement, omega: OMEGA, ..JournalMotion::default() };
@@ -125,7 +126,11 @@ fn arcs_carry_what_finite_volumes_find() {
                 let lost: f64 = flows.iter().sum();
                 assert!(lost.abs() < 1e-9 * flows[2], "{what}: {flows:?}");
             }
+            drawn_in.push(flows[2]);
         }
+        // Both are full where they begin, and differ by where their cavity does.
+        let [plain, conserving] = drawn_in[..] else { unreachable!("two films") };
+        assert!((plain / conserving - 1.0).abs() < 0.02, "{what}: {plain} {conserving}");
     }
 }
 
