@@ -217,3 +217,15 @@ fn a_rotor_drops_on_its_touchdown_bearing() {
     assert!(race > 5e-3, "{race}");
     assert!((rotor / race - 1.0).abs() < 0.03, "{rotor} {race}");
 }
+
+/// The rear race touches nothing: no torque holds its angle, which the mean position of the springs around the front one leaves as
+/// it is.
+#[test]
+fn a_race_that_nothing_touches_is_no_critical_speed() {
+    let bench = Workbench::new();
+    let speeds = ["--speeds", "18000 rpm .. 22500 rpm, 4"];
+    let said = bench.whirl(&[&["response", "magnetic-drop", "--no-figures"], &speeds[..]].concat());
+    assert_eq!(said.status, 0, "{}", said.stderr);
+    assert!(!said.stdout.contains("is left out"), "{}", said.stdout);
+    assert!(said.stdout.contains("order 1 of rotor"), "{}", said.stdout);
+}

@@ -188,7 +188,11 @@ fn a_run_stops_at_its_steady_state() {
         .file("case.toml", &format!("{ROTOR}{march}stop_when_steady = true\n"))
         .file("whole.toml", &format!("{ROTOR}{march}"));
     let said = done(&bench, &["run", "case.toml", "--no-figures"]);
-    assert!(said.contains("steady from ") && said.contains(" % left to change"), "{said}");
+    assert!(
+        said.contains("steady from ")
+            && said.contains(" % of what varies in a cycle is left to change"),
+        "{said}"
+    );
     done(&bench, &["run", "whole.toml", "--no-figures"]);
     let (cut, whole) = (bench.history_text("results/case"), bench.history_text("results/whole"));
     assert!(cut.len() < whole.len() / 2 && whole.starts_with(&cut));

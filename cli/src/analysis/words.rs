@@ -101,7 +101,7 @@ pub(super) fn thresholds(all: &Campbell) -> String {
         });
         let what = match (own.grows, own.others) {
             (true, false) => "UNSTABLE",
-            (true, true) => "another motion grows",
+            (true, true) => "a further motion becomes unstable",
             (false, false) => "stable",
             (false, true) => "one motion stops growing, others do not,",
         };

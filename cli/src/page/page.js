@@ -86,8 +86,8 @@ function head() {
   if (analyses) add(page, 'p', 'The verdict is on the run; analyses say themselves what limits them.', { class: 'soft' });
   const { verdict } = summary;
   const box = add(page, 'div', undefined, { class: verdict.sound ? 'verdict' : 'verdict bad', id: 'verdict' });
-  add(box, 'strong', verdict.sound ? 'Sound' : 'NOT SOUND: do not use these results');
-  if (verdict.sound) add(box, 'p', 'The program judged every step of this run and found nothing that speaks against the results.');
+  add(box, 'strong', verdict.sound ? 'Numerically sound' : 'NOT SOUND: do not use these results');
+  if (verdict.sound) add(box, 'p', 'Every step of this run passed the checks of the program: the numbers can be used. What they say of the machine is for you to judge.');
   else {
     const list = add(box, 'ul');
     for (const own of verdict.findings) {
@@ -126,7 +126,8 @@ function facts() {
     const group = forces.reduce((best, own) => (of(own) > of(best) ? own : best));
     fact('largest force component', [of(group), group.unit], `${group.title}, in the whole run`);
   }
-  const top = strongest();
+  // Over a run-up a spectrum of its end mixes speeds.
+  const top = run.tracked.length ? null : strongest();
   if (top) fact('strongest motion', top.words, () => `${top.title}: ${shown(top.amplitude * Units.of(top.unit)[1] * Amplitudes.factor, 3)} ${Units.of(top.unit)[0]} ${Amplitudes.words} at ${shown(top.hertz, 4)} Hz`);
   const passed = largestOrder();
   const orders = (summary.orders?.signals || []).filter((own) => own.signal.endsWith('_um'));
@@ -145,7 +146,9 @@ function largestOrder() {
     const rpm = numbers(all.rpm);
     for (const signal of all.signals.filter((own) => own.column.endsWith('_um'))) {
       const title = about.signals.find((own) => own.columns.some(([name]) => name === signal.column))?.title || signal.column;
-      numbers(signal.first).forEach((amplitude, k) => { if (!top || amplitude > top.amplitude) top = { amplitude, rpm: rpm[k], title }; });
+      const overall = numbers(signal.overall);
+      // Where something else moves more, it leaks into the fit.
+      numbers(signal.first).forEach((amplitude, k) => { if (amplitude > 0.6 * overall[k] && (!top || amplitude > top.amplitude)) top = { amplitude, rpm: rpm[k], title }; });
     }
   }
   return top;
@@ -163,13 +166,24 @@ function strongest() {
         const order = frequency[at] / spectrum.turning_hz;
         // Nearer to nothing it is a drift.
         if (Math.abs(order) < 0.1 || (top && amplitude[at] <= top.amplitude)) continue;
-        const way = !spectrum.two_sided ? '' : order > 0 ? ' forward' : ' backward';
         const body = /^theta_(.+)_rad$/.exec(signal.angle)?.[1];
-        top = { amplitude: amplitude[at], hertz: Math.abs(frequency[at]), unit: signal.unit, title: signal.title, words: `${shown(Math.abs(order), 3)} times the speed${body ? ` of ${body}` : ''}${way}` };
+        // Circles run through both ways make an ellipse, whose semi-axes are their sum and difference.
+        const other = spectrum.two_sided ? mirrored(frequency, amplitude, -frequency[at]) : 0;
+        const way = !spectrum.two_sided ? '' : other > 0.9 * amplitude[at] ? ', along a line' : order > 0 ? ' forward' : ' backward';
+        top = { amplitude: amplitude[at], other, hertz: Math.abs(frequency[at]), unit: signal.unit, title: signal.title, words: `${shown(Math.abs(order), 3)} times the speed${body ? ` of ${body}` : ''}${way}` };
       }
     }
   });
+  if (top) top.amplitude += top.other;
   return top;
+}
+
+// The amplitude at the frequency that is nearest.
+function mirrored(frequency, amplitude, wanted) {
+  let best = 0;
+  for (let k = 1; k < frequency.length; k++) if (Math.abs(frequency[k] - wanted) < Math.abs(frequency[best] - wanted)) best = k;
+  const near = Math.abs(frequency[best] - wanted) <= 1e-3 * Math.abs(wanted) + 1e-12;
+  return near ? amplitude[best] : 0;
 }
 
 function theCase() {
@@ -203,7 +217,7 @@ function results() {
     const named = (name) => { const signal = about.signals.find((one) => one.columns.some(([column]) => column === name)); return signal ? `${signal.title}: ${signal.quantity} ${signal.columns.find(([column]) => column === name)[1]}` : name; };
     const unit = (name) => about.signals.find((one) => one.columns.some(([column]) => column === name))?.unit || '';
     const heads = ['', '1X, 0-pk', '', 'phase (°)', '2X, 0-pk', '', 'phase (°)', 'revolutions'];
-    const rows = () => signals.map((one) => {
+    const rows = () => signals.filter((one) => one['1X'].amplitude > 0 || one['2X'].amplitude > 0).map((one) => {
       const u = unit(one.signal);
       return [named(one.signal), [one['1X'].amplitude, u], Units.of(u)[0], shown(one['1X'].phase_deg, 4), [one['2X'].amplitude, u], Units.of(u)[0], shown(one['2X'].phase_deg, 4), String(one.revolutions)];
     });
@@ -236,6 +250,7 @@ function histories() {
     groups.push({ title: 'Eccentricity relative to the clearance', quantity: '|E| / c', unit: '1', shown: true, factor: 1, lines: run.ratios.map((title) => [`ratio ${title}`, title]), levels: [{ y: 1, name: 'clearance' }], zero: true });
   }
   groups.push(...about.groups);
+  const idle = (group) => group.lines.every(([name]) => extremes(name).every((value) => value === 0));
   const varies = (group) => group.lines.some(([name]) => { const [least, most] = extremes(name); return most - least > 1e-3 * Math.max(Math.abs(least), Math.abs(most)); });
   const make = (group) => new Chart(grid, {
     id: `history-${slug(group.title)}`, title: group.title, sync: 'time', x: { label: 'time', unit: 's' }, y: { label: group.quantity, unit: group.unit },
@@ -245,13 +260,15 @@ function histories() {
   for (const group of groups) {
     const box = add(add(choose, 'label'), 'input', undefined, { type: 'checkbox' });
     box.after(` ${group.title}`);
-    box.checked = group.shown && (group.unit !== 'rpm' || varies(group));
+    box.checked = group.shown && !idle(group) && (group.unit !== 'rpm' || varies(group));
     let chart = box.checked ? make(group) : null;
     box.addEventListener('change', () => {
       chart = chart || make(group);
       chart.figure.hidden = !box.checked;
     });
   }
+  const still = groups.filter((group) => group.shown && idle(group)).map((group) => group.title);
+  if (still.length) add(own, 'p', `Zero all along: ${still.join('; ')}.`, { class: 'soft' });
   const hidden = groups.length > 8;
   if (hidden) { const more = add(own, 'details', undefined, { class: 'screen' }); add(more, 'summary', 'Choose what is shown'); more.append(choose); own.insertBefore(more, grid); }
 }
@@ -261,8 +278,8 @@ function orbits() {
   const own = part('orbits', 'Orbits and forces');
   const turns = run.orbits.some((orbit) => orbit.revolutions > 0);
   add(own, 'p', turns
-    ? 'Centre of each journal in its bore, seen along +z: x up, y to the right, so that positive rotation is clockwise. Heads point the way of time, dots are where the keyphasor is seen (θ a multiple of 360°).'
-    : 'Centre of each journal in its bore in the last cycle, seen along +z: x up, y to the right. Heads point the way of time.', { class: 'soft' });
+    ? 'Centre of each journal in its bore, seen along +z: x up, y to the right, so that positive rotation is clockwise. Arrows show the direction of motion, dots where the keyphasor is seen (θ a multiple of 360°).'
+    : 'Centre of each journal in its bore in the last cycle, seen along +z: x up, y to the right. Arrows show the direction of motion.', { class: 'soft' });
   const choose = add(own, 'div', undefined, { class: 'choose screen' });
   const grid = add(own, 'div', undefined, { class: 'grid squares' });
   const most = Math.max(...run.orbits.map((orbit) => orbit.revolutions));
@@ -317,7 +334,7 @@ function overAngle() {
   if (!run || !run.turned.length) return;
   const own = part('angle', 'Over the angle');
   const most = Math.max(...run.turned.map((one) => one.revolutions));
-  add(own, 'p', `Every row of the last ${most > 1.05 ? `${shown(most, 3)} revolutions` : 'revolution'}, the angle counted from where they begin.`, { class: 'soft' });
+  add(own, 'p', `Every row of the last ${most > 1.05 ? `${shown(most, 3)} revolutions` : 'revolution'}, the angle counted from where the first of them begins.`, { class: 'soft' });
   const grid = add(own, 'div', undefined, { class: 'grid' });
   for (const { group, revolutions, before, columns: packed } of run.turned) {
     const { title, quantity, unit, factor, lines } = about.groups[group];
@@ -330,13 +347,14 @@ function overAngle() {
 }
 
 function spectra() {
-  if (!run || !run.spectra.length) return;
+  if (!run || !run.spectra.some((spectrum) => spectrum.lines.length)) return;
   const own = part('spectra', 'Spectra');
   const two = run.spectra.some((spectrum) => spectrum.two_sided);
   add(own, 'p', `Over the last ${shown(1e3 * run.spectrum_s, 4)} ms, Hann window.${two ? ' Where x and y are known, the motion is taken as circles: those that run with the rotation have positive frequencies, those against it negative ones. A circle shows its radius; what moves along a line shows half of its amplitude on both sides.' : ''}`, { class: 'soft' });
   const grid = add(own, 'div', undefined, { class: 'grid' });
   run.spectra.forEach((spectrum, k) => {
     const signal = about.signals[k];
+    if (!spectrum.lines.length) return;
     const orders = spectrum.turning_hz > 0 ? [0.5, 1, 2] : [];
     const marks = orders.flatMap((order) => { const name = order === 0.5 ? '½X' : `${order}X`; const at = order * spectrum.turning_hz; return spectrum.two_sided ? [{ x: -at, name: `−${name}` }, { x: at, name }] : [{ x: at, name }]; });
     marks.sort((a, b) => a.x - b.x);
@@ -435,7 +453,7 @@ function waterfalls() {
 function energy() {
   if (!summary) return;
   const own = part('quality', 'Energy and quality of the run');
-  const words = { work_in: 'work of loads, drives and gravity', kinetic: 'kinetic energy', strain: 'strain energy', spring_stored: 'energy stored in joints', spring_dissipated: 'energy dissipated in joints', dissipated: 'energy dissipated in bodies', error: 'error of the balance' };
+  const words = { work_in: 'work of loads, drives and gravity', kinetic: 'change of the kinetic energy', strain: 'change of the strain energy', spring_stored: 'change of the energy stored in joints', spring_dissipated: 'energy dissipated in joints', dissipated: 'energy dissipated in bodies', error: 'error of the balance' };
   const names = [...new Set([...Object.keys(words), ...Object.keys(summary.energy_balance_j)])].filter((name) => name in summary.energy_balance_j);
   const rows = names.map((name) => [words[name] || name.replaceAll('_', ' '), [summary.energy_balance_j[name], 'J']]);
   add(own, 'p', 'Balance from the start to the end of the run. The error is what the program lost or made; it is part of the verdict.', { class: 'soft' });
@@ -445,7 +463,7 @@ function energy() {
   const step = march.time_step_s ? `time step ${shown(march.time_step_s)} s` : `steps of ${shown(march.automatic.shortest_step_s, 3)} to ${shown(march.automatic.longest_step_s, 3)} s, chosen by the program`;
   add(list, 'li', `${march.integrator}, ${step}; ${march.steps} steps, ${march.iterations} iterations, ${march.factorisations} factorisations`);
   add(list, 'li', `${counts.active} unknowns, ${counts.springs} springs`);
-  add(list, 'li', `${shown(time.total_wall_s, 3)} s in all, of which the march took ${shown(time.march_wall_s, 3)} s and the bodies ${shown(time.reduction_wall_s, 3)} s${time.reduction_cached ? ' (from the cache)' : ''}`);
+  add(list, 'li', `${shown(time.total_wall_s, 3)} s in all, of which time integration took ${shown(time.march_wall_s, 3)} s and the reduction of the bodies ${shown(time.reduction_wall_s, 3)} s${time.reduction_cached ? ' (from the cache)' : ''}`);
   const more = add(own, 'details');
   add(more, 'summary', 'Measures behind the verdict');
   table(more, ['', 'measured'], Object.entries(summary.verdict.measures).map(([name, value]) => [name.replaceAll('_', ' '), value === null ? '–' : shown(value, 3)]));
@@ -592,6 +610,19 @@ function swept() {
   });
 }
 
+// Lines as the terminal has them; notes, which are sentences, wrap.
+function worded(parent, lines) {
+  let [kept, note] = [[], false];
+  const flush = () => { if (kept.some((line) => line.trim())) add(parent, note ? 'p' : 'pre', kept.join('\n').trimEnd(), note ? { class: 'note' } : {}); kept = []; };
+  for (const line of lines) {
+    const is = line.startsWith('note: ');
+    if (is || note !== is) flush();
+    note = is;
+    kept.push(line);
+  }
+  flush();
+}
+
 function analysed() {
   if (!analyses) return;
   const tables = new Map(data.tables.map((own) => [own.name, parsed(own.csv)]));
@@ -603,13 +634,13 @@ function analysed() {
     while (lines.length && !lines[0].trim()) lines.shift();
     const chaptered = kind === 'lateral' && lateral(own, name, tables, lines);
     for (const figure of data.figures) if (chaptered && figure.name === `${name}.svg`) figure.shown = true;
-    if (lines.length <= 24 && !chaptered) add(own, 'pre', lines.join('\n'));
+    if (lines.length <= 24 && !chaptered) worded(own, lines);
     const grid = add(own, 'div', undefined, { class: 'grid' });
     const replaced = CHARTED[kind]?.(grid, name, tables) || [];
     for (const figure of data.figures) if (replaced.includes(figure.name)) figure.shown = true;
     drawn(own, data.figures.filter((figure) => files.includes(figure.name) && !figure.shown));
     inSpace(own, name);
-    if (lines.length > 24 || chaptered) { const more = add(own, 'details'); add(more, 'summary', `All that was found, in words (${lines.length} lines)`); add(more, 'pre', lines.join('\n')); }
+    if (lines.length > 24 || chaptered) { const more = add(own, 'details'); add(more, 'summary', `All that was found, in words (${lines.length} lines)`); worded(more, lines); }
     for (const file of files) {
       const table_ = tables.get(file);
       if (!table_ || !table_.rows.length) continue;

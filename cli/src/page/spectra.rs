@@ -4,7 +4,7 @@
 //! it R at minus that; what vibrates along a line has half of its amplitude at both. What has one column has the amplitude of
 //! its sine. All are from 0 to the peak, with a Hann window.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 use std::f64::consts::TAU;
 
 use serde::Serialize;
@@ -18,8 +18,10 @@ pub(super) const CYCLES: f64 = 16.0;
 pub(super) const LEAST_ROWS: usize = 16;
 /// Points of one side at most.
 const POINTS: usize = 500;
-/// Amplitudes below this part of the largest are not worth an axis.
-const SMALL: f64 = 0.005;
+/// An axis ends where what lies beyond has this share of the power at most.
+const BEYOND: f64 = 1e-4;
+/// Amplitudes below this part of the largest value that anything of the unit has are rounding.
+const ROUNDING: f64 = 1e-8;
 /// Spectra of a run-up, into how many parts of the run one reaches, and its rows at least and at most.
 const SLICES: usize = 48;
 const REACH: usize = 16;
@@ -61,11 +63,20 @@ impl Sides {
         self.backward.iter().chain(&self.forward).copied().fold(0.0, f64::max)
     }
 
-    /// The frequency above which all is small.
+    /// The frequency beyond which nearly nothing is left.
     fn end(&self) -> f64 {
-        let limit = SMALL * self.largest();
-        let last = |all: &[f64]| all.iter().rposition(|own| *own >= limit).unwrap_or(0);
-        self.step * last(&self.backward).max(last(&self.forward)) as f64
+        let power = |place: usize| -> f64 {
+            let both = [&self.backward, &self.forward].into_iter().filter_map(|own| own.get(place));
+            both.map(|own| own * own).sum()
+        };
+        // What does not move stands at 0 Hz.
+        let (count, mut left) = (self.forward.len(), 0.0);
+        let limit = BEYOND * (1..count).map(power).sum::<f64>();
+        let last = (1..count).rev().find(|&place| {
+            left += power(place);
+            left > limit
+        });
+        self.step * last.unwrap_or(0) as f64
     }
 
     /// Frequencies and amplitudes up to `end`, of many the largest.
@@ -96,10 +107,13 @@ pub(super) struct Spectrum {
     turning_hz: f64,
     /// Whether backward motion is told from forward motion.
     two_sided: bool,
-    /// One a column, or one of both.
+    /// One a column, or one of both; none where nothing but rounding oscillates.
     lines: Vec<SpectrumLine>,
     #[serde(skip)]
     sides: Vec<Sides>,
+    /// The largest of its values.
+    #[serde(skip)]
+    size: f64,
 }
 
 #[derive(Debug, Serialize)]
@@ -121,7 +135,9 @@ impl Spectrum {
             true => vec![Sides::of(columns, dt, if turned < 0.0 { -1.0 } else { 1.0 })],
             false => columns.iter().map(|own| Sides::of(&[own], dt, 1.0)).collect(),
         };
-        Spectrum { turning_hz, two_sided, lines: Vec::new(), sides }
+        let size =
+            columns.iter().copied().flatten().fold(0.0, |most: f64, own| most.max(own.abs()));
+        Spectrum { turning_hz, two_sided, lines: Vec::new(), sides, size }
     }
 
     /// The frequency up to which it is worth showing.
@@ -130,11 +146,19 @@ impl Spectrum {
     }
 }
 
-/// All of them up to one frequency, which their rows resolve.
+/// Each up to where it has something to show, and its rows resolve it.
 pub(super) fn shown(signals: &[Signal], all: &mut [Spectrum], dt: f64) {
-    let end = all.iter().map(Spectrum::end).fold(0.0, f64::max);
-    let end = (1.1 * end).min(0.5 / dt);
+    let mut sizes: BTreeMap<&str, f64> = BTreeMap::new();
+    for (signal, own) in signals.iter().zip(all.iter()) {
+        let most = sizes.entry(&signal.unit).or_insert(0.0);
+        *most = most.max(own.size);
+    }
     for (signal, own) in signals.iter().zip(all) {
+        let largest = own.sides.iter().map(Sides::largest).fold(0.0, f64::max);
+        if !(largest > ROUNDING * sizes[signal.unit.as_str()]) {
+            continue;
+        }
+        let end = (1.1 * own.end()).min(0.5 / dt);
         let names = signal.columns.iter().map(|own| own.1.clone());
         let both = "backward and forward".to_owned();
         let names: Vec<String> = if own.two_sided { vec![both] } else { names.collect() };
@@ -226,7 +250,9 @@ impl Slices {
             let all: Vec<&(f64, Sides)> = self.found.iter().map(|own| &own.1[k]).collect();
             let most = all.iter().map(|own| own.0).fold(0.0, f64::max);
             let largest = all.iter().map(|own| own.1.largest()).fold(0.0, f64::max);
-            if all.len() < 2 || !(most > 0.0 && largest > 0.0) {
+            // What turns less than once in a part shows no order.
+            let span = self.dt * (self.reach - 1) as f64;
+            if all.len() < 2 || !(most * span >= 1.0 && largest > 0.0) {
                 return None;
             }
             let end = (HIGHEST * most).min(0.5 / self.dt);

@@ -104,7 +104,7 @@ function inSpace(own, name) {
   const sized = motions[0].metres !== null;
   add(own, 'h3', sized ? 'Orbits in space' : 'Modes in space');
   const rest = `${shapes.left_out.length ? ` Too large to be shown here: ${shapes.left_out.join(', ')}.` : ''}${content.left_out ? ` ${content.left_out} more had no room on this page.` : ''}`;
-  add(own, 'p', `As space sees them, x up: the rotation of the bodies themselves is left out. ${sized ? 'φ counts from where the body that excites them stands at θ = 0.' : 'Amplitudes of modes have no size, and decay and growth are left out; at φ = 0 the point that gets furthest is there.'} Lines are orbits of points at the top of the bodies: blue with the rotation, orange against it, grey neither. Grey is the machine without the motion.${rest}`, { class: 'soft' });
+  add(own, 'p', `In the fixed frame, x up: the rotation of the bodies themselves is left out. ${sized ? 'φ counts from where the body that excites them stands at θ = 0.' : 'Amplitudes of modes have no size, and decay and growth are left out; at φ = 0 the point that gets furthest is there.'} Lines are orbits of points at the top of the bodies: blue with the rotation, orange against it, grey neither. Grey is the machine without the motion.${rest}`, { class: 'soft' });
   const on = stage(own, shapes, `Motions of ${name} in space`);
   if (!on) return;
   const { made } = on;

@@ -332,9 +332,16 @@ impl Summary {
     /// When the steady state was reached, and what is left to change, in words.
     pub(crate) fn steadiness(&self, march: &MarchSettings) -> String {
         let facts = &self.steady_state;
-        let left = |left: f64| match left.is_finite() {
-            true => format!("{} % left to change", whirl_text::shown(100.0 * left, 2, 1e-3..1e6)),
-            false => "the change from cycle to cycle does not decrease".to_owned(),
+        let left = |left: f64| match left {
+            ..1.0 => format!(
+                "{} % of what varies in a cycle is left to change",
+                whirl_text::shown(100.0 * left, 2, 1e-3..1e6)
+            ),
+            _ if left.is_finite() => format!(
+                "about {} times what varies in a cycle is left to change",
+                whirl_text::shown(left, 2, 1e-3..1e6)
+            ),
+            _ => "the change from cycle to cycle does not decrease".to_owned(),
         };
         match (facts.time_s, facts.left) {
             _ if !facts.checked => format!(

@@ -10,7 +10,7 @@ use super::first_order;
 use super::round::LinearMachine;
 use crate::dynamics::{Standing, standing_at};
 use crate::error::Error;
-use crate::linalg::{FirstOrder, Matrix, Periodic, solve_complex};
+use crate::linalg::{FirstOrder, LinearAlgebraError, Matrix, Periodic, solve_complex};
 use crate::machine::Machine;
 
 /// A state in which the machine stands at constant speeds, with the equations of small motions about it.
@@ -92,7 +92,30 @@ impl Linearised {
         let entry = |m: f64, c: f64, k: f64| Complex64::new(k - square * m, frequency * c);
         let entries = mass.data.iter().zip(&damping.data).zip(&stiffness.data);
         let matrix: Vec<Complex64> = entries.map(|((m, c), k)| entry(*m, *c, *k)).collect();
-        Ok(solve_complex(mass.rows, &matrix, force)?)
+        match solve_complex(mass.rows, &matrix, force) {
+            Err(LinearAlgebraError::Singular { .. }) if frequency == 0.0 && self.angles > 0 => {
+                Ok(self.with_angles_held(matrix, force)?)
+            }
+            solved => Ok(solved?),
+        }
+    }
+
+    /// A mean position, where nothing holds the angle of a body that turns freely: with all such angles as they are.
+    fn with_angles_held(
+        &self,
+        mut matrix: Vec<Complex64>,
+        force: &[Complex64],
+    ) -> Result<Vec<Complex64>, LinearAlgebraError> {
+        let (n, mut force) = (self.mass.rows, force.to_vec());
+        for angle in 0..self.angles {
+            for other in 0..n {
+                matrix[angle + n * other] = Complex64::ZERO;
+                matrix[other + n * angle] = Complex64::ZERO;
+            }
+            matrix[angle * (n + 1)] = Complex64::ONE;
+            force[angle] = Complex64::ZERO;
+        }
+        solve_complex(n, &matrix, &force)
     }
 
     /// Whether they are constant as space sees them.
