@@ -5,6 +5,7 @@ mod figure;
 mod histories;
 mod laws;
 mod orders;
+mod over_speed;
 mod spectra;
 mod stack;
 
@@ -21,10 +22,12 @@ use crate::case::{Case, NamedBody};
 use crate::history::ReadHistory;
 use crate::machine::Built;
 use crate::output::Output;
-use crate::report::{films, oscillations};
+use crate::report::{begun, films, oscillations};
 
 /// Names of all figures that a run may draw, without their endings.
-pub(crate) const NAMES: [&str; 9] = [
+pub(crate) const NAMES: [&str; 11] = [
+    "orders",
+    "envelope",
     "laws",
     "reactions",
     "eccentricity",
@@ -127,15 +130,18 @@ fn message(panic: &(dyn Any + Send)) -> &str {
 /// Names of the figures of a case, and their numbers in the paper.
 fn wanted(case: &Case) -> Vec<(&'static str, Option<usize>)> {
     let named = &case.figures;
-    let mut wanted = vec![("laws", named.law), ("reactions", named.reactions)];
     let machine = &case.machine;
+    // Of a run-up what goes over the speed comes first.
+    let turns = machine.bodies.iter().any(NamedBody::turns);
+    let mut wanted: Vec<(&str, Option<usize>)> = Vec::new();
+    wanted.extend(["orders", "envelope"].into_iter().filter(|_| turns).map(|stem| (stem, None)));
+    wanted.extend([("laws", named.law), ("reactions", named.reactions)]);
     if machine.is_mass() {
         wanted.push(("displacement", None));
     } else {
         wanted.extend(
             ["eccentricity-stretched", "eccentricity"].map(|stem| (stem, named.eccentricity)),
         );
-        let turns = machine.bodies.iter().any(NamedBody::turns);
         let driven = machine.is_named() || machine.drives.iter().any(|own| own.couple.acts);
         wanted.extend((turns && driven).then_some(("rotation", named.rotation)));
     }
@@ -153,11 +159,13 @@ fn figure(
     built: &Built,
     history: &dyn ReadHistory,
 ) -> io::Result<Option<Figure>> {
-    if matches!(stem, "spectrum" | "waterfall") {
+    if matches!(stem, "spectrum" | "waterfall" | "orders" | "envelope") {
         let all = oscillations(case, &built.machine);
         let step = case.march().time_step * case.march().output_every as f64;
         return match stem {
             "spectrum" => spectra::spectrum(history, &all, (step, case.march().cycle)),
+            "orders" => over_speed::orders(history, &all, begun(history, step)?),
+            "envelope" => over_speed::envelope(history, &all, begun(history, step)?),
             _ => spectra::waterfall(history, &all, step),
         };
     }

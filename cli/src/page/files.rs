@@ -14,7 +14,9 @@ use crate::history;
 use crate::results::{ABOUT, ANALYSES, REPORT, SHAPES, STATE, SUMMARY, SWEEP};
 
 /// Figures of runs that a page draws itself.
-const DRAWN: [&str; 8] = [
+const DRAWN: [&str; 10] = [
+    "orders",
+    "envelope",
     "reactions",
     "eccentricity",
     "eccentricity-stretched",

@@ -9,17 +9,16 @@ mod about;
 mod analyses;
 mod bodies;
 mod encode;
-mod envelope;
 mod files;
 mod groups;
 mod kept;
 mod moving;
 mod orbits;
+mod over_speed;
 mod run;
 mod shapes;
 mod spectra;
 mod sweeps;
-mod tracked;
 mod turned;
 
 use std::path::Path;

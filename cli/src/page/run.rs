@@ -6,15 +6,14 @@ use std::io;
 use serde::Serialize;
 
 use super::about::{About, Journal, Signal};
-use super::envelope::{Envelope, Enveloper};
 use super::groups::Group;
 use super::kept::{Histories, Kept};
 use super::orbits::Orbit;
+use super::over_speed::{PackedEnvelope, PackedOrders};
 use super::spectra::{self, Slices, Spectrum, Waterfall};
-use super::tracked::{Tracked, Tracker};
 use super::turned::Turned;
 use crate::history::ReadHistory;
-use crate::report::begun;
+use crate::report::{Enveloper, Tracker, begun, varying};
 
 /// Rows of the end of a run that are kept whole, for orbits and spectra.
 const MOST_TAIL: usize = 1 << 17;
@@ -23,9 +22,6 @@ const MOST_SPECTRA: usize = 24;
 const MOST_MAPS: usize = 6;
 /// Charts over the angle, at most.
 const MOST_TURNED: usize = 16;
-/// Speed changes by this part at least where orders are tracked, and places at which it is looked for.
-const VARIES: f64 = 0.2;
-const LOOKED_AT: u32 = 16;
 
 /// Places in a row of columns that belong together, and of their angle.
 type Placed = (Vec<usize>, Option<usize>);
@@ -48,8 +44,8 @@ pub(super) struct RunData {
     spectra: Vec<Spectrum>,
     waterfalls: Vec<Waterfall>,
     /// One an angle, of those whose speed varies.
-    tracked: Vec<Tracked>,
-    envelopes: Vec<Envelope>,
+    tracked: Vec<PackedOrders>,
+    envelopes: Vec<PackedEnvelope>,
 }
 
 impl RunData {
@@ -90,7 +86,13 @@ impl RunData {
             .filter(|own| own.1 > 0.0)
             .collect();
         let mut kept = Kept::new(names.len() - 1 + ratios.len(), rows);
-        let varying = varying(history, &signals, &names, [begins, ends])?;
+        let mut angles: Vec<usize> = signals.iter().filter_map(|own| own.1).collect();
+        angles.sort_unstable();
+        angles.dedup();
+        let called: Vec<&str> = angles.iter().map(|own| names[*own]).collect();
+        let varying = varying(history, &called, [begins, ends])?;
+        let varying: Vec<(usize, [f64; 2])> =
+            varying.into_iter().map(|(own, span)| (angles[own], span)).collect();
         let mut trackers: Vec<Tracker> = varying
             .iter()
             .filter_map(|&(angle, span)| {
@@ -164,8 +166,14 @@ impl RunData {
             spectrum_s: span,
             spectra,
             waterfalls: slices.map_or_else(Vec::new, |own| own.finish(&mapped)),
-            tracked: trackers.into_iter().filter_map(|own| own.finish(owned)).collect(),
-            envelopes: envelopes.into_iter().filter_map(|own| own.finish(owned)).collect(),
+            tracked: trackers
+                .into_iter()
+                .filter_map(|own| Some(own.finish(owned)?.into()))
+                .collect(),
+            envelopes: envelopes
+                .into_iter()
+                .filter_map(|own| Some(own.finish(owned)?.into()))
+                .collect(),
         }))
     }
 }
@@ -210,37 +218,6 @@ fn tail(
         }
     }
     Ok(wanted.min(most).max(1))
-}
-
-/// Angles that turn with a speed that varies, with their first and last values (rad).
-fn varying(
-    history: &dyn ReadHistory,
-    signals: &[Placed],
-    names: &[&str],
-    [begins, ends]: [f64; 2],
-) -> io::Result<Vec<(usize, [f64; 2])>> {
-    let mut angles: Vec<usize> = signals.iter().filter_map(|own| own.1).collect();
-    angles.sort_unstable();
-    angles.dedup();
-    let wanted: Vec<&str> = ["t_s"].into_iter().chain(angles.iter().map(|k| names[*k])).collect();
-    let mut seen: Vec<Vec<f64>> = Vec::new();
-    for k in 0..=LOOKED_AT {
-        let time = begins + (ends - begins) * f64::from(k) / f64::from(LOOKED_AT);
-        let place = history.place_of_time(time.min(ends))?;
-        history.first_row(place, &wanted, &mut |row| seen.push(row.to_vec()))?;
-    }
-    let own = |(at, &angle): (usize, &usize)| {
-        let speed = |pair: &[Vec<f64>]| {
-            ((pair[1][at + 1] - pair[0][at + 1]) / (pair[1][0] - pair[0][0])).abs()
-        };
-        let speeds: Vec<f64> =
-            seen.windows(2).filter(|pair| pair[1][0] > pair[0][0]).map(speed).collect();
-        let most = speeds.iter().copied().fold(0.0, f64::max);
-        let least = speeds.iter().copied().fold(f64::INFINITY, f64::min);
-        let span = [seen.first()?[at + 1], seen.last()?[at + 1]];
-        (most > 0.0 && most - least >= VARIES * most).then_some((angle, span))
-    };
-    Ok(angles.iter().enumerate().filter_map(own).collect())
 }
 
 /// Spectra over the last cycles, at most over the last half of the run, and how long that is (s).

@@ -1,19 +1,25 @@
 //! Results of a run: summary and tables.
 
+mod envelope;
 mod films;
 mod orders;
 mod oscillations;
 mod summary;
 mod table;
+mod tracked;
+mod varying;
 mod verdict;
 
 use std::io;
 
+pub(crate) use envelope::{Envelope, Enveloper, Extremes};
 pub(crate) use films::{FilmChart, films};
 pub(crate) use orders::{OrderFacts, orders};
 pub(crate) use oscillations::{Oscillation, angle, oscillations, shown_unit};
 pub(crate) use summary::{Summary, Times};
 pub(crate) use table::{of_orders, stops, supports, table};
+pub(crate) use tracked::{Tracked, TrackedSignal, Tracker};
+pub(crate) use varying::varying;
 pub(crate) use verdict::VerdictFacts;
 
 use crate::history::ReadHistory;

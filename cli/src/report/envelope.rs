@@ -2,15 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use serde::Serialize;
-
-use super::encode::Packed;
-
 /// Points at most; where there are more revolutions a point stands for several.
 const POINTS: f64 = 400.0;
 
 /// Those of the columns of one angle while the rows pass.
-pub(super) struct Enveloper {
+pub(crate) struct Enveloper {
     /// Places of the angle and of the columns in a row.
     angle: usize,
     columns: Vec<usize>,
@@ -32,28 +28,29 @@ struct Turn {
     columns: Vec<[f64; 2]>,
 }
 
-/// As a page has it.
-#[derive(Debug, Serialize)]
-pub(super) struct Envelope {
+/// Least and largest values point by point.
+#[derive(Debug)]
+pub(crate) struct Envelope {
     /// Of a point.
-    revolutions: f64,
+    pub(crate) revolutions: f64,
     /// s, in the middle.
-    time: Packed,
-    rpm: Packed,
+    pub(crate) time: Vec<f64>,
+    pub(crate) rpm: Vec<f64>,
     /// A column each.
-    signals: Vec<Extremes>,
+    pub(crate) signals: Vec<Extremes>,
 }
 
-#[derive(Debug, Serialize)]
-struct Extremes {
-    column: String,
-    least: Packed,
-    most: Packed,
+/// Those of a column.
+#[derive(Debug)]
+pub(crate) struct Extremes {
+    pub(crate) column: String,
+    pub(crate) least: Vec<f64>,
+    pub(crate) most: Vec<f64>,
 }
 
 impl Enveloper {
     /// Of columns over an angle that turns from `begins` to `ends` (rad), whose places in a row are given.
-    pub(super) fn new((angle, columns): (usize, Vec<usize>), [begins, ends]: [f64; 2]) -> Self {
+    pub(crate) fn new((angle, columns): (usize, Vec<usize>), [begins, ends]: [f64; 2]) -> Self {
         let revolutions = ((ends - begins).abs() / TAU / POINTS).ceil().max(1.0);
         let sense = (ends - begins).signum();
         let begins = sense * begins;
@@ -61,7 +58,7 @@ impl Enveloper {
     }
 
     /// Takes a row.
-    pub(super) fn add(&mut self, time: f64, row: &[f64]) {
+    pub(crate) fn add(&mut self, time: f64, row: &[f64]) {
         let angle = self.sense * row[self.angle];
         let number = ((angle - self.begins) / (self.revolutions * TAU)).floor();
         // What comes back stays in the turn in which it was.
@@ -78,27 +75,27 @@ impl Enveloper {
     }
 
     /// What was found in whole revolutions, with names of columns; none without any.
-    pub(super) fn finish(self, names: &[String]) -> Option<Envelope> {
+    pub(crate) fn finish(self, names: &[String]) -> Option<Envelope> {
         // Turns that began but did not end, or in which a standstill is, tell of no speed.
         let all: Vec<&Turn> =
             self.found.iter().filter(|own| own.ends[1][0] > own.ends[0][0]).collect();
         if all.is_empty() {
             return None;
         }
-        let packed = |of: &dyn Fn(&Turn) -> f64| Packed::single(all.iter().map(|own| of(own)));
+        let each = |of: &dyn Fn(&Turn) -> f64| all.iter().map(|own| of(own)).collect::<Vec<f64>>();
         let rpm = |own: &Turn| {
             let [[from, first], [to, last]] = own.ends;
             (last - first) / (to - from) * 60.0 / TAU
         };
         let signal = |(k, place): (usize, &usize)| Extremes {
             column: names[*place].clone(),
-            least: packed(&|own| own.columns[k][0]),
-            most: packed(&|own| own.columns[k][1]),
+            least: each(&|own| own.columns[k][0]),
+            most: each(&|own| own.columns[k][1]),
         };
         Some(Envelope {
             revolutions: self.revolutions,
-            time: packed(&|own| 0.5 * (own.ends[0][0] + own.ends[1][0])),
-            rpm: packed(&rpm),
+            time: each(&|own| 0.5 * (own.ends[0][0] + own.ends[1][0])),
+            rpm: each(&rpm),
             signals: self.columns.iter().enumerate().map(signal).collect(),
         })
     }

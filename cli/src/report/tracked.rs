@@ -7,10 +7,6 @@
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
 
-use serde::Serialize;
-
-use super::encode::Packed;
-
 /// Orders that are fitted, of which the first two are shown.
 const ORDERS: usize = 3;
 const TERMS: usize = 1 + 2 * ORDERS;
@@ -25,7 +21,7 @@ const ROWS: f64 = 12.0;
 const MOST_ROWS: usize = 1 << 17;
 
 /// The orders of the signals of one angle while the rows pass.
-pub(super) struct Tracker {
+pub(crate) struct Tracker {
     /// Places of the angle and of the columns in a row.
     angle: usize,
     columns: Vec<usize>,
@@ -49,32 +45,33 @@ struct Place {
     columns: Vec<(f64, [[f64; 2]; 2])>,
 }
 
-/// As a page has it.
-#[derive(Debug, Serialize)]
-pub(super) struct Tracked {
+/// Orders place by place.
+#[derive(Debug)]
+pub(crate) struct Tracked {
     /// Revolutions of a window.
-    revolutions: f64,
+    pub(crate) revolutions: f64,
     /// s.
-    time: Packed,
-    rpm: Packed,
+    pub(crate) time: Vec<f64>,
+    pub(crate) rpm: Vec<f64>,
     /// A column each.
-    signals: Vec<TrackedSignal>,
+    pub(crate) signals: Vec<TrackedSignal>,
 }
 
-#[derive(Debug, Serialize)]
-struct TrackedSignal {
-    column: String,
-    /// From 0 to the peak.
-    overall: Packed,
-    first: Packed,
-    first_phase_deg: Packed,
-    second: Packed,
-    second_phase_deg: Packed,
+/// Those of a column.
+#[derive(Debug)]
+pub(crate) struct TrackedSignal {
+    pub(crate) column: String,
+    /// Half of largest less least value.
+    pub(crate) overall: Vec<f64>,
+    /// 1X and 2X, from 0 to the peak.
+    pub(crate) amplitudes: [Vec<f64>; 2],
+    /// Of both, in degrees.
+    pub(crate) phases: [Vec<f64>; 2],
 }
 
 impl Tracker {
     /// Of columns over an angle that turns from `begins` to `ends` (rad), of whose places in a row `place` tells; none where that is too little.
-    pub(super) fn new(
+    pub(crate) fn new(
         (angle, columns): (usize, Vec<usize>),
         [begins, ends]: [f64; 2],
     ) -> Option<Self> {
@@ -99,7 +96,7 @@ impl Tracker {
     }
 
     /// Takes a row.
-    pub(super) fn add(&mut self, time: f64, row: &[f64]) {
+    pub(crate) fn add(&mut self, time: f64, row: &[f64]) {
         let angle = self.sense * row[self.angle];
         // What comes back to where it was is not fitted twice.
         if self.rows.back().is_some_and(|last| angle <= last[1]) {
@@ -156,29 +153,27 @@ impl Tracker {
         })
     }
 
-    /// As a page has it; none where nothing was found.
-    pub(super) fn finish(self, names: &[String]) -> Option<Tracked> {
+    /// What was found, with names of columns; none where that is nothing.
+    pub(crate) fn finish(self, names: &[String]) -> Option<Tracked> {
         if self.found.len() < 2 {
             return None;
         }
         let all = &self.found;
         let signal = |(place, column): (usize, &usize)| {
-            let order = |order: usize, part: usize| {
-                Packed::single(all.iter().map(|own| own.columns[place].1[order][part]))
+            let of = |part: usize, order: usize| {
+                all.iter().map(|own| own.columns[place].1[order][part]).collect()
             };
             TrackedSignal {
                 column: names[*column].clone(),
-                overall: Packed::single(all.iter().map(|own| own.columns[place].0)),
-                first: order(0, 0),
-                first_phase_deg: order(0, 1),
-                second: order(1, 0),
-                second_phase_deg: order(1, 1),
+                overall: all.iter().map(|own| own.columns[place].0).collect(),
+                amplitudes: [0, 1].map(|order| of(0, order)),
+                phases: [0, 1].map(|order| of(1, order)),
             }
         };
         Some(Tracked {
             revolutions: self.half / (0.5 * TAU),
-            time: Packed::single(all.iter().map(|own| own.time)),
-            rpm: Packed::single(all.iter().map(|own| 60.0 * own.speed)),
+            time: all.iter().map(|own| own.time).collect(),
+            rpm: all.iter().map(|own| 60.0 * own.speed).collect(),
             signals: self.columns.iter().enumerate().map(signal).collect(),
         })
     }
