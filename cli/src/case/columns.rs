@@ -64,7 +64,7 @@ fn parse(
         return Err(refuse(format!("a table has at most {MOST_ROWS} rows")));
     }
     let units = units(heads, allowed, &example).map_err(|error| vec![*error])?;
-    let decimal = decimal(heads, lines);
+    let decimal = decimal(heads, lines, |_| true);
     let (mut rows, mut places) = (Vec::with_capacity(lines.len()), Vec::new());
     let mut errors: Vec<Diagnostic> = Vec::new();
     for line in lines {
@@ -129,16 +129,39 @@ pub(super) fn lines(source: &Arc<Source>) -> Result<Vec<Vec<Located>>, Box<Diagn
     Ok(lines)
 }
 
-/// How the numbers of a file are written: with a comma where some are, in columns that no comma separates, and none has a point.
-pub(super) fn decimal(heads: &[Located], lines: &[Vec<Located>]) -> char {
+/// How the numbers in these columns of a file are written: with a comma where some are, if no comma separates columns, none has a
+/// point, and not all could be thousands.
+pub(super) fn decimal(
+    heads: &[Located],
+    lines: &[Vec<Located>],
+    is_number: impl Fn(usize) -> bool,
+) -> char {
     let between = heads
         .first()
         .zip(heads.get(1))
         .map(|(first, second)| &first.source().text[first.span().end..second.span().start]);
-    let cells = || lines.iter().flatten().map(Located::text);
-    let has = |mark: char| cells().any(|cell| cell.contains(mark) && number(cell, mark).is_some());
+    let cells = || {
+        let places = lines.iter().flat_map(|line| line.iter().enumerate());
+        places.filter(|own| is_number(own.0)).map(|(_, cell)| cell.text())
+    };
+    let with = |mark: char| {
+        cells().filter(move |cell| cell.contains(mark) && number(cell, mark).is_some())
+    };
+    let thousands = |cell: &str| {
+        let (whole, rest) = cell.split_once(',').unwrap_or((cell, ""));
+        let whole = whole.trim_start_matches(['-', '+', '0']);
+        !whole.is_empty() && rest.len() == 3 && rest.bytes().all(|own| own.is_ascii_digit())
+    };
     let may = between.is_some_and(|own| !own.contains(','));
-    if may && has(',') && !has('.') { ',' } else { '.' }
+    if may && with('.').next().is_none() && !with(',').all(thousands) { ',' } else { '.' }
+}
+
+/// How a number is to be written.
+pub(super) fn as_numbers_are(decimal: char) -> &'static str {
+    match decimal {
+        ',' => "write numbers with a decimal comma, as the others are, such as `0,035`",
+        _ => "write numbers with a point, such as `0.035` or `3.5e-2`",
+    }
 }
 
 /// The number in a cell; none that is not finite.
@@ -271,7 +294,7 @@ fn row(
         let Some(number) = number(cell.text(), decimal) else {
             let shown = cell.text().escape_debug();
             let message = format!("expected a number, found `{shown}`");
-            let help = "write numbers with a point, such as `0.035` or `3.5e-2`";
+            let help = as_numbers_are(decimal);
             return Err(Box::new(cell.error_here(Code::TABLE, message).help(help)));
         };
         *value = unit.to_si(number);
@@ -363,13 +386,17 @@ mod tests {
         let of = |text: &str| {
             let source = Source::new("rotor.csv", text);
             let found = lines(&source).expect("a table");
-            decimal(&found[0], &found[1..])
+            decimal(&found[0], &found[1..], |column| column < 2)
         };
         assert_eq!(of("sep=;\nlength [mm];outer [mm]\n100,5;50\n"), ',');
         assert_eq!(of("length [mm]\touter [mm]\n100\t1,5e2\n"), ',');
         // Mixed, none, or thousands in quotes.
         assert_eq!(of("length [mm];outer [mm]\n100,5;50.5\n"), '.');
         assert_eq!(of("length [mm];outer [mm]\n100;50\n"), '.');
+        assert_eq!(of("length [mm];outer [mm]\n1,200;50\n"), '.');
+        assert_eq!(of("length [mm];outer [mm]\n1,200;0,050\n"), ',');
+        // The number of a material is none of the table.
+        assert_eq!(of("length [mm];outer [mm];material\n100,5;50;1.4301\n"), ',');
         assert_eq!(of("length [mm],outer [mm]\n\"1,000\",50\n"), '.');
         let numbers = [("1,5", ','), ("1.5", ','), ("1,2,3", ','), ("1,5", '.'), ("inf", '.')];
         let found = numbers.map(|(cell, decimal)| number(cell, decimal));

@@ -26,8 +26,8 @@ use crate::report::{begun, films, oscillations};
 
 /// Names of all figures that a run may draw, without their endings.
 pub(crate) const NAMES: [&str; 11] = [
-    "orders",
-    "envelope",
+    "orders-over-speed",
+    "envelope-over-speed",
     "laws",
     "reactions",
     "eccentricity",
@@ -134,7 +134,12 @@ fn wanted(case: &Case) -> Vec<(&'static str, Option<usize>)> {
     // Of a run-up what goes over the speed comes first.
     let turns = machine.bodies.iter().any(NamedBody::turns);
     let mut wanted: Vec<(&str, Option<usize>)> = Vec::new();
-    wanted.extend(["orders", "envelope"].into_iter().filter(|_| turns).map(|stem| (stem, None)));
+    wanted.extend(
+        ["orders-over-speed", "envelope-over-speed"]
+            .into_iter()
+            .filter(|_| turns)
+            .map(|stem| (stem, None)),
+    );
     wanted.extend([("laws", named.law), ("reactions", named.reactions)]);
     if machine.is_mass() {
         wanted.push(("displacement", None));
@@ -159,13 +164,13 @@ fn figure(
     built: &Built,
     history: &dyn ReadHistory,
 ) -> io::Result<Option<Figure>> {
-    if matches!(stem, "spectrum" | "waterfall" | "orders" | "envelope") {
+    if matches!(stem, "spectrum" | "waterfall" | "orders-over-speed" | "envelope-over-speed") {
         let all = oscillations(case, &built.machine);
         let step = case.march().time_step * case.march().output_every as f64;
         return match stem {
             "spectrum" => spectra::spectrum(history, &all, (step, case.march().cycle)),
-            "orders" => over_speed::orders(history, &all, begun(history, step)?),
-            "envelope" => over_speed::envelope(history, &all, begun(history, step)?),
+            "orders-over-speed" => over_speed::orders(history, &all, begun(history, step)?),
+            "envelope-over-speed" => over_speed::envelope(history, &all, begun(history, step)?),
             _ => spectra::waterfall(history, &all, step),
         };
     }

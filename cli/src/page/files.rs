@@ -15,8 +15,8 @@ use crate::results::{ABOUT, ANALYSES, REPORT, SHAPES, STATE, SUMMARY, SWEEP};
 
 /// Figures of runs that a page draws itself.
 const DRAWN: [&str; 10] = [
-    "orders",
-    "envelope",
+    "orders-over-speed",
+    "envelope-over-speed",
     "reactions",
     "eccentricity",
     "eccentricity-stretched",

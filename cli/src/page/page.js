@@ -126,8 +126,7 @@ function facts() {
     const group = forces.reduce((best, own) => (of(own) > of(best) ? own : best));
     fact('largest force component', [of(group), group.unit], `${group.title}, in the whole run`);
   }
-  // Over a run-up a spectrum of its end mixes speeds.
-  const top = run.tracked.length ? null : strongest();
+  const top = strongest();
   if (top) fact('strongest motion', top.words, () => `${top.title}: ${shown(top.amplitude * Units.of(top.unit)[1] * Amplitudes.factor, 3)} ${Units.of(top.unit)[0]} ${Amplitudes.words} at ${shown(top.hertz, 4)} Hz`);
   const passed = largestOrder();
   const orders = (summary.orders?.signals || []).filter((own) => own.signal.endsWith('_um'));
@@ -148,7 +147,7 @@ function largestOrder() {
       const title = about.signals.find((own) => own.columns.some(([name]) => name === signal.column))?.title || signal.column;
       const overall = numbers(signal.overall);
       // Where something else moves more, it leaks into the fit.
-      numbers(signal.first).forEach((amplitude, k) => { if (amplitude > 0.6 * overall[k] && (!top || amplitude > top.amplitude)) top = { amplitude, rpm: rpm[k], title }; });
+      numbers(signal.first).forEach((amplitude, k) => { if (amplitude > 0.55 * overall[k] && (!top || amplitude > top.amplitude)) top = { amplitude, rpm: rpm[k], title }; });
     }
   }
   return top;
@@ -157,24 +156,27 @@ function largestOrder() {
 // The largest line of the spectra of displacements, as a multiple of the speed.
 function strongest() {
   let top = null;
+  // Of what runs up a spectrum mixes speeds.
+  const varies = new Set(run.envelopes.flatMap((all) => all.signals.map((own) => own.column)));
   run.spectra.forEach((spectrum, k) => {
     const signal = about.signals[k];
-    if (signal.unit !== 'µm' || !(spectrum.turning_hz > 0)) return;
+    if (signal.unit !== 'µm' || !(spectrum.turning_hz > 0) || signal.columns.some(([name]) => varies.has(name))) return;
     for (const line of spectrum.lines) {
       const [frequency, amplitude] = [numbers(line.frequency_hz), numbers(line.amplitude)];
       for (let at = 0; at < frequency.length; at++) {
         const order = frequency[at] / spectrum.turning_hz;
         // Nearer to nothing it is a drift.
-        if (Math.abs(order) < 0.1 || (top && amplitude[at] <= top.amplitude)) continue;
+        if (Math.abs(order) < 0.1) continue;
         const body = /^theta_(.+)_rad$/.exec(signal.angle)?.[1];
         // Circles run through both ways make an ellipse, whose semi-axes are their sum and difference.
         const other = spectrum.two_sided ? mirrored(frequency, amplitude, -frequency[at]) : 0;
+        // The larger circle gives its sense.
+        if (other > amplitude[at] || (top && amplitude[at] + other <= top.amplitude)) continue;
         const way = !spectrum.two_sided ? '' : other > 0.9 * amplitude[at] ? ', along a line' : order > 0 ? ' forward' : ' backward';
-        top = { amplitude: amplitude[at], other, hertz: Math.abs(frequency[at]), unit: signal.unit, title: signal.title, words: `${shown(Math.abs(order), 3)} times the speed${body ? ` of ${body}` : ''}${way}` };
+        top = { amplitude: amplitude[at] + other, hertz: Math.abs(frequency[at]), unit: signal.unit, title: signal.title, words: `${shown(Math.abs(order), 3)} times the speed${body ? ` of ${body}` : ''}${way}` };
       }
     }
   });
-  if (top) top.amplitude += top.other;
   return top;
 }
 

@@ -16,10 +16,10 @@ use crate::figures::{Lines, lines};
 /// Cycles of a spectrum at most, and rows at least.
 pub(super) const CYCLES: f64 = 16.0;
 pub(super) const LEAST_ROWS: usize = 16;
-/// Points of one side at most.
+/// Parts of one side, of each of which a point or two are shown, at most.
 const POINTS: usize = 500;
 /// An axis ends where what lies beyond has this share of the power at most.
-const BEYOND: f64 = 1e-4;
+const BEYOND: f64 = 1e-5;
 /// Amplitudes below this part of the largest value that anything of the unit has are rounding.
 const ROUNDING: f64 = 1e-8;
 /// Spectra of a run-up, into how many parts of the run one reaches, and its rows at least and at most.
@@ -79,24 +79,26 @@ impl Sides {
         self.step * last.unwrap_or(0) as f64
     }
 
-    /// Frequencies and amplitudes up to `end`, of many the largest.
+    /// Frequencies and amplitudes up to `end`: of many those where one side is the largest, of both sides.
     fn points(&self, end: f64) -> (Vec<f64>, Vec<f64>) {
-        let count = |all: &[f64]| ((end / self.step).ceil() as usize + 1).min(all.len());
-        let side = |all: &[f64]| -> Vec<(f64, f64)> {
-            let every = count(all).div_ceil(POINTS).max(1);
-            let chunks = all[..count(all)].chunks(every).enumerate();
-            let largest = |(place, own): (usize, &[f64])| {
-                let start = (0, f64::NEG_INFINITY);
-                let (at, most) = own
-                    .iter()
-                    .enumerate()
-                    .fold(start, |most, (k, &own)| if own > most.1 { (k, own) } else { most });
-                (self.step * (place * every + at) as f64, most)
-            };
-            chunks.map(largest).collect()
-        };
-        let backward = side(&self.backward).into_iter().skip(1).rev().map(|(f, a)| (-f, a));
-        backward.chain(side(&self.forward)).unzip()
+        let count = ((end / self.step).ceil() as usize + 1).min(self.forward.len());
+        let every = count.div_ceil(POINTS).max(1);
+        let mut places: Vec<usize> = Vec::new();
+        for first in (0..count).step_by(every) {
+            let within = first..count.min(first + every);
+            for side in [&self.forward, &self.backward] {
+                let larger = |best: usize, k: usize| if side[k] > side[best] { k } else { best };
+                if side.len() >= within.end {
+                    places.push(within.clone().fold(first, larger));
+                }
+            }
+        }
+        places.sort_unstable();
+        places.dedup();
+        let frequency = |k: &usize| self.step * *k as f64;
+        let backward = places.iter().rev().filter(|k| **k > 0 && **k < self.backward.len());
+        let backward = backward.map(|k| (-frequency(k), self.backward[*k]));
+        backward.chain(places.iter().map(|k| (frequency(k), self.forward[*k]))).unzip()
     }
 }
 
@@ -244,7 +246,7 @@ impl Slices {
         self.found.push((time - 0.5 * span, signals));
     }
 
-    /// Maps of the signals by their places; none of those that turn not at all.
+    /// Maps of the signals by their places; none of those that turn less than once in a part.
     pub(super) fn finish(self, signals: &[usize]) -> Vec<Waterfall> {
         let map = |(k, signal): (usize, &usize)| {
             let all: Vec<&(f64, Sides)> = self.found.iter().map(|own| &own.1[k]).collect();

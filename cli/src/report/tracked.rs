@@ -39,7 +39,7 @@ pub(crate) struct Tracker {
 /// What is found about a place.
 struct Place {
     time: f64,
-    /// Hz, at the place, and least and largest in the window.
+    /// Hz, at the place.
     speed: f64,
     /// A column each: half of largest less least, and two orders.
     columns: Vec<(f64, [[f64; 2]; 2])>,
@@ -70,7 +70,7 @@ pub(crate) struct TrackedSignal {
 }
 
 impl Tracker {
-    /// Of columns over an angle that turns from `begins` to `ends` (rad), of whose places in a row `place` tells; none where that is too little.
+    /// Of columns over an angle that turns from `begins` to `ends` (rad), all by their places in a row; none where that is too little.
     pub(crate) fn new(
         (angle, columns): (usize, Vec<usize>),
         [begins, ends]: [f64; 2],

@@ -13,6 +13,9 @@ use crate::error::Error;
 use crate::linalg::{FirstOrder, LinearAlgebraError, Matrix, Periodic, solve_complex};
 use crate::machine::Machine;
 
+/// A torque of less than this part of the largest force is rounding.
+const NOTHING: f64 = 1e-9;
+
 /// A state in which the machine stands at constant speeds, with the equations of small motions about it.
 pub struct Standstill {
     pub(super) found: Standing,
@@ -94,28 +97,34 @@ impl Linearised {
         let matrix: Vec<Complex64> = entries.map(|((m, c), k)| entry(*m, *c, *k)).collect();
         match solve_complex(mass.rows, &matrix, force) {
             Err(LinearAlgebraError::Singular { .. }) if frequency == 0.0 && self.angles > 0 => {
-                Ok(self.with_angles_held(matrix, force)?)
+                Ok(self.with_free_angles_held(matrix, force)?)
             }
             solved => Ok(solved?),
         }
     }
 
-    /// A mean position, where nothing holds the angle of a body that turns freely: with all such angles as they are.
-    fn with_angles_held(
+    /// A mean position, where nothing holds the angle of a body that turns freely: as it is. Angles that no torque holds are those
+    /// whose rows and columns are zero.
+    ///
+    /// # Errors
+    /// A matrix that is singular otherwise, or a torque on such an angle.
+    fn with_free_angles_held(
         &self,
         mut matrix: Vec<Complex64>,
         force: &[Complex64],
     ) -> Result<Vec<Complex64>, LinearAlgebraError> {
-        let (n, mut force) = (self.mass.rows, force.to_vec());
+        let n = self.mass.rows;
+        let largest = force.iter().map(|own| own.norm()).fold(0.0, f64::max);
         for angle in 0..self.angles {
-            for other in 0..n {
-                matrix[angle + n * other] = Complex64::ZERO;
-                matrix[other + n * angle] = Complex64::ZERO;
+            let is_free = (0..n).all(|other| {
+                matrix[angle + n * other] == Complex64::ZERO
+                    && matrix[other + n * angle] == Complex64::ZERO
+            });
+            if is_free && force[angle].norm() <= NOTHING * largest {
+                matrix[angle * (n + 1)] = Complex64::ONE;
             }
-            matrix[angle * (n + 1)] = Complex64::ONE;
-            force[angle] = Complex64::ZERO;
         }
-        solve_complex(n, &matrix, &force)
+        solve_complex(n, &matrix, force)
     }
 
     /// Whether they are constant as space sees them.

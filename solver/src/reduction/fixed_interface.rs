@@ -98,7 +98,15 @@ impl<'a> Solid<'a> {
         let memory = self.memory;
         let pencil = pencil(&inner, (&order, &pins, &components), &partition, memory);
         // A mode that has lost its partner takes from a round body that it is round.
-        let found = pencil.lowest_pairs(count, pencil.counts_beside());
+        let found = match pencil.lowest_pairs(count, pencil.counts_beside()) {
+            // Counted before anything is made of them they take less.
+            Err(ReductionError::LinearAlgebra(LinearAlgebraError::TooLarge { .. }))
+                if pencil.counts_beside() =>
+            {
+                pencil.lowest_pairs(count, false)
+            }
+            found => found,
+        };
         let (modes, factor, uncounted) = found.map_err(|error| of_body(error, &partition))?;
         if let Some(row) = moves_freely(&modes, &pencil) {
             return Err(loose(row, &partition));
@@ -154,7 +162,7 @@ impl FixedInterface<'_> {
     /// # Errors
     /// See [`ReductionError`]: not those of what is made.
     pub(crate) fn counted<T: Send>(
-        mut self,
+        self,
         make: impl Fn(&Self) -> T + Sync,
     ) -> Result<T, ReductionError> {
         let (made, agrees) = both(|| make(&self), || self.agrees());
@@ -162,11 +170,21 @@ impl FixedInterface<'_> {
             return Ok(made);
         }
         drop(made);
-        let found = self.pencil().lowest_pairs(self.count, false);
-        let (modes, factor, _) = found.map_err(|error| of_body(error, &self.factored.partition))?;
-        self.modes = modes;
-        self.factored.factor = factor;
-        Ok(make(&self))
+        Ok(make(&self.found_again()?))
+    }
+
+    /// The same with its modes found anew by the same factor, and counted.
+    fn found_again(self) -> Result<Self, ReductionError> {
+        let Factored { tied, partition, factor } = self.factored;
+        let parts = (&self.order[..], &self.pins[..], &self.components[..]);
+        let pencil = pencil(&self.inner, parts, &partition, self.memory);
+        let found = pencil.lowest_pairs_by(factor, self.count);
+        let (modes, factor) = found.map_err(|error| of_body(error, &partition))?;
+        if let Some(row) = moves_freely(&modes, &pencil) {
+            return Err(loose(row, &partition));
+        }
+        let factored = Factored { tied, partition, factor };
+        Ok(FixedInterface { modes, factored, uncounted: None, ..self })
     }
 
     /// Whether no mode is missing.

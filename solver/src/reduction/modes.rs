@@ -75,6 +75,20 @@ impl Pencil<'_> {
         self.shifted_modes(count, 0.0, (true, if later { Count::Later } else { Count::Now }))
     }
 
+    /// The same, counted, by a factor of K that is there.
+    ///
+    /// # Errors
+    /// As [`Pencil::lowest_modes`].
+    pub(super) fn lowest_pairs_by(
+        &self,
+        factor: ConstrainedCholesky,
+        count: usize,
+    ) -> Result<(Modes, ConstrainedCholesky), ReductionError> {
+        let known = (self.stiffness, factor);
+        let (modes, factor, _) = self.modes_by(known, count, 0.0, (true, Count::Now))?;
+        Ok((modes, factor))
+    }
+
     /// Whether as many of the lowest modes were found as there are, by the factor of K.
     ///
     /// # Errors
@@ -117,12 +131,24 @@ impl Pencil<'_> {
         } else {
             Cow::Owned(self.stiffness.plus(shift, self.mass))
         };
-        let mut factor =
-            ConstrainedCholesky::new(&definite, self.order, self.constraints, self.limit(count))?;
+        let limit = self.limit(count, counting);
+        let factor = ConstrainedCholesky::new(&definite, self.order, self.constraints, limit)?;
+        self.modes_by((&definite, factor), count, shift, (in_pairs, counting))
+    }
+
+    /// Modes by the factor of a matrix, which is K + shift·M.
+    fn modes_by(
+        &self,
+        (definite, mut factor): (&LowerTriangle, ConstrainedCholesky),
+        count: usize,
+        shift: f64,
+        (in_pairs, counting): (bool, Count),
+    ) -> Result<(Modes, ConstrainedCholesky, Option<Uncounted>), ReductionError> {
+        let n = self.mass.size;
         let (mut modes, counted) = if n <= dense_limit(count + GUARD) {
-            (self.all_dense((&definite, &factor), shift, count)?, true)
+            (self.all_dense((definite, &factor), shift, count)?, true)
         } else {
-            self.by_iteration((&factor, &definite), shift, count, counting)?
+            self.by_iteration((&factor, definite), shift, count, counting)?
         };
         let uncounted = (!counted).then(|| modes.eigenvalues.clone());
         if counted {
@@ -139,7 +165,7 @@ impl Pencil<'_> {
     }
 
     /// What is in use while `count` modes are found and counted, and while the columns are solved for.
-    fn limit(&self, count: usize) -> MemoryLimit {
+    fn limit(&self, count: usize, counting: Count) -> MemoryLimit {
         let n = self.mass.size;
         let entries = |a: &LowerTriangle| a.rows.len() * (size_of::<f64>() + size_of::<usize>());
         let (k, m) = (entries(self.stiffness), entries(self.mass));
@@ -154,11 +180,11 @@ impl Pencil<'_> {
             Stage { factors: 2, besides: lanczos::memory(n, wanted) + 6 * k + 2 * m }
         };
         // Right sides, answers and the solve's own, then the modes with the answers twice: as shapes, and as products; where
-        // the count runs beside it its factor, and K less a cut, as a whole and as it is factored.
+        // the count runs beside them its factor, K less a cut as a whole and as it is factored, and the matrices of rotation.
         let columns = 3 * self.columns + count + 2 * (count + self.columns);
-        let answers = match self.counts_beside() {
-            true => Stage { factors: 2, besides: columns * column + 5 * k + m },
-            false => Stage { factors: 1, besides: columns * column + 2 * k + m },
+        let answers = match counting {
+            Count::Later => Stage { factors: 2, besides: columns * column + 6 * k + m },
+            Count::Now => Stage { factors: 1, besides: columns * column + 2 * k + m },
         };
         MemoryLimit { most: self.memory, stages: [iteration, answers] }
     }

@@ -7,6 +7,7 @@ mod joints;
 mod matrices;
 pub(crate) mod meshes;
 mod missing_sets;
+mod named_twin;
 mod rings;
 mod single_terms;
 mod stated_loads;

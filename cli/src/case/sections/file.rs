@@ -43,7 +43,8 @@ pub(super) fn read(store: FileStore, table: &Table, name: &Located) -> Option<Ve
         table.push(name.error_here(Code::TABLE, message).help("add a line for each section"));
         return None;
     }
-    let decimal = columns::decimal(heads, lines);
+    let is_number = |at: usize| matches!(columns.get(at), Some(Column::Length(..)));
+    let decimal = columns::decimal(heads, lines, is_number);
     let (mut rows, mut wrong) = (Vec::with_capacity(lines.len()), 0);
     for line in lines {
         match row(upto_last(line, columns.len()), &columns, decimal) {
@@ -146,7 +147,7 @@ fn row(line: &[Located], columns: &[Column], decimal: char) -> Result<RowDraft, 
                 let Some(number) = columns::number(cell.text(), decimal) else {
                     let message =
                         format!("expected a number, found `{}`", cell.text().escape_debug());
-                    let help = "write numbers with a point, such as `0.035` or `3.5e-2`";
+                    let help = columns::as_numbers_are(decimal);
                     return Err(Box::new(cell.error_here(Code::TABLE, message).help(help)));
                 };
                 own.lengths.insert(name, (unit.to_si(number), cell.clone()));

@@ -56,16 +56,19 @@ fn variables(page: &mut Page, law: &LawSpec) {
     if !law.parameters.is_empty() {
         page.heading("Parameters");
         let rows = law.parameters.iter().map(|parameter| {
-            let Parameter { name, title, unit, written, bearing, limits: _, value } = parameter;
+            let Parameter { name, title, unit, written, bearing, limits, value } = parameter;
             let number = |value: &Rational| short(value.to_f64().unwrap_or(f64::NAN));
             let unit = if unit.text() == "1" { String::new() } else { format!(" {unit}") };
             let converted = match written == value {
                 true => String::new(),
                 false => format!("{} in the units of the formulas", number(value)),
             };
+            let limits = limits.words();
+            let title =
+                if limits.is_empty() { title.clone() } else { format!("{title}; {limits}") };
             let title = match bearing {
                 Some(bearing) => format!("{title} (in a bearing: its {})", bearing.word()),
-                None => title.clone(),
+                None => title,
             };
             vec![format!("{name} = {}{unit}", number(written)), converted, title]
         });

@@ -1,9 +1,9 @@
 //! Values that a parameter of a law may have.
 
-use num_traits::ToPrimitive;
+use std::cmp::Ordering;
 
 use crate::document::Table;
-use crate::rational::Rational;
+use crate::rational::{Rational, nearest};
 use crate::units::Unit;
 
 /// Between which values a parameter lies, in the unit of the file.
@@ -37,29 +37,47 @@ impl Limits {
 
     /// What a value in this unit would have to be, if it is not; `of`: that of the file.
     pub fn refuse(&self, value: &Rational, unit: &Unit, of: &Unit) -> Option<String> {
-        let number = |own: &Rational| own.to_f64().unwrap_or(f64::NAN);
-        let value = match unit.text() == of.text() {
-            true => number(value),
-            false => number(value) * unit.factor().to_f64() / of.factor().to_f64(),
+        let exact = match (unit.rational(), of.rational()) {
+            _ if unit.text() == of.text() => Some(value.clone()),
+            (Some(unit), Some(of)) => Some(value * unit / of),
+            // Degrees and revolutions are no rational numbers of radians.
+            _ => None,
         };
-        let in_words = |limit: &Limit, words: [&str; 2]| {
-            let words = words[usize::from(limit.reached)];
-            let unit = if of.text() == "1" { String::new() } else { format!(" {of}") };
-            format!("{words} {}{unit}", number(&limit.value))
+        let beside = |limit: &Rational| match &exact {
+            Some(exact) => exact.cmp(limit),
+            None => {
+                let value = nearest(value) * unit.factor().to_f64() / of.factor().to_f64();
+                value.total_cmp(&nearest(limit))
+            }
         };
-        let too_low = |own: &&Limit| {
-            let limit = number(&own.value);
-            !(value > limit || own.reached && value == limit)
+        let is = |own: &Limit, beyond: Ordering| {
+            let found = beside(&own.value);
+            found == beyond || own.reached && found == Ordering::Equal
         };
-        let too_high = |own: &&Limit| {
-            let limit = number(&own.value);
-            !(value < limit || own.reached && value == limit)
-        };
-        let low = self.least.as_ref().filter(too_low);
-        let low = low.map(|own| in_words(own, ["above", "at least"]));
-        low.or_else(|| {
-            let high = self.most.as_ref().filter(too_high);
-            high.map(|own| in_words(own, ["below", "at most"]))
-        })
+        let too_low = |own: &&Limit| !is(own, Ordering::Greater);
+        let too_high = |own: &&Limit| !is(own, Ordering::Less);
+        let low = self.least.as_ref().filter(too_low).map(|own| own.words(["above", "at least"]));
+        let high =
+            || self.most.as_ref().filter(too_high).map(|own| own.words(["below", "at most"]));
+        Some(format!("{}{}", low.or_else(high)?, after(of)))
     }
+
+    /// In words, such as `above 0 and below 1`; nothing where there are none.
+    pub(super) fn words(&self) -> String {
+        let least = self.least.as_ref().map(|own| own.words(["above", "at least"]));
+        let most = self.most.as_ref().map(|own| own.words(["below", "at most"]));
+        least.into_iter().chain(most).collect::<Vec<String>>().join(" and ")
+    }
+}
+
+impl Limit {
+    fn words(&self, [beyond, reached]: [&str; 2]) -> String {
+        let words = if self.reached { reached } else { beyond };
+        format!("{words} {}", whirl_text::shown(nearest(&self.value), 6, 1e-4..1e7))
+    }
+}
+
+/// A unit behind a number.
+fn after(unit: &Unit) -> String {
+    if unit.text() == "1" { String::new() } else { format!(" {unit}") }
 }

@@ -58,8 +58,11 @@ fn parameters_keep_their_limits() {
         assert_eq!(law(parameter), [expected]);
     }
     for fine in ["above = 4, max = 5", "min = 5, below = 6"] {
-        let found = law(&format!("value = 5, unit = \"N/mm\", {fine}"));
-        assert!(found.is_empty(), "{found:?}");
+        let parameter = format!("value = 5, unit = \"N/mm\", {fine}");
+        let body = format!(
+            "[inputs]\nh = {{ unit = \"mm\" }}\n[parameters]\nk = {{ {parameter} }}\n[outputs.Q]\nunit = \"N\"\nvalue = 'k*h'\n"
+        );
+        assert!(read(&body).is_ok(), "{fine}");
     }
 }
 
