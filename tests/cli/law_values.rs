@@ -106,22 +106,27 @@ fn a_value_that_a_parameter_may_not_have_is_refused_at_its_place() {
         assert!(said.stderr.contains(words), "{}", said.stderr);
         assert!(!bench.path("results").exists());
     };
-    refused(
-        "mu = \"-12 mPa*s\"",
-        "`mu` of the law `ocvirk` has to be at least 0 Pa*s, not -12 mPa*s",
-    );
+    refused("mu = \"-12 mPa*s\"", "`mu` of the law `ocvirk` has to be above 0 Pa*s, not -12 mPa*s");
     refused("eps_m = 1", "`eps_m` of the law `ocvirk` has to be below 1, not 1");
     refused("c = \"0 um\"", "`c` of the law `ocvirk` has to be above 0 mm, not 0 um");
     let bench = Workbench::new().file("case.toml", &mass("law = \"ocvirk\""));
     let varied = ["sweep", "case.toml", "--vary", "stop.1.parameters.mu=-1 Pa*s .. 1 Pa*s, 3"];
     let said = bench.whirl(&varied);
-    assert!(said.stderr.contains("has to be at least 0 Pa*s"), "{}", said.stderr);
+    assert!(said.stderr.contains("has to be above 0 Pa*s"), "{}", said.stderr);
+    // Numbers without a unit vary over ranges, too.
+    let varied = ["sweep", "case.toml", "--vary", "stop.1.parameters.eps_m=0.5 .. 0.9, 3"];
+    let said = bench.whirl(&[&varied[..], &["--no-figures", "--out", "varied"]].concat());
+    assert_eq!(said.status, 0, "{}", said.stderr);
+    let table = fs::read_to_string(bench.path("varied/table.csv")).expect("a table");
+    for value in ["0.5", "0.7", "0.9"] {
+        assert!(table.lines().any(|line| line.split(',').any(|cell| cell == value)), "{table}");
+    }
     let copy = edited(OCVIRK, &[("mu", "-0.01")]);
     let bench = bench.file("own.toml", &copy).file("own-case.toml", &mass("law = \"own.toml\""));
     let said = bench.whirl(&["check", "own-case.toml"]);
     assert_eq!(said.status, 2, "{}", said.stderr);
     assert!(
-        said.stderr.contains("own.toml") && said.stderr.contains("`mu` has to be at least 0 Pa*s"),
+        said.stderr.contains("own.toml") && said.stderr.contains("`mu` has to be above 0 Pa*s"),
         "{}",
         said.stderr
     );

@@ -228,4 +228,14 @@ fn a_race_that_nothing_touches_is_no_critical_speed() {
     assert_eq!(said.status, 0, "{}", said.stderr);
     assert!(!said.stdout.contains("is left out"), "{}", said.stdout);
     assert!(said.stdout.contains("order 1 of rotor"), "{}", said.stdout);
+    // From 0 rpm on it stands.
+    let said = bench.whirl(&[
+        "response",
+        "magnetic-drop",
+        "--speeds",
+        "0 rpm .. 6000 rpm, 5",
+        "--no-figures",
+    ]);
+    assert_eq!(said.status, 0, "{}", said.stderr);
+    assert!(said.stdout.contains("0 rpm is left out"), "{}", said.stdout);
 }

@@ -112,15 +112,22 @@ pub(super) fn lines(source: &Arc<Source>) -> Result<Vec<Vec<Located>>, Box<Diagn
     }
     let mut lines = Vec::new();
     let mut start = 0;
+    // What separates the names separates all numbers: in another line a comma may be a decimal one.
+    let mut separator = None;
     for line in source.text.split_inclusive('\n') {
         let comment = outside_quotes(line).into_iter().find(|own| own.1 == '#');
         let text = line[..comment.map_or(line.len(), |own| own.0)].trim_end();
         start += line.len();
         // How a spreadsheet tells another one what separates the cells.
-        if lines.is_empty() && text.trim_matches(['\u{feff}', ' ', '"']).starts_with("sep=") {
+        let told = text.trim_matches(['\u{feff}', ' ', '"']).to_ascii_lowercase();
+        if let (true, Some(told)) = (lines.is_empty(), told.strip_prefix("sep=")) {
+            separator = told.chars().next();
             continue;
         }
-        let line_of_cells = cells(source, text, start - line.len());
+        let places = outside_quotes(text);
+        let stands = |c: &char| places.iter().any(|own| own.1 == *c);
+        separator = separator.or_else(|| [';', '\t', ','].into_iter().find(stands));
+        let line_of_cells = cells(source, (text, start - line.len()), (&places, separator));
         // A spreadsheet ends with lines of separators alone.
         if line_of_cells.iter().any(|cell| !cell.text().is_empty()) {
             lines.push(line_of_cells);
@@ -196,10 +203,11 @@ fn example(allowed: [&[Dimension]; 2]) -> String {
 
 /// The cells of a line that starts at a byte of the file. A cell in double quotes is one, whatever stands in it; a quote in it
 /// is written twice.
-fn cells(source: &Arc<Source>, line: &str, start: usize) -> Vec<Located> {
-    let places = outside_quotes(line);
-    let separator = [';', '\t', ','];
-    let separator = separator.into_iter().find(|c| places.iter().any(|own| own.1 == *c));
+fn cells(
+    source: &Arc<Source>,
+    (line, start): (&str, usize),
+    (places, separator): (&[(usize, char)], Option<char>),
+) -> Vec<Located> {
     let mut ends: Vec<usize> =
         places.iter().filter(|own| Some(own.1) == separator).map(|own| own.0).collect();
     // A separator at the end of a line begins no column.
@@ -395,6 +403,10 @@ mod tests {
         assert_eq!(of("length [mm];outer [mm]\n100;50\n"), '.');
         assert_eq!(of("length [mm];outer [mm]\n1,200;50\n"), '.');
         assert_eq!(of("length [mm];outer [mm]\n1,200;0,050\n"), ',');
+        // A comma is no separator where semicolons are.
+        let cut = Source::new("rotor.csv", "time [s];speed [rad/s]\n0,5;300\n1,5\n");
+        let found = lines(&cut).expect("a table");
+        assert_eq!(found.iter().map(Vec::len).collect::<Vec<usize>>(), [2, 2, 1]);
         // The number of a material is none of the table.
         assert_eq!(of("length [mm];outer [mm];material\n100,5;50;1.4301\n"), ',');
         assert_eq!(of("length [mm],outer [mm]\n\"1,000\",50\n"), '.');

@@ -9,7 +9,7 @@ use hdf5_pure::{
     SyncPolicy,
 };
 
-use super::Format;
+use super::format::Format;
 use super::kept_rows::KeptRows;
 use crate::parquet::{Facts, GROUP};
 

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use whirl_solver::cache::write_aside_by;
 
-use super::Format;
+use super::format::Format;
 use super::kept_rows::KeptRows;
 use crate::matlab;
 use crate::parquet::Facts;

@@ -2,6 +2,7 @@
 //! or a table in memory with the same numbers. Memory does not grow with the file.
 
 mod file;
+mod format;
 mod groups;
 mod growing;
 mod hdf5;
@@ -18,6 +19,7 @@ mod writer;
 mod written;
 
 pub(crate) use file::HistoryFile;
+pub(crate) use format::Format;
 pub(crate) use groups::Groups;
 pub(crate) use hdf5::{HDF5, write_hdf5};
 pub(crate) use kept_rows::{KeptRows, PART, REST};
@@ -33,17 +35,5 @@ pub(crate) use written::Written;
 /// Name of the file among the results.
 pub(crate) const NAME: &str = "history.csv";
 
-/// A file for other programs, which a run writes beside it where an option asks for it.
-pub(crate) struct Format {
-    /// Name of the file.
-    pub(crate) name: &'static str,
-    /// The option.
-    pub(crate) option: &'static str,
-    /// What the file is.
-    pub(crate) meaning: &'static str,
-    /// Name of the file while it is written, where it has one of its own.
-    pub(crate) part: Option<&'static str>,
-}
-
-/// All of them.
+/// All files for other programs.
 pub(crate) const FORMATS: [Format; 4] = [NPZ, PARQUET, MAT, HDF5];

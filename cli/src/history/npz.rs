@@ -7,7 +7,8 @@ use std::path::Path;
 
 use whirl_solver::cache::write_aside_by;
 
-use super::{Format, ReadHistory};
+use super::ReadHistory;
+use super::format::Format;
 use crate::archive::{Entry, LARGEST, end, header};
 
 /// Rows that are in memory at a time.

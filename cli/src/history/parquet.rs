@@ -6,7 +6,7 @@ use std::path::Path;
 
 use whirl_solver::cache::write_aside_by;
 
-use super::Format;
+use super::format::Format;
 use super::kept_rows::{KeptRows, PART};
 use crate::parquet::{Facts, Numbers};
 

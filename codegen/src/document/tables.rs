@@ -132,7 +132,11 @@ impl<'d> Table<'d> {
         for (name, (place, node)) in &tree.entries {
             let value = match &node.content {
                 Content::Text(text) => node.place.text(text),
-                Content::Number(_) => node.place.written(),
+                // A value of a range is not what stands at its place.
+                Content::Number(number) => match number.as_decimal() {
+                    Some(text) => node.place.text(text),
+                    None => node.place.written(),
+                },
                 _ => {
                     self.wrong(name, node, "a number with its unit, as text", "\"12 mm\"");
                     continue;

@@ -75,6 +75,11 @@ pub struct Number {
 }
 
 impl Number {
+    /// How it is written with decimal digits, if it is.
+    pub(crate) fn as_decimal(&self) -> Option<&str> {
+        (self.radix == 10).then_some(&self.text)
+    }
+
     /// One that is written with decimal digits.
     pub fn decimal(text: impl Into<String>) -> Number {
         let text = text.into();

@@ -40,6 +40,14 @@ pub fn readable_bytes(bytes: usize) -> String {
     format!("{value:.digits$} {unit}")
 }
 
+/// How much memory something takes: `about 2.9 GiB of memory`; as many bytes as there are numbers stand for more than there is.
+pub fn readable_need(bytes: usize) -> String {
+    match bytes {
+        usize::MAX => "more memory than the system gives".to_owned(),
+        _ => format!("about {} of memory", readable_estimate(bytes)),
+    }
+}
+
 /// Bytes that are estimated, rounded up to two digits, as no more of them is known: `2.9 GiB`.
 pub fn readable_estimate(bytes: usize) -> String {
     let (value, unit) = in_units(bytes);

@@ -31,7 +31,7 @@ pub(crate) use lower::add_scaled;
 pub use lu::Lu;
 pub use matrix::{Columns, Matrix};
 pub(crate) use matrix::{copy_block_from, dot};
-pub use memory::{MemoryLimit, Stage, readable_bytes, readable_estimate};
+pub use memory::{MemoryLimit, Stage, readable_bytes, readable_estimate, readable_need};
 pub(crate) use periodic::{Harmonic, Periodic, PeriodicPair};
 pub use product::{
     congruence, congruence_diagonal, multiply, multiply_add, multiply_transpose_add,
@@ -75,8 +75,8 @@ pub enum LinearAlgebraError {
     },
     /// A factor, with what stands beside it, would need more memory than allowed.
     #[error(
-        "{size} unknowns take about {} of memory, and the limit is {}: take fewer of them, or allow more",
-        readable_estimate(*bytes), readable_bytes(*limit)
+        "{size} unknowns take {}, and the limit is {}: take fewer of them, or allow more",
+        readable_need(*bytes), readable_bytes(*limit)
     )]
     TooLarge {
         /// Rows of the matrix.

@@ -54,7 +54,8 @@ pub(super) fn found(
     let mut ratios = vec![0.0; linear.machine().bodies.len()];
     let (mut large, mut at_rest, mut singular) = (Large::default(), false, Vec::new());
     let mut work = |speed: f64, here: &Standstill| -> Result<(), Failure> {
-        if linear.turning().any(|body| !linear.responds_at(here, here.speeds[body])) {
+        // Another body that stands has no response of its own.
+        if !linear.responds_at(here, here.speeds[of]) {
             at_rest = true;
             return Ok(());
         }

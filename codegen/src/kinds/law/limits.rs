@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+use crate::diagnostic::Code;
 use crate::document::Table;
 use crate::rational::{Rational, nearest};
 use crate::units::Unit;
@@ -32,7 +33,15 @@ impl Limits {
             let (value, _) = table.optional_number(key)?;
             Some(Limit { value, reached: is_reached })
         };
-        Limits { least: limit("min", "above"), most: limit("max", "below") }
+        let limits = Limits { least: limit("min", "above"), most: limit("max", "below") };
+        if let Limits { least: Some(least), most: Some(most) } = &limits {
+            let one = least.value == most.value && least.reached && most.reached;
+            if least.value >= most.value && !one {
+                let message = format!("no value is {}", limits.words());
+                table.error(Code::BAD_VALUE, table.span(), message);
+            }
+        }
+        limits
     }
 
     /// What a value in this unit would have to be, if it is not; `of`: that of the file.

@@ -72,15 +72,20 @@ impl BodyPlan {
     /// A reduction that would take more memory than it may.
     fn too_large(&self, bytes: usize, limit: usize) -> Diagnostics {
         let BodySpec { modes, retained, .. } = &self.spec;
-        let message = format!(
-            "{}: the reduction of {} degrees of freedom to {modes} modes and {} retained ones takes about {} of memory, \
-             more than the {} that it may take",
-            self.mesh.origin(),
-            self.mesh.dof_count(),
-            retained.len(),
-            readable_estimate(bytes),
-            readable_bytes(limit)
+        let (origin, dofs) = (self.mesh.origin(), self.mesh.dof_count());
+        let what = format!(
+            "{origin}: the reduction of {dofs} degrees of freedom to {modes} modes and {} retained ones takes",
+            retained.len()
         );
+        let message = match bytes {
+            // It was not got so far as to say how much.
+            usize::MAX => format!("{what} more memory than the system gives"),
+            _ => format!(
+                "{what} about {} of memory, more than the {} that it may take",
+                readable_estimate(bytes),
+                readable_bytes(limit)
+            ),
+        };
         let help = "make the mesh coarser, lower `modes`, or write a larger `memory_limit` in `[reduction]`; without one \
                     it is what the machine has left";
         self.made_from.error_here(Code::BAD_VALUE, message).help(help).into()
