@@ -13,8 +13,8 @@ use crate::error::Error;
 use crate::linalg::{FirstOrder, LinearAlgebraError, Matrix, Periodic, solve_complex};
 use crate::machine::Machine;
 
-/// A torque of less than this part of the largest force is rounding.
-const NOTHING: f64 = 1e-9;
+/// Angles among which those that nothing holds are looked for.
+const MOST_ANGLES: usize = 6;
 
 /// A state in which the machine stands at constant speeds, with the equations of small motions about it.
 pub struct Standstill {
@@ -97,34 +97,45 @@ impl Linearised {
         let matrix: Vec<Complex64> = entries.map(|((m, c), k)| entry(*m, *c, *k)).collect();
         match solve_complex(mass.rows, &matrix, force) {
             Err(LinearAlgebraError::Singular { .. }) if frequency == 0.0 && self.angles > 0 => {
-                Ok(self.with_free_angles_held(matrix, force)?)
+                Ok(self.with_free_angles_held(&matrix, force)?)
             }
             solved => Ok(solved?),
         }
     }
 
-    /// A mean position, where nothing holds the angle of a body that turns freely: as it is. Angles that no torque holds are those
-    /// whose rows and columns are zero.
+    /// A mean position, where nothing holds some angle of bodies that turn freely: with as few angles as they are as will do. The
+    /// torque that the position leaves on such a body changes its speed a little, not its angle.
     ///
     /// # Errors
-    /// A matrix that is singular otherwise, or a torque on such an angle.
+    /// A matrix that is singular otherwise.
     fn with_free_angles_held(
         &self,
-        mut matrix: Vec<Complex64>,
+        matrix: &[Complex64],
         force: &[Complex64],
     ) -> Result<Vec<Complex64>, LinearAlgebraError> {
         let n = self.mass.rows;
-        let largest = force.iter().map(|own| own.norm()).fold(0.0, f64::max);
-        for angle in 0..self.angles {
-            let is_free = (0..n).all(|other| {
-                matrix[angle + n * other] == Complex64::ZERO
-                    && matrix[other + n * angle] == Complex64::ZERO
-            });
-            if is_free && force[angle].norm() <= NOTHING * largest {
+        let held = |which: u32| {
+            let (mut matrix, mut force) = (matrix.to_vec(), force.to_vec());
+            for angle in (0..self.angles.min(MOST_ANGLES)).filter(|angle| which >> angle & 1 == 1) {
+                for other in 0..n {
+                    matrix[angle + n * other] = Complex64::ZERO;
+                    matrix[other + n * angle] = Complex64::ZERO;
+                }
                 matrix[angle * (n + 1)] = Complex64::ONE;
+                force[angle] = Complex64::ZERO;
             }
+            solve_complex(n, &matrix, &force)
+        };
+        let mut choices: Vec<u32> = (1..1 << self.angles.min(MOST_ANGLES)).collect();
+        choices.sort_by_key(|which| which.count_ones());
+        let mut found = held(0);
+        for which in choices {
+            if found.is_ok() {
+                break;
+            }
+            found = held(which);
         }
-        solve_complex(n, &matrix, force)
+        found
     }
 
     /// Whether they are constant as space sees them.
