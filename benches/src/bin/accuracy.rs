@@ -11,6 +11,7 @@ use std::process::Command;
 use std::{env, fs};
 
 use serde_json::Value;
+use whirl_benches::history::displacements;
 
 /// A machine, the interval between its rows (s) and how many there are.
 struct Bench {
@@ -227,18 +228,4 @@ fn march(
         iterations: number(facts, "iterations")?,
         wall: number(&summary["time"], "march_wall_s")?,
     })
-}
-
-/// All displacements of a history, row after row.
-fn displacements(text: &str) -> Result<Vec<f64>, Box<dyn Error>> {
-    let mut lines = text.lines();
-    let names = lines.next().ok_or("an empty history")?.split(',');
-    let is_own: Vec<bool> = names.map(|name| name.ends_with("um")).collect();
-    let mut path = Vec::new();
-    for line in lines {
-        for (value, _) in line.split(',').zip(&is_own).filter(|(_, own)| **own) {
-            path.push(value.parse()?);
-        }
-    }
-    if path.is_empty() { Err("no displacements".into()) } else { Ok(path) }
 }

@@ -9,6 +9,7 @@ use std::process::Command;
 use std::{env, fs};
 
 use serde_json::Value;
+use whirl_benches::history::displacements;
 
 /// Runs of a machine.
 const ROUNDS: usize = 3;
@@ -104,16 +105,7 @@ fn march(
         None => number(march, "steps")?,
     };
     let pace = number(time, "simulated_s")? / number(time, "march_wall_s")?;
-    let history = fs::read_to_string(out.join("history.csv"))?;
-    let mut lines = history.lines();
-    let names = lines.next().ok_or("an empty history")?.split(',');
-    let shown: Vec<bool> = names.map(|name| name.ends_with("um")).collect();
-    let mut path = Vec::new();
-    for line in lines {
-        for (value, _) in line.split(',').zip(&shown).filter(|(_, own)| **own) {
-            path.push(value.parse()?);
-        }
-    }
+    let path = displacements(&fs::read_to_string(out.join("history.csv"))?)?;
     Ok((path, format!("{steps} | {pace:.2}")))
 }
 

@@ -12,6 +12,10 @@ const MOST: usize = 12;
 /// The abscissa where the speed rises or falls all along.
 const SPEED: &str = "speed (rpm)";
 
+/// Styles of both lines of each column.
+const STYLES: [[Style; 2]; 3] =
+    [[Style::First, Style::Third], [Style::Second, Style::Fourth], [Style::Thin; 2]];
+
 /// What is drawn of a signal: names, styles and values of its lines.
 type Lines = Vec<(String, Style, Vec<f64>)>;
 
@@ -114,9 +118,7 @@ pub(super) fn orders(
         let lines = |signal: &Oscillation| {
             let mut lines = Lines::new();
             let mut overall = vec![0.0_f64; found.time.len()];
-            let styles =
-                [[Style::First, Style::Third], [Style::Second, Style::Fourth], [Style::Thin; 2]];
-            for ((column, axis), styles) in signal.columns.iter().zip(styles) {
+            for ((column, axis), styles) in signal.columns.iter().zip(STYLES) {
                 let Some(one) = found.signals.iter().find(|own| own.column == *column) else {
                     continue;
                 };
@@ -153,9 +155,7 @@ pub(super) fn envelope(
         let Some(found) = enveloper.finish(&names) else { continue };
         let lines = |signal: &Oscillation| {
             let mut lines = Lines::new();
-            let styles =
-                [[Style::First, Style::Third], [Style::Second, Style::Fourth], [Style::Thin; 2]];
-            for ((column, axis), [most, least]) in signal.columns.iter().zip(styles) {
+            for ((column, axis), [most, least]) in signal.columns.iter().zip(STYLES) {
                 let Some(one) = found.signals.iter().find(|own| own.column == *column) else {
                     continue;
                 };
