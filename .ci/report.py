@@ -107,7 +107,7 @@ def check(browser, folder):
     charts = browser.run('whirl.charts.map((own) => ({ id: own.spec.id, ...own.values() }))')
     for chart in charts:
         for axis in (chart['x'], chart['y']):
-            assert '(' in axis or any(word in axis for word in ('|E| / c', 'revolutions', 'iterations', 'log decrement', 'share of what is allowed')), (chart['id'], axis)
+            assert '(' in axis or any(word in axis for word in ('|E| / c', 'revolutions', 'iterations', 'log decrement', 'share of what is allowed', 'order')), (chart['id'], axis)
         for ends in chart['view'].values():
             assert all(math.isfinite(own) for own in ends) and ends[1] > ends[0], chart
     compared = in_space(browser, folder) + lateral(browser, folder, charts)
@@ -236,13 +236,13 @@ def in_space(browser, folder):
         if not name:
             continue
         own = f'whirl.scenes[{place}]'
-        count = browser.run(f'{own}.canvas.parentElement.querySelector("select").options.length')
+        count = browser.run(f'{own}.canvas.closest("section").querySelector("select").options.length')
         content = json.load(open(os.path.join(folder, f'{name}.motions.json')))
         assert count == len(content['motions']), (count, name)
         table = rows_of(os.path.join(folder, f'{name}.csv'))
         for k, motion in enumerate(content['motions']):
-            browser.run(f"""(() => {{ const box = {own}.canvas.parentElement.querySelector("select"); box.value = "{k}"; box.dispatchEvent(new Event("change")); }})()""")
-            said = browser.run(f'[...{own}.canvas.parentElement.querySelectorAll("p.soft")].map((one) => one.textContent).join(" ")')
+            browser.run(f"""(() => {{ const box = {own}.canvas.closest("section").querySelector("select"); box.value = "{k}"; box.dispatchEvent(new Event("change")); }})()""")
+            said = browser.run(f'[...{own}.canvas.closest("section").querySelectorAll("p.soft")].map((one) => one.textContent).join(" ")')
             assert motion['name'] in said and motion['words'] in said, (said, motion['name'])
             if motion['metres'] is None:
                 # The point that gets furthest is there at first.
@@ -266,7 +266,7 @@ def in_space(browser, folder):
         before = browser.run(PIXELS.replace('whirl.scene', own))
         browser.run(f'{own}.angle += 1.5')
         assert browser.run(PIXELS.replace('whirl.scene', own)) != before, f'{name} does not move'
-        pressed = browser.run(f'(() => {{ const button = {own}.canvas.parentElement.querySelector("button"); button.click(); const said = button.textContent; button.click(); return said; }})()')
+        pressed = browser.run(f'(() => {{ const button = {own}.canvas.closest("section").querySelector("button"); button.click(); const said = button.textContent; button.click(); return said; }})()')
         assert pressed == 'Stop', pressed
     return compared
 

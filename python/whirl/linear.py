@@ -37,7 +37,7 @@ __all__ = [
 Speeds = str | float | Iterable[str | float] | None
 
 _TEXTS = {
-    *("beside_hz", "body", "clause", "excitation", "half_power", "joint", "name", "of", "pass"),
+    *("beside_hz", "body", "clause", "excitation", "half_power", "joint", "motion", "name", "of", "pass"),
     *("place", "point", "quantity", "unbalance", "unit", "variant", "what", "whirl"),
     "within_margin",
 }

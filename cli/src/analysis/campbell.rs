@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use whirl_solver::linear::{Branch, Campbell, Critical, LinearMachine, Mode, Whirl};
+use whirl_solver::linear::{Branch, Campbell, Critical, LinearMachine, Mode, Way, Whirl};
 
 use super::facts::Facts;
 use super::found::{Found, drawn, followed};
@@ -26,10 +26,11 @@ pub(super) fn found(
     let of = wanted.of.expect("a body that turns");
     let follow = || followed(linear, (analysis, wanted), interruption, &analysis.orders);
     let all = pictures.space.map_or_else(follow, |space| space.while_made(follow))?;
+    let ways = ways(linear, (of, analysis), &all)?;
     let name = &analysis.name;
     let mut files = vec![
         (format!("{name}.csv"), rows(&all).into_bytes()),
-        (format!("{name}.critical.csv"), criticals(&all).into_bytes()),
+        (format!("{name}.critical.csv"), criticals(&all, &ways).into_bytes()),
     ];
     if pictures.figures {
         files.extend(drawn(name, &figure(case, linear, of, &all, &analysis.orders)));
@@ -41,10 +42,39 @@ pub(super) fn found(
         in_space(linear, (of, analysis), &all, &mut space);
         files.extend(space.file(name));
     }
-    let mut text = text(case, linear, of, &all);
+    let mut text = text(case, linear, of, (&all, &ways));
     text += &words::doubts(&all.doubts);
     let facts = Facts::of_campbell(&all);
     Ok(Found { text, files, interrupted: all.interrupted, facts })
+}
+
+/// Which way the modes at critical speeds move, and those where modes begin or end to grow.
+struct Ways {
+    criticals: Vec<Way>,
+    thresholds: Vec<Option<Way>>,
+}
+
+fn ways(
+    linear: &LinearMachine,
+    (of, analysis): (usize, &Analysis),
+    all: &Campbell,
+) -> Result<Ways, Failure> {
+    let mut found = Ways { criticals: Vec::new(), thresholds: Vec::new() };
+    let speeds = all.criticals.iter().map(|own| own.speed);
+    // M and the angles of small motions are the same at all speeds.
+    let Some(speed) = speeds.chain(all.thresholds.iter().map(|own| own.speed)).next() else {
+        return Ok(found);
+    };
+    let at = linear.standing(&linear.speeds(of, speed, &analysis.ratios), None)?;
+    let equations = linear.linearised(&at)?;
+    let way = |mode: &Mode| linear.way(&equations.turning, &equations.mass, mode);
+    for own in &all.criticals {
+        found.criticals.push(way(&own.mode)?);
+    }
+    for own in &all.thresholds {
+        found.thresholds.push(own.mode.as_ref().map(way).transpose()?);
+    }
+    Ok(found)
 }
 
 /// Modes at critical speeds and where they begin to grow, and those at some of the speeds.
@@ -122,25 +152,30 @@ fn rows(all: &Campbell) -> String {
 }
 
 /// Critical speeds, and where modes begin or end to grow.
-fn criticals(all: &Campbell) -> String {
+fn criticals(all: &Campbell, ways: &Ways) -> String {
     let mut text = String::from(
-        "what,order,speed_rpm,branch,frequency_hz,damping_ratio,log_decrement,whirl,sense,real_1_s,imaginary_1_s,beside_hz\n",
+        "what,order,speed_rpm,branch,frequency_hz,damping_ratio,log_decrement,whirl,sense,real_1_s,imaginary_1_s,beside_hz,motion\n",
     );
-    let mut add =
-        |what: &str, order: String, speed: f64, branch: Option<usize>, mode: Option<&Mode>| {
-            let rpm = words::rpm(speed);
-            let branch = branch.map_or(String::new(), |own| (own + 1).to_string());
-            // A motion that does not oscillate has none of them.
-            let values = mode.map_or(",,,,,,,".to_owned(), |mode| values(mode, speed));
-            writeln!(text, "{what},{order},{rpm},{branch},{values}").expect("text can be written");
-        };
-    for own in &all.criticals {
+    let mut add = |what: &str,
+                   order: String,
+                   speed: f64,
+                   branch: Option<usize>,
+                   mode: Option<(&Mode, Way)>| {
+        let rpm = words::rpm(speed);
+        let branch = branch.map_or(String::new(), |own| (own + 1).to_string());
+        // A motion that does not oscillate has none of them.
+        let values = mode.map_or(",,,,,,,,".to_owned(), |(mode, way)| {
+            format!("{},{}", values(mode, speed), words::way(way))
+        });
+        writeln!(text, "{what},{order},{rpm},{branch},{values}").expect("text can be written");
+    };
+    for (own, way) in all.criticals.iter().zip(&ways.criticals) {
         let order = own.order.to_string();
-        add("critical speed", order, own.speed, Some(own.branch), Some(&own.mode));
+        add("critical speed", order, own.speed, Some(own.branch), Some((&own.mode, *way)));
     }
-    for own in &all.thresholds {
+    for (own, way) in all.thresholds.iter().zip(&ways.thresholds) {
         let what = if own.grows { "unstable above" } else { "stable above" };
-        add(what, String::new(), own.speed, own.branch, own.mode.as_ref());
+        add(what, String::new(), own.speed, own.branch, own.mode.as_ref().zip(*way));
     }
     text
 }
@@ -153,7 +188,12 @@ fn values(mode: &Mode, speed: f64) -> String {
     format!("{numbers},{whirl},{sense},{},{},{beside}", value.re, value.im)
 }
 
-fn text(case: &Case, linear: &LinearMachine, of: usize, all: &Campbell) -> String {
+fn text(
+    case: &Case,
+    linear: &LinearMachine,
+    of: usize,
+    (all, ways): (&Campbell, &Ways),
+) -> String {
     let body = linear.machine().bodies[of].name();
     let mut text = format!("{}: {}\n", case.name, case.title);
     let ends = [all.speeds.first(), all.speeds.last()];
@@ -175,17 +215,27 @@ fn text(case: &Case, linear: &LinearMachine, of: usize, all: &Campbell) -> Strin
         let head =
             ["critical speed (rpm)", "order", "frequency (Hz)", "log decrement", "whirl", "moves"];
         let mut rows = vec![head.map(str::to_owned).to_vec()];
-        for own in &all.criticals {
+        for (own, way) in all.criticals.iter().zip(&ways.criticals) {
+            let whirl = words::whirl(&own.mode, own.speed);
             rows.push(vec![
                 words::speed(own.speed),
                 own.order.to_string(),
                 words::hertz(&own.mode),
                 words::decrement(&own.mode),
-                words::whirl(&own.mode, own.speed).to_owned(),
+                words::whirl_or_way(whirl, *way).to_owned(),
                 words::movers(linear, &own.mode),
             ]);
         }
         text.push_str(&table(&rows));
+        let damped = all.criticals.iter().filter(|own| own.mode.damping_ratio() > DAMPED);
+        let damped: Vec<String> = damped.map(|own| words::speed(own.speed)).collect();
+        if !damped.is_empty() {
+            let _ = writeln!(
+                text,
+                "critically damped, the amplification factor 1/(2ζ) being below 2.5: {} rpm",
+                damped.join(", ")
+            );
+        }
     }
     text.push('\n');
     text.push_str(&words::thresholds(all));
@@ -297,6 +347,8 @@ fn figure(
     }
 }
 
+/// Damping ratio of an amplification factor 1/(2ζ) of 2.5, below which API 617 calls a response critically damped.
+const DAMPED: f64 = 0.2;
 /// Modes that are drawn in any case, lowest first.
 const DRAWN: usize = 5;
 /// Multiples of the highest order at the last speed up to which modes are drawn in any case.

@@ -29,7 +29,7 @@ pub(super) fn found(
 ) -> Result<Found, Failure> {
     let mut text = String::new();
     let mut file = String::from(
-        "speed_rpm,mode,frequency_hz,damping_ratio,log_decrement,whirl,sense,real_1_s,imaginary_1_s,beside_hz\n",
+        "speed_rpm,mode,frequency_hz,damping_ratio,log_decrement,whirl,sense,real_1_s,imaginary_1_s,beside_hz,motion\n",
     );
     let is_drawn = pictures.figures && wanted.speeds.len() <= DRAWN;
     let seen = is_drawn.then(|| Seen::new(case, linear, pictures.cache)).transpose()?;
@@ -59,19 +59,21 @@ pub(super) fn found(
         for (place, mode) in modes.oscillating.iter().take(analysis.count).enumerate() {
             // Where nothing turns, nothing is forward.
             let whirl = wanted.of.map_or("-", |_| words::whirl(mode, speed));
-            rows.push(row(linear, place, mode, whirl));
+            let way = linear.way(&equations.turning, &equations.mass, mode)?;
+            rows.push(row(linear, place, mode, words::whirl_or_way(whirl, way)));
             let values = [mode.hertz(), mode.damping_ratio(), mode.log_decrement()];
             let values = values.map(|value| value.to_string()).join(",");
             writeln!(
                 file,
-                "{},{},{values},{},{},{},{},{}",
+                "{},{},{values},{},{},{},{},{},{}",
                 words::rpm(speed),
                 place + 1,
                 whirl,
                 mode.sense,
                 mode.value.re,
                 mode.value.im,
-                words::beside(mode)
+                words::beside(mode),
+                words::way(way)
             )
             .expect("text can be written");
         }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use whirl_solver::linear::{Campbell, Doubt, LinearMachine, Mode, Whirl};
+use whirl_solver::linear::{Campbell, Doubt, LinearMachine, Mode, Way, Whirl};
 use whirl_text::{as_given, rounded, shown};
 
 /// rad/s in rpm.
@@ -41,6 +41,23 @@ pub(super) fn whirl(mode: &Mode, speed: f64) -> &'static str {
         Whirl::Forward => "forward",
         Whirl::Backward => "backward",
         Whirl::None => "-",
+    }
+}
+
+/// Which way a mode moves.
+pub(super) fn way(way: Way) -> &'static str {
+    match way {
+        Way::Lateral => "lateral",
+        Way::Axial => "axial",
+        Way::Torsional => "torsional",
+    }
+}
+
+/// How a mode whirls, or which way it moves where it does not.
+pub(super) fn whirl_or_way(whirl: &'static str, own: Way) -> &'static str {
+    match (whirl, own) {
+        ("-", Way::Axial | Way::Torsional) => way(own),
+        _ => whirl,
     }
 }
 

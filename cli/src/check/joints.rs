@@ -77,7 +77,9 @@ fn of_joint(
             };
             format!(", law {law}{clearance}{}", planes(joint, stations))
         }
-        JointKind::Bushing | JointKind::Coupling => values(joint),
+        JointKind::Bushing | JointKind::Coupling => {
+            format!("{}{}", values(joint), at_z(joint, stations))
+        }
         JointKind::Gear => teeth(joint, joined),
     };
     format!("{kind} {}: {first} {a}, {second} {b}{values}", joint.name.text())
@@ -92,13 +94,22 @@ fn planes(joint: &Joint, stations: &[f64]) -> String {
         }
         _ => String::new(),
     };
-    // A rigid body that does not tilt is alike at any z.
+    let z = at_z(joint, stations);
+    match rings.is_empty() {
+        true => z,
+        false => format!("{rings}{}", z.replacen(',', " at", 1)),
+    }
+}
+
+/// Where it stands along z, if that is anywhere: a rigid body that does not tilt is alike at any z.
+fn at_z(joint: &Joint, stations: &[f64]) -> String {
     let placed = |side: &crate::case::JointSide| !side.sets.is_empty() || side.z.is_some();
     if !joint.sides.iter().any(placed) && joint.bearing.stations.is_empty() {
-        return rings;
+        return String::new();
     }
-    let z: Vec<String> = stations.iter().map(|z| rounded(1e3 * z, 6).to_string()).collect();
-    format!("{rings}{} z = {} mm", if rings.is_empty() { "," } else { " at" }, z.join(", "))
+    let mut z: Vec<String> = stations.iter().map(|z| rounded(1e3 * z, 6).to_string()).collect();
+    z.dedup();
+    format!(", z = {} mm", z.join(", "))
 }
 
 /// Ratio, radii and stiffness of gears.

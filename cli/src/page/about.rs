@@ -9,7 +9,7 @@ use crate::report::oscillations;
 use crate::version;
 
 /// Layout of the file.
-pub(super) const LAYOUT: u32 = 1;
+pub(super) const LAYOUT: u32 = 2;
 
 /// A part of the case in words: rows of a table, the first one of heads, and lines below it.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -41,10 +41,12 @@ pub(super) struct Signal {
     pub(super) angle: Option<String>,
 }
 
-/// The way of a journal in its bore, and the force on it.
+/// The way of a journal in its bore, or of the first side of a bushing, and the force on it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Journal {
     pub(super) title: String,
+    /// What moves.
+    pub(super) moved: String,
     /// Columns of the eccentricity along x and y (µm).
     pub(super) columns: [String; 2],
     /// Columns of the force on it along x and y (N).
@@ -90,12 +92,13 @@ impl About {
         let (march, columns) = (case.march(), built.columns());
         let (all, supports) = (oscillations(case, &built.machine), case.supports());
         // Outputs may have the names of joints.
-        let of_journal = |column: &str| supports.iter().any(|own| own.column("X", "um") == *column);
+        let of_joint =
+            |column: &str| supports.iter().position(|own| own.column("X", "um") == *column);
         let signals = all.iter().map(|own| Signal {
             title: own.title.clone(),
-            quantity: match own.columns.first().is_some_and(|own| of_journal(&own.0)) {
-                true => format!("displacement of the {}", moved(case)),
-                false => own.quantity.to_owned(),
+            quantity: match own.columns.first().and_then(|own| of_joint(&own.0)) {
+                Some(joint) => format!("displacement of {}", moved(case, joint)),
+                None => own.quantity.to_owned(),
             },
             unit: own.unit.to_owned(),
             columns: own.columns.iter().map(|(a, b)| (a.clone(), (*b).to_lowercase())).collect(),
@@ -108,11 +111,12 @@ impl About {
         };
         // A coupling has no way in its plane, and stops are all around one mass.
         let moving = case.machine.joints.iter().zip(&supports).zip(&built.clearances);
-        let moving = moving.filter(|((joint, _), _)| {
+        let moving = moving.enumerate().filter(|(_, ((joint, _), _))| {
             !case.machine.is_mass() && !matches!(joint.kind, JointKind::Coupling | JointKind::Gear)
         });
-        let journals = moving.map(|((_, own), clearance)| Journal {
+        let journals = moving.map(|(place, ((_, own), clearance))| Journal {
             title: own.title.clone(),
+            moved: moved(case, place).to_owned(),
             columns: ["EX", "EY"].map(|quantity| own.column(quantity, "um")),
             forces: ["RX", "RY"].map(|quantity| own.column(quantity, "N")),
             clearance_um: whirl_text::rounded(1e6 * clearance, 10),

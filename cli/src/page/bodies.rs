@@ -3,6 +3,7 @@
 use whirl_solver::model::AttachmentKind;
 use whirl_solver::rigid::RigidBody;
 
+use super::marks::marks;
 use super::shapes::{Meshed, Shapes, Solid};
 use crate::case::Case;
 use crate::machine::{JoinedPlan, PlannedBody};
@@ -53,6 +54,7 @@ impl Shapes {
                 })
             })
         });
-        Shapes::sketched(meshed, rigid.chain(discs))
+        let all = Shapes::sketched(meshed, rigid.chain(discs));
+        all.map(|own| own.joined(marks(case, plan)))
     }
 }

@@ -43,8 +43,8 @@ const DASHES = ['', '7 3', '3 2', '9 3 2 3', '1.5 2.5', '12 4', ''];
 const MARGIN = { left: 64, right: 14, top: 8, bottom: 44 };
 
 class Chart {
-  // `spec`: id, title, x: {label, unit}, y: {label, unit, amplitude}, series: [{name, x, y | least and most, style, path}],
-  // marks, levels, dots, circles, arrows, equal, height, sync, map, zero, origin, note.
+  // `spec`: id, title, x: {label, unit}, y: {label, unit, amplitude}, series: [{name, x, y | least and most, style, path, words,
+  // pieces: [{x, y, dash}]}], marks, levels, dots: [{x, y, style, label}], circles, arrows, equal, height, sync, map, zero, origin, note.
   constructor(host, spec) {
     Object.assign(this, { spec, view: null, cursor: null, hidden: new Set() });
     this.figure = document.createElement('figure');
@@ -186,10 +186,19 @@ class Chart {
       if (this.hidden.has(own.name)) return;
       const style = own.style ?? k % 7;
       const dash = own.dash ?? DASHES[style];
-      out.push(`<path class="line ${own.className || `s${style}`}" ${dash ? `stroke-dasharray="${dash}"` : ''} d="${own.path ? this.path(own) : this.line(own, v, inner)}"/>`);
+      for (const piece of own.pieces || [{ ...own, dash }]) out.push(`<path class="line ${own.className || `s${style}`}" ${piece.dash ? `stroke-dasharray="${piece.dash}"` : ''} d="${own.path ? this.path(own) : this.line(piece, v, inner)}"/>`);
       if (own.arrows) for (const at of own.arrows) out.push(this.arrow(own, at, style));
     });
-    for (const own of spec.dots || []) out.push(`<circle class="f${own.style ?? 1}" cx="${px(own.x).toFixed(1)}" cy="${py(own.y).toFixed(1)}" r="3.6"/>`);
+    const labels = [];
+    for (const own of spec.dots || []) {
+      const [x, y] = [px(own.x), py(own.y)];
+      out.push(`<circle class="f${own.style ?? 1}" cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="3.6"/>`);
+      // Labels that would lie on one another have none.
+      if (!own.label || labels.some(([a, b]) => Math.abs(a - x) < 52 && Math.abs(b - y) < 13)) continue;
+      labels.push([x, y]);
+      const left = x > right - 60;
+      out.push(`<text x="${(left ? x - 6 : x + 6).toFixed(1)}" y="${(y - 5).toFixed(1)}" text-anchor="${left ? 'end' : 'start'}">${escaped(own.label)}</text>`);
+    }
     out.push('<g class="over"></g></g>');
     this.svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
     this.svg.innerHTML = out.join('');
@@ -307,7 +316,7 @@ class Chart {
       if (this.cursor !== null && !spec.map && own.x.length) {
         const at = this.nearest(own, this.cursor);
         value = own.y ? `<b>${shown(own.y[at] * ay.factor)}</b>` : `<b>${shown(own.least[at] * ay.factor)} … ${shown(own.most[at] * ay.factor)}</b>`;
-        value = ` ${value} ${escaped(ay.unit === '1' ? '' : ay.unit)}`;
+        value = ` ${value} ${escaped(ay.unit === '1' ? '' : ay.unit)}${own.words ? ` ${escaped(own.words[at])}` : ''}`;
       }
       const off = this.hidden.has(own.name) ? ' style="opacity:.4"' : '';
       parts.push(`<span data-name="${escaped(own.name)}"${off}><svg viewBox="0 0 26 8"><path class="line ${own.className ? 's6' : `s${style}`}" stroke-width="2" ${dash ? `stroke-dasharray="${dash}"` : ''} d="M0 4H26"/></svg>${escaped(own.name)}${value}</span>`);

@@ -30,15 +30,21 @@ pub(super) struct Group {
     pub(super) angle: Option<String>,
 }
 
-/// What joints move.
-pub(super) fn moved(case: &Case) -> &'static str {
-    if case.machine.is_mass() { "mass" } else { "journal" }
+/// What a joint moves, as its chart calls it: only bearings and stops have journals.
+pub(super) fn moved(case: &Case, joint: usize) -> &str {
+    let own = &case.machine.joints[joint];
+    match (own.kind, own.sides[0].body) {
+        _ if case.machine.is_mass() => "the mass",
+        (JointKind::Bushing | JointKind::Coupling | JointKind::Gear, Some(body)) => {
+            case.machine.bodies[body].name.text()
+        }
+        _ => "the journal",
+    }
 }
 
 /// The charts of a run, which have each column but the time once.
 pub(super) fn groups(case: &Case, built: &Built, columns: &[Column]) -> Vec<Group> {
     let mut all = Charts { columns, taken: BTreeSet::new(), angle: None, groups: Vec::new() };
-    let moved = moved(case);
     let (mass, supports) = (case.machine.is_mass(), case.supports());
     let named = case.turning();
     let body = |name: &str| match name {
@@ -57,6 +63,7 @@ pub(super) fn groups(case: &Case, built: &Built, columns: &[Column]) -> Vec<Grou
     all.add(("Speed of rotation", "speed", "rpm", to_rpm), turning, !mass);
     for (place, own) in supports.iter().enumerate() {
         let kind = case.machine.joints[place].kind;
+        let moved = moved(case, place);
         // What stands still in its plane has nothing to show there.
         let plane = !matches!(kind, JointKind::Coupling);
         let shown = plane && place < MOST_SHOWN;
@@ -76,18 +83,18 @@ pub(super) fn groups(case: &Case, built: &Built, columns: &[Column]) -> Vec<Grou
         let forces = pair("R", "N", axes).into_iter().chain([along(own)]).collect();
         let journal = case.machine.joints[place].sides[0].body.unwrap_or(0);
         all.angle = angle(case, &built.machine, journal).filter(|_| plane && !mass);
-        all.add((&title(&format!("force on the {moved}")), "force", "N", 1.0), forces, shown);
+        all.add((&title(&format!("force on {moved}")), "force", "N", 1.0), forces, shown);
         all.angle = None;
         let moves = pair("", "um", axes);
         // Masses fly far.
         let (unit, factor) = if mass { ("mm", 1e-3) } else { ("µm", 1.0) };
-        let called = title(&format!("displacement of the {moved}"));
+        let called = title(&format!("displacement of {moved}"));
         let shown = shown && !has_clearance && (!mass || place == 0);
         all.add((&called, "displacement", unit, factor), moves, shown);
         let couples = ["MX", "MY", "MZ"].map(|letter| {
             (own.column(letter, "Nm"), format!("about {}", letter[1..].to_lowercase()))
         });
-        let title = title("moment on the journal");
+        let title = title(&format!("moment on {moved}"));
         all.add((&title, "moment", "N·m", 1.0), couples.to_vec(), kind == JointKind::Coupling);
     }
     for (place, own) in oscillations(case, &built.machine).iter().enumerate() {

@@ -12,6 +12,7 @@ mod encode;
 mod files;
 mod groups;
 mod kept;
+mod marks;
 mod moving;
 mod orbits;
 mod over_speed;

@@ -15,6 +15,8 @@ const POINTS: usize = 5000;
 #[derive(Debug, Serialize)]
 pub(super) struct Orbit {
     title: String,
+    /// What moves.
+    moved: String,
     columns: [String; 2],
     clearance_um: f64,
     /// Rows of a point.
@@ -74,6 +76,7 @@ impl Orbit {
         let pick = |all: &[f64]| Packed::single(places.iter().map(|k| all[*k]));
         Orbit {
             title: journal.title.clone(),
+            moved: journal.moved.clone(),
             columns: journal.columns.clone(),
             clearance_um: journal.clearance_um,
             every,
@@ -102,6 +105,7 @@ mod tests {
 
     fn journal() -> Journal {
         Journal {
+            moved: "the journal".into(),
             title: "left".into(),
             columns: ["EX_left_um".into(), "EY_left_um".into()],
             forces: ["RX_left_N".into(), "RY_left_N".into()],

@@ -26,6 +26,9 @@ struct PackedSignal {
     first_phase_deg: Packed,
     second: Packed,
     second_phase_deg: Packed,
+    /// Of the largest part below 1X, and its order.
+    below: Packed,
+    below_order: Packed,
 }
 
 impl From<Tracked> for PackedOrders {
@@ -33,9 +36,17 @@ impl From<Tracked> for PackedOrders {
         let signal = |own: TrackedSignal| {
             let [first, second] = own.amplitudes.map(Packed::single);
             let [first_phase_deg, second_phase_deg] = own.phases.map(Packed::single);
-            let overall = Packed::single(own.overall);
-            let column = own.column;
-            PackedSignal { column, overall, first, first_phase_deg, second, second_phase_deg }
+            let [below, below_order] = own.below.map(Packed::single);
+            PackedSignal {
+                column: own.column,
+                overall: Packed::single(own.overall),
+                first,
+                first_phase_deg,
+                second,
+                second_phase_deg,
+                below,
+                below_order,
+            }
         };
         PackedOrders {
             revolutions: own.revolutions,

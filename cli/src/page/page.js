@@ -52,7 +52,7 @@ function table(parent, heads, rows, words = [], mark = () => {}) {
 }
 
 // What an axis is called: the title says of what.
-const short = (quantity) => quantity.replace(/ of the (journal|mass)$/, '');
+const short = (quantity) => quantity.replace(/^displacement of .*$/, 'displacement');
 const kindOf = (unit) => (unit === '1' ? '' : unit);
 const slug = (text) => text.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '');
 const size = (bytes) => (bytes < 1e3 ? `${bytes} B` : bytes < 1e6 ? `${shown(bytes / 1e3, 3)} kB` : `${shown(bytes / 1e6, 3)} MB`);
@@ -215,7 +215,7 @@ function results() {
   if (summary.orders) {
     add(own, 'h3', 'Orders');
     const { signals } = summary.orders;
-    add(own, 'p', `x = A cos(nθ + φ), A from 0 to the peak, fitted over whole revolutions at the end of the run. What is not a multiple of half the speed leaks into these numbers where the revolutions are few: see the spectra.`, { class: 'soft' });
+    add(own, 'p', `x = A cos(nθ + φ), A from 0 to the peak, fitted over whole revolutions at the end of the run${new Set(signals.map((one) => one.angle)).size > 1 ? ', with once and twice the angles of the other bodies beside' : ''}. What is not a multiple of half the speed leaks into these numbers where the revolutions are few: see the spectra.`, { class: 'soft' });
     const named = (name) => { const signal = about.signals.find((one) => one.columns.some(([column]) => column === name)); return signal ? `${signal.title}: ${signal.quantity} ${signal.columns.find(([column]) => column === name)[1]}` : name; };
     const unit = (name) => about.signals.find((one) => one.columns.some(([column]) => column === name))?.unit || '';
     const heads = ['', '1X, 0-pk', '', 'phase (°)', '2X, 0-pk', '', 'phase (°)', 'revolutions'];
@@ -279,9 +279,11 @@ function orbits() {
   if (!run || !run.orbits.length) return;
   const own = part('orbits', 'Orbits and forces');
   const turns = run.orbits.some((orbit) => orbit.revolutions > 0);
+  const [isJournal, all] = [(orbit) => orbit.moved === 'the journal', run.orbits];
+  const whose = all.every(isJournal) ? 'Centre of each journal in its bore' : all.some(isJournal) ? 'Centre of each journal in its bore, and of the first side of bushings against the second' : 'The first side of each bushing against the second';
   add(own, 'p', turns
-    ? 'Centre of each journal in its bore, seen along +z: x up, y to the right, so that positive rotation is clockwise. Arrows show the direction of motion, dots where the keyphasor is seen (θ a multiple of 360°).'
-    : 'Centre of each journal in its bore in the last cycle, seen along +z: x up, y to the right. Arrows show the direction of motion.', { class: 'soft' });
+    ? `${whose}, seen along +z: x up, y to the right, so that positive rotation is clockwise. Arrows show the direction of motion, dots where the keyphasor is seen (θ a multiple of 360°).`
+    : `${whose} in the last cycle, seen along +z: x up, y to the right. Arrows show the direction of motion.`, { class: 'soft' });
   const choose = add(own, 'div', undefined, { class: 'choose screen' });
   const grid = add(own, 'div', undefined, { class: 'grid squares' });
   const most = Math.max(...run.orbits.map((orbit) => orbit.revolutions));
@@ -295,7 +297,7 @@ function orbits() {
       if (orbit.revolutions > 0) while (from < before.length - 2 && before[from] > shownRevolutions * (1 + 1e-6)) from++;
       const count = x.length - from;
       spec.framed = framed;
-      spec.series = [{ name: 'centre of the journal', path: true, x: y.subarray(from), y: x.subarray(from), style: 0, arrows: [Math.floor(0.35 * count), Math.floor(0.8 * count)].filter((at) => at > 0) }];
+      spec.series = [{ name: isJournal(orbit) ? 'centre of the journal' : `centre of ${orbit.moved}`, path: true, x: y.subarray(from), y: x.subarray(from), style: 0, arrows: [Math.floor(0.35 * count), Math.floor(0.8 * count)].filter((at) => at > 0) }];
       spec.dots = orbit.keyphasors.filter((own) => own[2] <= shownRevolutions * (1 + 1e-6)).map(([px, py]) => ({ x: py, y: px, style: 1, name: 'keyphasor' }));
       const over = orbit.revolutions > 0 ? (shownRevolutions >= orbit.revolutions ? `last ${shown(orbit.revolutions, 3)} revolutions` : shownRevolutions === 1 ? 'last revolution' : `last ${shown(shownRevolutions, 3)} revolutions`) : 'last cycle';
       spec.note = orbit.revolutions > 0 ? (orbit.sense > 0 ? `${over}, rotation ↻` : `${over}, rotation ↺`) : over;
@@ -304,7 +306,7 @@ function orbits() {
     spec.title = orbit.title;
     return new Chart(grid, spec);
   });
-  add(own, 'h3', 'Forces on the journals, polar');
+  add(own, 'h3', all.every(isJournal) ? 'Forces on the journals, polar' : 'Forces, polar');
   const polar = add(own, 'div', undefined, { class: 'grid squares' });
   for (const orbit of run.orbits) {
     const [fx, fy, before] = [numbers(orbit.fx_n), numbers(orbit.fy_n), numbers(orbit.before)];
@@ -313,7 +315,7 @@ function orbits() {
       let from = 0;
       if (orbit.revolutions > 0) while (from < before.length - 2 && before[from] > shownRevolutions * (1 + 1e-6)) from++;
       const count = fx.length - from;
-      spec.series = [{ name: 'force on the journal', path: true, x: fy.subarray(from), y: fx.subarray(from), style: 2, arrows: [Math.floor(0.35 * count), Math.floor(0.8 * count)].filter((at) => at > 0) }];
+      spec.series = [{ name: `force on ${orbit.moved}`, path: true, x: fy.subarray(from), y: fx.subarray(from), style: 2, arrows: [Math.floor(0.35 * count), Math.floor(0.8 * count)].filter((at) => at > 0) }];
     };
     spec.update();
     charts.push(new Chart(polar, spec));
@@ -382,7 +384,7 @@ function tracked() {
   const own = part('orders', 'Orders over speed');
   for (const all of run.tracked) {
     const n = all.revolutions;
-    add(own, 'p', `Amplitudes and phases of x = A cos(nθ + φ), tracked by the angle: each point is a fit over ${shown(n)} revolutions with the weights of a Hann window. It tells an order from what differs from it by ${shown(2 / n, 3)} orders or more; nearer than that, both are in one. Overall is half of largest less least value in the same revolutions, of the direction in which it is larger: where it is far above 1X, something else moves.`, { class: 'soft' });
+    add(own, 'p', `Amplitudes and phases of x = A cos(nθ + φ), tracked by the angle: each point is a fit over ${shown(n)} revolutions with the weights of a Hann window. It tells an order from what differs from it by ${shown(2 / n, 3)} orders or more; nearer than that, both are in one. Overall is half of largest less least value in the same revolutions, of the direction in which it is larger: where it is far above 1X, something else moves: the largest part between ${shown(1.5 / n, 2)} and ${shown(1 - 1.5 / n, 2)} times the speed is shown with its order where it matters.`, { class: 'soft' });
     const { turn, x } = overSpeed(all);
     const grid = add(own, 'div', undefined, { class: 'grid' });
     for (const whole of about.signals) {
@@ -393,13 +395,21 @@ function tracked() {
       const draw = (values, name, style, more) => ({ name, x: x.values, y: values, style, ...more });
       const one = (which, name, style, more) => own.map(([axis, signal], k) => draw(turn(numbers(signal[which])), `${name} ${axis}`, style + k, more));
       const axis = { label: x.label, unit: x.unit };
+      // What is small beside all motion is no whirl but the rest of a fit.
+      const [overall, below] = ['overall', 'below'].map((which) => own.map(([, signal]) => numbers(signal[which])));
+      const moves = (k, place) => below[k][place] > 0.2 * overall[k][place];
+      const slow = below.some((all_, k) => all_.some((_, place) => moves(k, place)));
       new Chart(grid, {
         id: `order-${id}`, title, zero: true, sync: 'orders', x: axis, y: { label: short(whole.quantity), unit: whole.unit, amplitude: true },
-        series: [...one('first', '1X', 0), ...one('second', '2X', 2), draw(own.map(([, signal]) => turn(numbers(signal.overall))).reduce((most, values) => most.map((value, k) => Math.max(value, values[k]))), 'overall', 6, { dash: '2 3' })],
+        series: [...one('first', '1X', 0), ...one('second', '2X', 2), ...(slow ? one('below', 'largest below 1X', 4) : []), draw(own.map(([, signal]) => turn(numbers(signal.overall))).reduce((most, values) => most.map((value, k) => Math.max(value, values[k]))), 'overall', 6, { dash: '2 3' })],
       });
       new Chart(grid, {
         id: `phase-${id}`, title: `${title}, phase of 1X`, sync: 'orders', x: axis, y: { label: 'phase', unit: '°' },
         series: own.map(([axis, signal], k) => draw(unwrapped(turn(numbers(signal.first_phase_deg))), `1X ${axis}`, k)),
+      });
+      if (slow) new Chart(grid, {
+        id: `below-${id}`, title: `${title}, order of the largest part below 1X`, sync: 'orders', x: axis, y: { label: 'order', unit: '1' }, note: 'where it is more than a fifth of overall',
+        series: own.map(([axis, signal], k) => draw(turn(Float32Array.from(numbers(signal.below_order), (order, place) => (moves(k, place) ? order : NaN))), axis, k)),
       });
     }
   }
@@ -422,6 +432,15 @@ function envelopes() {
       });
     }
   }
+}
+
+// Why a run whose speed varies has no orders over it.
+function reversed() {
+  if (!run || run.tracked.length) return;
+  const names = [...columns.keys()].filter((name) => /^omega_.*rad_s$/.test(name) && extremes(name)[0] < 0 && extremes(name)[1] > 0);
+  if (!names.length) return;
+  const own = part('orders', 'Orders over speed');
+  add(own, 'p', `There are none: ${names.map((name) => name.replace(/^omega_(?:(.*)_)?rad_s$/, (_, body) => body || 'the first body that turns')).join(', ')} turns in both directions in this run, and orders are tracked by an angle that goes on one way. Run each direction by itself for them.`, { class: 'soft' });
 }
 
 function waterfalls() {
@@ -512,6 +531,30 @@ function unwrapped(values) {
 
 const line = (rows, x, y, name, more) => ({ name, x: rows.map((row) => row[x]), y: rows.map((row) => (typeof row[y] === 'number' ? row[y] : NaN)), ...more });
 
+// A mode over the speed, in pieces by how it whirls.
+function whirled(rows, y, name, style) {
+  const pieces = [];
+  rows.forEach((row, k) => {
+    const before = pieces[pieces.length - 1];
+    if (before && before.whirl === row.whirl) before.rows.push(row);
+    else pieces.push({ whirl: row.whirl, rows: k ? [rows[k - 1], row] : [row] });
+  });
+  const dashes = { forward: '', backward: '7 3', '-': '1.5 2.5' };
+  const words = rows.map((row) => (row.whirl === '-' ? '' : row.whirl));
+  return line(rows, 'speed_rpm', y, name, { style, dash: '', words, pieces: pieces.map((own) => ({ ...line(own.rows, 'speed_rpm', y), dash: dashes[own.whirl] })) });
+}
+
+// Modes without those so far above the rest that they would squeeze it: the five lowest and what is below five times the highest
+// order are always there.
+function withRoom(all, rpm) {
+  const top = ([, own]) => Math.max(...own.map((row) => row.frequency_hz));
+  const tops = all.map(top).sort((a, b) => a - b);
+  const ceiling = Math.max(tops[4] ?? Infinity, (5 * rpm) / 60);
+  if (0.5 * tops[tops.length - 1] <= ceiling) return { modes: all, above: 0 };
+  const modes = all.filter((own) => top(own) <= ceiling);
+  return { modes, above: all.length - modes.length };
+}
+
 // Charts of an analysis beside its figures, which they replace: names of those.
 const CHARTED = {
   campbell(host, name, tables) {
@@ -521,19 +564,23 @@ const CHARTED = {
     const speeds = [...new Set(rows.map((row) => row.speed_rpm))];
     if (speeds.length < 2) return [];
     const ends = [Math.min(...speeds), Math.max(...speeds)];
-    const top = 1.1 * Math.max(...rows.map((row) => row.frequency_hz));
     const orders = [...new Set(critical.map((row) => row.order).concat(1))].sort((a, b) => a - b);
+    const all = [...grouped(rows, 'branch')].filter(([, own]) => own.length > 1);
+    const { modes, above } = withRoom(all, Math.max(...orders) * Math.max(...speeds.map(Math.abs)));
+    const top = 1.1 * Math.max(...modes.flatMap(([, own]) => own.map((row) => row.frequency_hz)));
     const across = orders.map((order) => { const x = [ends[0], Math.min(ends[1], (60 * top) / order)]; return { name: `${order}X`, x, y: x.map((rpm) => (order * rpm) / 60), style: 6, dash: { 0.5: '6 2 1 2', 1: '2 3', 2: '1 4' }[order] || '4 4' }; }).filter((own) => own.x[1] > own.x[0]);
-    const modes = [...grouped(rows, 'branch')].filter(([, own]) => own.length > 1);
     const x = { label: 'speed', unit: 'rpm' };
+    const kinds = [...new Set(modes.flatMap(([, own]) => own.map((row) => row.whirl)))];
+    const note = `${[['forward', 'solid: forward whirl'], ['backward', 'dashed: backward'], ['-', 'dotted: neither']].filter(([kind]) => kinds.includes(kind)).map(([, words]) => words).join(', ')}${above ? `; ${above} more ${above === 1 ? 'mode' : 'modes'} above` : ''}`;
+    const letter = (row) => (row.motion && row.motion !== 'lateral' ? row.motion : { forward: 'F', backward: 'B' }[row.whirl] || '');
     new Chart(host, {
       id: `campbell-${slug(name)}`, title: 'Natural frequencies', zero: true, sync: `speed ${name}`, x, y: { label: 'frequency', unit: 'Hz' },
-      series: [...modes.map(([branch, own], k) => line(own, 'speed_rpm', 'frequency_hz', `mode ${branch}`, { style: k % 6 })), ...across],
-      dots: critical.map((row) => ({ x: row.speed_rpm, y: row.frequency_hz, style: 1, name: 'critical speed' })),
+      series: [...modes.map(([branch, own], k) => whirled(own, 'frequency_hz', `mode ${branch}`, k % 6)), ...across], note,
+      dots: critical.filter((row) => row.frequency_hz <= top).sort((a, b) => (b.whirl === 'forward') - (a.whirl === 'forward')).map((row) => ({ x: row.speed_rpm, y: row.frequency_hz, style: row.damping_ratio > 0.2 ? 6 : 1, name: critical.some((one) => one.damping_ratio > 0.2) ? 'critical speed (black: amplification 1/(2ζ) below 2.5)' : 'critical speed', label: `${shown(row.speed_rpm, 4)} ${letter(row)}` })),
     });
     new Chart(host, {
       id: `decrement-${slug(name)}`, title: 'Damping: unstable below zero', sync: `speed ${name}`, x, y: { label: 'log decrement', unit: '1' }, levels: [{ y: 0, name: '', framed: true }],
-      series: modes.map(([branch, own], k) => line(own, 'speed_rpm', 'log_decrement', `mode ${branch}`, { style: k % 6 })),
+      series: modes.map(([branch, own], k) => whirled(own, 'log_decrement', `mode ${branch}`, k % 6)),
     });
     return [`${name}.svg`];
   },
@@ -673,7 +720,7 @@ function files() {
 
 page.replaceChildren();
 // Of a run-up what goes over the speed comes first: no cycle of it is like another one.
-const speeds = [tracked, envelopes, waterfalls];
+const speeds = [tracked, reversed, envelopes, waterfalls];
 const cycles = [results, histories, orbits, overAngle, spectra];
 const ofRun = run?.tracked.length ? [...speeds, ...cycles] : [...cycles, ...speeds];
 for (const make of [head, theCase, machine, ...ofRun, swept, analysed, energy, drawings, files]) make();

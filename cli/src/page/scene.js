@@ -71,11 +71,58 @@ function uppermost(own) {
   return best.filter((node) => node >= 0);
 }
 
+// Points of a ring where a joint stands.
+const RING = 40;
+
+// The radius at which a body is seen at a z, about an axis.
+function radiusAt(own, axis, z) {
+  const { points, nodes, body } = own;
+  let [low, high, nearest] = [Infinity, -Infinity, Infinity];
+  for (let k = 0; k < nodes; k++) { const at = points[3 * k + 2]; low = Math.min(low, at); high = Math.max(high, at); nearest = Math.min(nearest, Math.abs(at - z)); }
+  const reach_ = nearest + 0.005 * (high - low);
+  let most = 0;
+  for (let k = 0; k < nodes; k++) if (Math.abs(points[3 * k + 2] - z) <= reach_) most = Math.max(most, Math.hypot(points[3 * k] + body.axis[0] - axis[0], points[3 * k + 1] + body.axis[1] - axis[1]));
+  return most;
+}
+
+// Where joints stand, as triangles: rings about the journals with struts between them, a foot on the ground, a dot at a point.
+function marked(joints, bodies, size) {
+  const [points, triangles, names] = [[], [], []];
+  const quad = (a, b, c, d) => { const k = points.length / 3; points.push(...a, ...b, ...c, ...d); triangles.push(k, k + 1, k + 2, k, k + 2, k + 3); };
+  const dot = (at, r) => {
+    const corners = [[r, 0, 0], [0, r, 0], [-r, 0, 0], [0, -r, 0]].map((own) => own.map((x, k) => x + at[k]));
+    for (const end of [r, -r]) corners.forEach((own, k) => quad(own, corners[(k + 1) % 4], [at[0], at[1], at[2] + end], [at[0], at[1], at[2] + end]));
+  };
+  for (const { name, of, to, axis, z, radius, point, angle } of joints) {
+    const shown_ = bodies.find((own) => own.body.name === of);
+    const [first, last] = [Math.min(...z), Math.max(...z)];
+    const middle = 0.5 * (first + last);
+    const r = point ? 0.015 * size : 1.02 * (Math.max(radius || 0, !radius || shown_?.body.sketched ? (shown_ ? radiusAt(shown_, axis, middle) : 0) : 0) || 0.1 * size);
+    const at = (turn, z_, far = r) => [axis[0] + far * Math.cos(turn), axis[1] + far * Math.sin(turn), z_];
+    const half = 0.006 * size;
+    if (point) dot([...axis, middle], r);
+    else if (angle !== null) dot(at(angle, middle), 2 * half);
+    else {
+      for (const own of new Set(z)) for (let k = 0; k < RING; k++) { const [a, b] = [k, k + 1].map((one) => (2 * Math.PI * one) / RING); quad(at(a, own - half), at(b, own - half), at(b, own + half), at(a, own + half)); }
+      const wide = Math.min(half / r, 0.3);
+      if (last > first) for (let k = 0; k < 8; k++) { const a = (2 * Math.PI * k) / 8; quad(at(a - wide, first), at(a + wide, first), at(a + wide, last), at(a - wide, last)); }
+    }
+    if (to === null && angle === null) {
+      const [tip, tall, wide] = [[axis[0] - r, axis[1], middle], 0.06 * size, 0.035 * size];
+      const base = [[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([b, c]) => [tip[0] - tall, tip[1] + wide * b, tip[2] + wide * c]);
+      base.forEach((own, k) => quad(tip, tip, own, base[(k + 1) % 4]));
+      quad(...base);
+    }
+    if (name) names.push({ name, at: at(0, middle, r + 0.01 * size) });
+  }
+  return { points: new Float32Array(points), triangles: new Uint32Array(triangles), names };
+}
+
 class Scene {
   constructor(canvas, shapes) {
     const gl = canvas.getContext('webgl2', { antialias: !drawnBySoftware(), preserveDrawingBuffer: true });
     if (!gl) throw new Error('no WebGL 2');
-    Object.assign(this, { canvas, gl, shapes, yaw: -0.6, pitch: 0.35, zoom: 1, moved: [0, 0], time: 0, scale: 1, colour: 'body', off: new Set(), turning: true, motion: null, angle: 0, orbits: true, ghost: true });
+    Object.assign(this, { canvas, gl, shapes, yaw: -0.6, pitch: 0.35, zoom: 1, moved: [0, 0], time: 0, scale: 1, colour: 'body', off: new Set(), turning: true, motion: null, angle: 0, orbits: true, ghost: true, joints: true });
     this.program = this.linked(VERTEX, FRAGMENT);
     this.lines = this.linked(LINES.vertex, LINES.fragment);
     gl.useProgram(this.program);
@@ -95,6 +142,14 @@ class Scene {
       }
       return own;
     });
+    this.marks = marked(shapes.joints || [], this.bodies, 0.5 * Math.hypot(...high.map((own, k) => own - low[k])));
+    this.marks.points.forEach((own, k) => { low[k % 3] = Math.min(low[k % 3], own); high[k % 3] = Math.max(high[k % 3], own); });
+    this.marks.count = this.marks.triangles.length;
+    if (this.marks.count) {
+      this.marks.place = this.buffer(this.marks.points);
+      this.marks.corners = this.buffer(this.marks.triangles, gl.ELEMENT_ARRAY_BUFFER);
+      for (const own of this.marks.names) own.label = add(canvas.parentElement, 'span', own.name, { class: 'joint' });
+    }
     this.middle = low.map((own, k) => 0.5 * (own + high[k]));
     this.radius = 0.5 * Math.hypot(...high.map((own, k) => own - low[k]));
     // Half of what the corners of the machine span on the screen as it stands at first.
@@ -202,6 +257,7 @@ class Scene {
     // The machine at rest is seen where nothing is before it.
     if (this.motion && this.ghost) { this.surfaces(true); gl.clear(gl.DEPTH_BUFFER_BIT); }
     this.surfaces(false);
+    this.joined(view);
     if (!this.motion || !this.orbits) return;
     gl.useProgram(this.lines);
     gl.uniformMatrix4fv(gl.getUniformLocation(this.lines, 'view'), false, view);
@@ -249,6 +305,36 @@ class Scene {
       gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, own.triangles);
       gl.drawElements(gl.TRIANGLES, own.count, own.kind, 0);
     });
+  }
+
+  // Joints where they stand at rest, and their names.
+  joined(view) {
+    const { gl, canvas, marks } = this;
+    for (const { at, label } of marks.names) {
+      const [x, y] = [0, 1].map((row) => at.reduce((sum, own, k) => sum + own * view[4 * k + row], view[12 + row]));
+      label.hidden = !this.joints || Math.abs(x) > 1 || Math.abs(y) > 1;
+      label.style.left = `${(0.5 * (1 + x) * canvas.clientWidth).toFixed(1)}px`;
+      label.style.top = `${(0.5 * (1 - y) * canvas.clientHeight).toFixed(1)}px`;
+    }
+    if (!this.joints || !marks.count) return;
+    gl.uniform1f(this.at('scale'), 0);
+    gl.uniform1f(this.at('fog'), 0);
+    gl.uniform1f(this.at('coloured'), 0);
+    gl.uniformMatrix2fv(this.at('turn'), false, [1, 0, 0, 1]);
+    gl.uniform2fv(this.at('axis'), [0, 0]);
+    gl.uniform3fv(this.at('plain'), [0.42, 0.32, 0.16]);
+    this.attribute('place', marks.place, 3, 0);
+    for (const name of ['before', 'after', 'sizeBefore', 'sizeAfter']) this.attribute(name, undefined, 3, 0);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, marks.corners);
+    // Faint where bodies are before them.
+    gl.disable(gl.DEPTH_TEST);
+    gl.enable(gl.BLEND);
+    gl.blendColor(0, 0, 0, 0.3);
+    gl.blendFunc(gl.CONSTANT_ALPHA, gl.ONE_MINUS_CONSTANT_ALPHA);
+    gl.drawElements(gl.TRIANGLES, marks.count, gl.UNSIGNED_INT, 0);
+    gl.disable(gl.BLEND);
+    gl.enable(gl.DEPTH_TEST);
+    gl.drawElements(gl.TRIANGLES, marks.count, gl.UNSIGNED_INT, 0);
   }
 
   attribute(name, buffer, size, offset) {

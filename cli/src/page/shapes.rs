@@ -5,6 +5,7 @@ use serde::Serialize;
 use whirl_solver::mesh::Mesh;
 
 use super::encode::Packed;
+use super::marks::Mark;
 use crate::fields::Motions;
 use crate::machine::Watched;
 use crate::outside::outer_corners;
@@ -16,9 +17,11 @@ const MOST_NUMBERS: usize = 5_000_000;
 const MOST_CELLS: usize = 400_000;
 
 /// All of them.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Default, Serialize)]
 pub(crate) struct Shapes {
     bodies: Vec<Shape>,
+    /// Where joints stand.
+    joints: Vec<Mark>,
     /// Names of those that are too large.
     left_out: Vec<String>,
 }
@@ -94,7 +97,7 @@ pub(super) struct Meshed<'a> {
 impl Shapes {
     /// Of bodies that have meshes; none where none has. Those with their motions are not given here.
     pub(super) fn of<'a>(bodies: impl Iterator<Item = Meshed<'a>>) -> Option<Self> {
-        let mut all = Shapes { bodies: Vec::new(), left_out: Vec::new() };
+        let mut all = Shapes::default();
         let mut room = MOST_NODES;
         for own in bodies {
             let surface = (own.mesh.cell_count() <= MOST_CELLS).then(|| Surface::of(own.mesh));
@@ -125,7 +128,7 @@ impl Shapes {
         own: Option<Self>,
         solids: impl Iterator<Item = Solid<'a>>,
     ) -> Option<Self> {
-        let mut all = own.unwrap_or(Shapes { bodies: Vec::new(), left_out: Vec::new() });
+        let mut all = own.unwrap_or_default();
         for own in solids {
             // I_p = m r²/2, I_t = m (3 r² + l²)/12.
             let square = 2.0 * own.polar / own.mass;
@@ -153,6 +156,12 @@ impl Shapes {
     /// The points of each shape, with the body that they are of.
     pub(crate) fn points(&self) -> impl Iterator<Item = (usize, &Watched)> {
         self.bodies.iter().map(|own| (own.on.0, &own.on.1))
+    }
+
+    /// With joints.
+    pub(super) fn joined(mut self, joints: Vec<Mark>) -> Self {
+        self.joints = joints;
+        self
     }
 
     /// With the motions of a run.

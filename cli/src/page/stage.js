@@ -6,10 +6,11 @@ const scenes = [];
 // A canvas with the bodies of shapes, and what is chosen above it: none where the browser cannot draw it.
 function stage(own, shapes, about_) {
   const choose = add(own, 'div', undefined, { class: 'choose screen' });
-  const canvas = add(own, 'canvas', undefined, { class: 'scene', tabindex: 0, role: 'img', 'aria-label': about_ });
+  const frame = add(own, 'div', undefined, { class: 'framed' });
+  const canvas = add(frame, 'canvas', undefined, { class: 'scene', tabindex: 0, role: 'img', 'aria-label': about_ });
   let made;
   try { made = new Scene(canvas, shapes); } catch (error) {
-    canvas.remove();
+    frame.remove();
     choose.remove();
     add(own, 'p', `This browser cannot draw it (${error.message}).`);
     return null;
@@ -43,7 +44,7 @@ function stage(own, shapes, about_) {
     made.play = () => { playing = !playing; button.textContent = playing ? 'Stop' : 'Play'; step(); };
     button.addEventListener('click', made.play);
   };
-  const toggles = () => { const names = [...new Set(shapes.bodies.map((body) => body.name))]; if (names.length > 1) for (const name of names) check(name, true, (on) => { if (on) made.off.delete(name); else made.off.add(name); }); };
+  const toggles = () => { if (made.marks.count) check('joints', true, (on) => { made.joints = on; }); const names = [...new Set(shapes.bodies.map((body) => body.name))]; if (names.length > 1) for (const name of names) check(name, true, (on) => { if (on) made.off.delete(name); else made.off.add(name); }); };
   add(own, 'p', `Drag turns, Shift and drag moves, Ctrl and the wheel zoom. By keys: arrows turn, + and − zoom, 0 shows all, Space plays.`, { class: 'soft screen' });
   return { made, check, select, player, toggles, choose };
 }
@@ -71,7 +72,7 @@ function machine() {
   const moves = shapes.bodies.some((body) => body.motion);
   const rest = shapes.left_out.length ? ` Too large to be shown here: ${shapes.left_out.join(', ')}.` : '';
   const played = data.motions.length ? ' Analyses below show its modes and orbits.' : '';
-  add(own, 'p', `Bodies, x up: by their meshes${shapes.bodies.some((body) => body.sketched) ? '; what has none as cylinders of the same mass and inertias' : ''}.${moves ? '' : ' With [fields] in the case, the motion of those with meshes over the last cycle is shown, too.'}${played}${rest}`, { class: 'soft' });
+  add(own, 'p', `Bodies, x up: by their meshes${shapes.bodies.some((body) => body.sketched) ? '; what has none as cylinders of the same mass and inertias' : ''}.${shapes.joints?.length ? ' Rings are joints, with a foot where they stand on the ground.' : ''}${moves ? '' : ' With [fields] in the case, the motion of those with meshes over the last cycle is shown, too.'}${played}${rest}`, { class: 'soft' });
   const on = stage(own, shapes, 'The bodies of the machine in space');
   if (!on) return;
   scene = on.made;

@@ -1,5 +1,6 @@
 //! Results of a run: summary and tables.
 
+mod below;
 mod envelope;
 mod films;
 mod orders;

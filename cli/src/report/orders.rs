@@ -2,7 +2,8 @@
 //!
 //! Over the last whole revolutions of a body by θ, x = Σ A_n cos(n θ + φ_n) is fitted by least squares, whose terms are
 //! a constant, the orders 1 to 3 and, over two revolutions or more, ½ and 1½: what else there is, is nearly orthogonal to
-//! them over whole revolutions.
+//! them over whole revolutions. Once and twice the angles of other bodies are fitted beside them, where they differ by a
+//! revolution or more: what a second spool does is no order of the first.
 
 use std::f64::consts::TAU;
 use std::io;
@@ -17,6 +18,10 @@ const REFERENCE: &str =
     "x = A cos(n θ + φ): A zero to peak in the unit of the signal, θ the column `angle`";
 /// Orders that are fitted beside the constant; the last two over two revolutions or more.
 const ORDERS: [f64; 5] = [1.0, 2.0, 3.0, 0.5, 1.5];
+/// Orders of every other angle that are fitted beside them.
+const BESIDE: [f64; 2] = [1.0, 2.0];
+/// Revolutions up to which more are taken than a cycle has, where orders of other angles are nearer than a revolution.
+const TOGETHER: f64 = 16.0;
 /// Rows for one unknown, at least.
 const ROWS: usize = 2;
 /// Rows a revolution, at least: four in a period of the highest order that is fitted. With N of them what oscillates m times
@@ -75,17 +80,16 @@ pub(crate) fn orders(
     cycle: f64,
 ) -> io::Result<Option<OrderFacts>> {
     let mut signals = Vec::new();
-    let mut angles: Vec<&String> = all.iter().filter_map(|own| own.angle.as_ref()).collect();
-    angles.dedup();
-    let mut done: Vec<&String> = Vec::new();
-    for angle in angles {
-        if done.contains(&angle) {
-            continue;
+    let mut all_angles: Vec<&String> = Vec::new();
+    for angle in all.iter().filter_map(|own| own.angle.as_ref()) {
+        if !all_angles.contains(&angle) {
+            all_angles.push(angle);
         }
-        done.push(angle);
-        let Some((from, [_, last], revolutions)) = revolutions(history, angle, cycle)? else {
-            continue;
-        };
+    }
+    for &angle in &all_angles {
+        let others: Vec<&str> =
+            all_angles.iter().filter(|own| **own != angle).map(|own| own.as_str()).collect();
+        let Some(window) = Window::of(history, (angle, &others), cycle)? else { continue };
         let own = all.iter().filter(|own| own.angle.as_ref() == Some(angle));
         let columns: Vec<(&str, String)> = own
             .flat_map(|own| {
@@ -93,17 +97,19 @@ pub(crate) fn orders(
                 own.columns.iter().map(move |(column, axis)| (column.as_str(), title(axis)))
             })
             .collect();
-        let names: Vec<&str> =
-            std::iter::once(angle.as_str()).chain(columns.iter().map(|own| own.0)).collect();
-        let mut fit = Fit::new(revolutions, columns.len());
+        let angles = std::iter::once(angle.as_str()).chain(others.iter().copied());
+        let names: Vec<&str> = angles.chain(columns.iter().map(|own| own.0)).collect();
+        let revolutions = window.revolutions;
+        let mut fit = Fit::new(window.terms(), columns.len());
         let whole = revolutions as f64 * TAU;
         let mut before: Option<f64> = None;
-        history.scan(from, &names, &mut |row| {
+        history.scan(window.from, &names, &mut |row| {
             // A row counts by the angle since the row before, as far as it belongs to these revolutions.
             let turned = before.map_or(0.0, |before| (row[0] - before).abs());
-            let inside = turned.min(whole - (last - row[0]).abs());
+            let inside = turned.min(whole - (window.ends[0][1] - row[0]).abs());
             if inside > 0.0 {
-                fit.add(inside, row[0], &row[1..]);
+                let (angles, values) = row.split_at(1 + others.len());
+                fit.add(inside, angles, values);
             }
             before = Some(row[0]);
         })?;
@@ -128,39 +134,108 @@ pub(crate) fn orders(
     Ok((!signals.is_empty()).then_some(OrderFacts { reference: REFERENCE, signals }))
 }
 
-/// Where the rows begin, the angle there and at the end, and the whole revolutions between; none if there are none.
-fn revolutions(
-    history: &dyn ReadHistory,
-    angle: &str,
-    cycle: f64,
-) -> io::Result<Option<(u64, [f64; 2], usize)>> {
-    let Some(end) = history.last_time()? else { return Ok(None) };
-    let at = |place| -> io::Result<f64> {
-        let mut found = 0.0;
-        history.first_row(place, &[angle], &mut |row| found = row[0])?;
-        Ok(found)
-    };
-    let last = at(history.place_of_time(end)?)?;
-    let mut window = cycle;
-    loop {
-        let from = last_cycle(history, window)?;
-        let first = at(from)?;
-        // Rows do not always meet the start of a revolution.
-        let whole = ((last - first).abs() / TAU + 0.02).floor();
-        if whole >= 1.0 {
-            let from = last_cycle(history, 1.05 * window)?;
-            return Ok(Some((from, [first, last], whole as usize)));
+/// The last whole revolutions of an angle.
+struct Window {
+    /// Where its rows begin.
+    from: u64,
+    revolutions: usize,
+    /// The angle, and the others, there and at the end.
+    ends: Vec<[f64; 2]>,
+}
+
+impl Window {
+    /// Those of the last `cycle` (s) or the last one, or as many as tell the orders of other angles apart; none where there is none.
+    fn of(
+        history: &dyn ReadHistory,
+        (angle, others): (&str, &[&str]),
+        cycle: f64,
+    ) -> io::Result<Option<Self>> {
+        let Some(end) = history.last_time()? else { return Ok(None) };
+        let names: Vec<&str> = std::iter::once(angle).chain(others.iter().copied()).collect();
+        let at = |place| -> io::Result<Vec<f64>> {
+            let mut found = Vec::new();
+            history.first_row(place, &names, &mut |row| found = row.to_vec())?;
+            Ok(found)
+        };
+        let last = at(history.place_of_time(end)?)?;
+        let mut window = cycle;
+        let mut best: Option<Self> = None;
+        loop {
+            let first = at(last_cycle(history, window)?)?;
+            // Rows do not always meet the start of a revolution.
+            let whole = ((last[0] - first[0]).abs() / TAU + 0.02).floor();
+            if whole > TOGETHER && best.is_some() {
+                return Ok(best);
+            }
+            if whole >= 1.0 {
+                let from = last_cycle(history, 1.05 * window)?;
+                let ends = first.into_iter().zip(last.iter().copied()).map(<[f64; 2]>::from);
+                let own = Window { from, revolutions: whole as usize, ends: ends.collect() };
+                if own.near().is_empty() {
+                    return Ok(Some(own));
+                }
+                // Where no window tells them apart the shortest one is as good as any.
+                best = best.or(Some(own));
+            }
+            if window >= end {
+                return Ok(best);
+            }
+            window *= 2.0;
         }
-        if window >= end {
-            return Ok(None);
+    }
+
+    /// Orders by the first angle of what goes by the others: angle, how often it goes in a revolution of that, and the order.
+    fn beside(&self) -> Vec<(usize, f64, f64)> {
+        let turned = |own: &[f64; 2]| own[1] - own[0];
+        let others = self.ends.iter().enumerate().skip(1);
+        let all = others.flat_map(|(place, own)| {
+            let ratio = (turned(own) / turned(&self.ends[0])).abs();
+            BESIDE.map(|times| (place, times, times * ratio))
+        });
+        all.collect()
+    }
+
+    fn own_orders(&self) -> &'static [f64] {
+        &ORDERS[..if self.revolutions > 1 { 5 } else { 3 }]
+    }
+
+    /// Whether orders differ by a revolution or more.
+    fn apart(&self, a: f64, b: f64) -> bool {
+        (a - b).abs() * self.revolutions as f64 >= 1.0 - 1e-3
+    }
+
+    /// Those beside that are neither an order of its own nor a revolution away from all.
+    fn near(&self) -> Vec<f64> {
+        let same = |a: f64, b: f64| (a - b).abs() <= 1e-3 * b;
+        let all = self.beside().into_iter().map(|own| own.2);
+        let near = all.filter(|&order| {
+            let orders = self.own_orders();
+            order > 1e-3
+                && !orders.iter().any(|own| same(order, *own))
+                && orders.iter().chain([&0.0]).any(|own| !self.apart(order, *own))
+        });
+        near.collect()
+    }
+
+    /// What is fitted beside the constant: places of angles, and how often each goes in a revolution of its angle.
+    fn terms(&self) -> Vec<(usize, f64)> {
+        let mut orders: Vec<f64> = self.own_orders().to_vec();
+        let mut all: Vec<(usize, f64)> = orders.iter().map(|own| (0, *own)).collect();
+        orders.push(0.0);
+        for (place, times, order) in self.beside() {
+            if orders.iter().all(|own| self.apart(order, *own)) {
+                orders.push(order);
+                all.push((place, times));
+            }
         }
-        window *= 2.0;
+        all
     }
 }
 
 /// Normal equations of a least-squares fit.
 struct Fit {
-    orders: Vec<f64>,
+    /// Places of angles, and how often each goes in a revolution of its angle.
+    orders: Vec<(usize, f64)>,
     rows: usize,
     /// A value a term.
     terms: Vec<f64>,
@@ -171,16 +246,15 @@ struct Fit {
 }
 
 impl Fit {
-    fn new(revolutions: usize, signals: usize) -> Fit {
-        let orders = ORDERS[..if revolutions > 1 { 5 } else { 3 }].to_vec();
+    fn new(orders: Vec<(usize, f64)>, signals: usize) -> Fit {
         let terms = 1 + 2 * orders.len();
         let (matrix, right) = (vec![0.0; terms * terms], vec![0.0; signals * terms]);
         Fit { orders, rows: 0, terms: vec![1.0; terms], matrix, right }
     }
 
-    fn add(&mut self, weight: f64, theta: f64, values: &[f64]) {
-        for (k, order) in self.orders.iter().enumerate() {
-            let (sin, cos) = (order * theta).sin_cos();
+    fn add(&mut self, weight: f64, angles: &[f64], values: &[f64]) {
+        for (k, (place, order)) in self.orders.iter().enumerate() {
+            let (sin, cos) = (order * angles[*place]).sin_cos();
             (self.terms[1 + 2 * k], self.terms[2 + 2 * k]) = (cos, sin);
         }
         let n = self.terms.len();
@@ -275,6 +349,44 @@ mod tests {
         let said = "few rows: 14 a revolution; components at 12 times the speed or more may alias to 1X or 2X";
         assert!(few(14).contains(said), "{}", few(14));
         assert!(!few(24).contains("few rows"), "{}", few(24));
+    }
+
+    /// Two spools whose speeds are 5 : 7, in cycles of one revolution and more: 1X and 2X of each without those of the other; of spools
+    /// at 1 : 2 what is 2X of one is 1X of the other.
+    #[test]
+    fn orders_of_two_spools_are_told_apart() {
+        for (ratio, cycle) in [(1.4, 0.2), (1.4, 1.0), (1.1, 0.2), (2.0, 0.2)] {
+            let folder = tempfile::tempdir().unwrap();
+            let path = folder.path().join("history.csv");
+            let names = ["t_s", "theta_rad", "theta_b_rad", "x_um", "y_um"].map(str::to_owned);
+            let mut writer = HistoryWriter::create(&path, &names).unwrap();
+            for step in 0..=6000 {
+                let t = 1e-3 * f64::from(step);
+                let (a, b) = (TAU * 5.0 * t, TAU * 5.0 * ratio * t);
+                let x = 20.0 * (a + 0.4).cos() + 3.0 * (2.0 * a).cos() + 8.0 * (b - 1.0).cos();
+                let y = 11.0 * (b + 0.4).cos() + 30.0 * a.sin() + 2.0 * (2.0 * b).sin();
+                writer.push(&[t, a, b, x, y]).unwrap();
+            }
+            writer.finish().unwrap();
+            let history = HistoryFile::open(&path).unwrap();
+            let of = |column: &str, angle: &str| Oscillation {
+                title: column.into(),
+                quantity: "displacement",
+                unit: "µm".to_owned(),
+                columns: vec![(column.into(), "x")],
+                angle: Some(angle.into()),
+            };
+            let all = [of("x_um", "theta_rad"), of("y_um", "theta_b_rad")];
+            let found = orders(&history, &all, cycle).unwrap().expect("they turn").signals;
+            let known = match ratio {
+                2.0 => [[20.0, (3.0 + 8.0 * 1.0_f64.cos()).hypot(8.0 * 1.0_f64.sin())], [11.0, 2.0]],
+                _ => [[20.0, 3.0], [11.0, 2.0]],
+            };
+            for (own, known) in found.iter().zip(known) {
+                let far = [own.first.amplitude - known[0], own.second.amplitude - known[1]];
+                assert!(far.iter().all(|far| far.abs() < 0.02), "{ratio} {cycle} {own:?}");
+            }
+        }
     }
 
     /// Known amplitudes and phases, among other orders, through a run-up and through steps that no revolution is a whole

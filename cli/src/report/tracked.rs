@@ -2,10 +2,13 @@
 //!
 //! About every place of the angle x = A₀ + Σ A_n cos(n θ + φ_n), n = 1 … 3, is fitted by least squares over N revolutions
 //! with the weights of a Hann window in θ. What oscillates m times a revolution is told from the order n where |m − n| ≥ 2/N:
-//! with eight revolutions an oil whirl at 0.48 of the speed is out of 1X, and with two it would be in it.
+//! with eight revolutions an oil whirl at 0.48 of the speed is out of 1X, and with two it would be in it. What is left below 1X
+//! is looked through for its largest part.
 
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
+
+use super::below::Below;
 
 /// Orders that are fitted, of which the first two are shown.
 const ORDERS: usize = 3;
@@ -41,8 +44,16 @@ struct Place {
     time: f64,
     /// Hz, at the place.
     speed: f64,
-    /// A column each: half of largest less least, and two orders.
-    columns: Vec<(f64, [[f64; 2]; 2])>,
+    columns: Vec<PlaceOfColumn>,
+}
+
+struct PlaceOfColumn {
+    /// Half of largest less least.
+    overall: f64,
+    /// Amplitudes and phases (°) of 1X and 2X.
+    orders: [[f64; 2]; 2],
+    /// Amplitude and order of the largest part below 1X.
+    below: [f64; 2],
 }
 
 /// Orders place by place.
@@ -67,6 +78,8 @@ pub(crate) struct TrackedSignal {
     pub(crate) amplitudes: [Vec<f64>; 2],
     /// Of both, in degrees.
     pub(crate) phases: [Vec<f64>; 2],
+    /// Of the largest part below 1X, from 0 to the peak, and its order.
+    pub(crate) below: [Vec<f64>; 2],
 }
 
 impl Tracker {
@@ -129,12 +142,16 @@ impl Tracker {
             return None;
         }
         let mut fit = Fit::new(self.columns.len());
-        for (k, row) in within.iter().enumerate() {
+        let weights = within.iter().enumerate().map(|(k, row)| {
             let angles = [k.saturating_sub(1), (k + 1).min(within.len() - 1)];
             let [before, after] = angles.map(|at| within[at][1]);
             let window = 0.5 + 0.5 * ((row[1] - self.next) / self.half * 0.5 * TAU).cos();
+            window * (after - before)
+        });
+        let weights: Vec<f64> = weights.collect();
+        for (row, weight) in within.iter().zip(&weights) {
             // Phases count by the angle as it is, whichever way that turns.
-            fit.add(window * (after - before), self.sense * row[1], &row[2..]);
+            fit.add(*weight, self.sense * row[1], &row[2..]);
         }
         let at = within.partition_point(|own| own[1] < self.next).clamp(1, within.len() - 1);
         let [first, second] = [within[at - 1], within[at]];
@@ -145,11 +162,25 @@ impl Tracker {
             0.5 * (values().fold(f64::NEG_INFINITY, f64::max) - least)
         };
         let share = (self.next - first[1]) / (second[1] - first[1]);
-        let orders = fit.solve()?;
+        let fitted = fit.solve()?;
+        let mut below = Below::new(self.half / (0.5 * TAU), self.columns.len());
+        let mut left = vec![0.0; self.columns.len()];
+        for (row, weight) in within.iter().zip(&weights) {
+            let terms = terms(self.sense * row[1]);
+            for ((left, value), own) in left.iter_mut().zip(&row[2..]).zip(&fitted) {
+                *left = value - own.iter().zip(terms).map(|(own, term)| own * term).sum::<f64>();
+            }
+            below.add(*weight, self.sense * row[1], &left);
+        }
+        let of_column = |(k, own): (usize, &[f64; TERMS])| PlaceOfColumn {
+            overall: overall(k),
+            orders: [1, 2].map(|n| order(own, n)),
+            below: below.largest(k),
+        };
         Some(Place {
             time: first[0] + share * (second[0] - first[0]),
             speed,
-            columns: orders.into_iter().enumerate().map(|(k, own)| (overall(k), own)).collect(),
+            columns: fitted.iter().enumerate().map(of_column).collect(),
         })
     }
 
@@ -161,13 +192,15 @@ impl Tracker {
         let all = &self.found;
         let signal = |(place, column): (usize, &usize)| {
             let of = |part: usize, order: usize| {
-                all.iter().map(|own| own.columns[place].1[order][part]).collect()
+                all.iter().map(|own| own.columns[place].orders[order][part]).collect()
             };
+            let below = |part: usize| all.iter().map(|own| own.columns[place].below[part]).collect();
             TrackedSignal {
                 column: names[*column].clone(),
-                overall: all.iter().map(|own| own.columns[place].0).collect(),
+                overall: all.iter().map(|own| own.columns[place].overall).collect(),
                 amplitudes: [0, 1].map(|order| of(0, order)),
                 phases: [0, 1].map(|order| of(1, order)),
+                below: [0, 1].map(below),
             }
         };
         Some(Tracked {
@@ -192,11 +225,7 @@ impl Fit {
     }
 
     fn add(&mut self, weight: f64, angle: f64, values: &[f64]) {
-        let mut terms = [1.0; TERMS];
-        for order in 1..=ORDERS {
-            let (sin, cos) = (order as f64 * angle).sin_cos();
-            (terms[2 * order - 1], terms[2 * order]) = (cos, sin);
-        }
+        let terms = terms(angle);
         for (row, a) in self.matrix.iter_mut().zip(terms) {
             row.iter_mut().zip(terms).for_each(|(sum, b)| *sum += weight * a * b);
         }
@@ -205,8 +234,8 @@ impl Fit {
         }
     }
 
-    /// Amplitude and phase (°) of two orders of each column, x = A cos(n θ + φ); none of rows that do not tell them.
-    fn solve(mut self) -> Option<Vec<[[f64; 2]; 2]>> {
+    /// The coefficients of the terms of each column; none of rows that do not tell them.
+    fn solve(mut self) -> Option<Vec<[f64; TERMS]>> {
         let least = 1e-9 * self.matrix[0][0];
         // Gauss without pivots: the matrix is positive definite.
         for k in 0..TERMS {
@@ -226,12 +255,24 @@ impl Fit {
                 own[k] = (own[k] - rest) / self.matrix[k][k];
             }
         }
-        let order = |own: &[f64; TERMS], n: usize| {
-            let (a, b) = (own[2 * n - 1], own[2 * n]);
-            [a.hypot(b), (-b).atan2(a).to_degrees()]
-        };
-        Some(self.right.iter().map(|own| [order(own, 1), order(own, 2)]).collect())
+        Some(self.right)
     }
+}
+
+/// 1, and cos nθ and sin nθ of all orders.
+fn terms(angle: f64) -> [f64; TERMS] {
+    let mut terms = [1.0; TERMS];
+    for order in 1..=ORDERS {
+        let (sin, cos) = (order as f64 * angle).sin_cos();
+        (terms[2 * order - 1], terms[2 * order]) = (cos, sin);
+    }
+    terms
+}
+
+/// Amplitude and phase (°) of an order, x = A cos(n θ + φ).
+fn order(own: &[f64; TERMS], n: usize) -> [f64; 2] {
+    let (a, b) = (own[2 * n - 1], own[2 * n]);
+    [a.hypot(b), (-b).atan2(a).to_degrees()]
 }
 
 #[cfg(test)]
@@ -271,7 +312,11 @@ mod tests {
                 // dθ/dt = a + 2 b t; a difference of two rows is right to their curvature.
                 let rate = (300.0 + 400.0 * place.time) / TAU;
                 assert!((place.speed / rate - 1.0).abs() < 1e-3, "{} {rate}", place.speed);
-                let [first, second] = place.columns[0].1;
+                let [first, second] = place.columns[0].orders;
+                let [amplitude, order] = place.columns[0].below;
+                // Orders are tried 1/32 apart: at the nearest one the window has lost 2 % at most.
+                assert!((order - 0.48).abs() <= 1.0 / 64.0 + 1e-9, "{order}");
+                assert!((0.95..1.03).contains(&(amplitude / 20.0)), "{amplitude}");
                 // The Hann window's side lobes are below 2.7 %, and fall from there.
                 assert!((first[0] / 20.0 - 1.0).abs() < 0.027, "{first:?}");
                 assert!((first[1] - 0.5_f64.to_degrees()).abs() < 1.6, "{first:?}");
@@ -279,7 +324,7 @@ mod tests {
                 // The rows of a window miss its ends by a row each, 0.11 rad at most, and peaks by half of that, where
                 // |x″| is 37 at most.
                 let (at, row) = (sense * (300.0 + 200.0 * place.time) * place.time, 0.11);
-                let (overall, reach) = (place.columns[0].0, 8.0 * 0.5 * TAU);
+                let (overall, reach) = (place.columns[0].overall, 8.0 * 0.5 * TAU);
                 assert!(
                     overall <= half([at - reach - 1e-3, at + reach + 1e-3]) + 1e-3,
                     "{overall}"

@@ -73,7 +73,7 @@ pub use round::LinearMachine;
 pub use standing_loads::Counted;
 pub use state_doubts::StateDoubts;
 pub use state_space::StateSpace;
-pub use torsion::{Node, Torque, Torsion};
+pub use torsion::{Node, Torque, Torsion, Way};
 
 #[cfg(doc)]
 use crate::machine::Machine;

@@ -1,4 +1,4 @@
-//! Torsion: how much of a mode turns about the axis, where its nodes are, and what couplings and gears carry.
+//! Torsion: how much of a mode turns about the axis, which way it moves, where its nodes are, and what couplings and gears carry.
 //!
 //! The coordinates of a body that turns are a motion sideways, −S²x, one along the axis, which is what M⁻¹pᵀ of rows p of
 //! displacements along z span, and the rest, which with the angle θ is torsion.
@@ -34,6 +34,17 @@ pub struct Torsion {
     pub twists: Vec<Option<f64>>,
     /// Where it has nodes.
     pub nodes: Vec<Node>,
+}
+
+/// Which way most of the inertia of a mode moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Way {
+    /// Across the axes of the bodies, as in bending; what does not turn counts here however it moves.
+    Lateral,
+    /// Along the axes.
+    Axial,
+    /// About the axes.
+    Torsional,
 }
 
 /// Where a mode of torsion has a node.
@@ -121,23 +132,8 @@ impl LinearMachine {
     /// A mass that is not positive definite.
     pub fn torsion(&self, turning: &[usize], mass: &Matrix, mode: &Mode) -> Result<Torsion, Error> {
         let angles = turning.len();
-        let mut twisted = vec![Complex64::ZERO; mode.shape.len()];
-        twisted[..angles].copy_from_slice(&mode.shape[..angles]);
-        for (body, generators) in self.generators.iter().enumerate() {
-            let Some([_, square]) = generators else { continue };
-            let block = self.block(angles, body);
-            let own = &mode.shape[block.clone()];
-            let sideways = apply(square, own);
-            let mut rest: Vec<Complex64> = own.iter().zip(sideways).map(|(x, y)| x + y).collect();
-            let machine = &self.machine;
-            let inertia = &machine.bodies[body].shaft().expect("a body that turns").mass;
-            for axial in along_axis(&machine.bodies[body], square)? {
-                let moved = inertia.apply(&axial);
-                let part: Complex64 = rest.iter().zip(&moved).map(|(x, m)| x * m).sum();
-                rest.iter_mut().zip(&axial).for_each(|(x, own)| *x -= part * own);
-            }
-            twisted[block].copy_from_slice(&rest);
-        }
+        let (twisted, _) = self.apart(angles, mode)?;
+
         let moved = apply(mass, &twisted);
         let whole = inner(&mode.shape, &apply(mass, &mode.shape)).re;
         let all = inner(&twisted, &moved).re;
@@ -152,6 +148,44 @@ impl LinearMachine {
         let bodies = (0..count).map(|body| if all > 0.0 { of_body(body) } else { 0.0 }).collect();
         let (twists, nodes) = self.twists((turning, &twisted));
         Ok(Torsion { share, bodies, twists, nodes })
+    }
+
+    /// Which way a mode moves; see [`LinearMachine::torsion`] for `turning`.
+    ///
+    /// # Errors
+    /// A mass that is not positive definite.
+    pub fn way(&self, turning: &[usize], mass: &Matrix, mode: &Mode) -> Result<Way, Error> {
+        let (twisted, axial) = self.apart(turning.len(), mode)?;
+        let half = 0.5 * inner(&mode.shape, &apply(mass, &mode.shape)).re;
+        Ok(match inner(&twisted, &apply(mass, &twisted)).re {
+            about if about > half => Way::Torsional,
+            _ if axial > half => Way::Axial,
+            _ => Way::Lateral,
+        })
+    }
+
+    /// What of a mode turns about the axes of the bodies that turn, and |q̇|² in M of what moves along them.
+    fn apart(&self, angles: usize, mode: &Mode) -> Result<(Vec<Complex64>, f64), Error> {
+        let mut twisted = vec![Complex64::ZERO; mode.shape.len()];
+        let mut along = 0.0;
+        twisted[..angles].copy_from_slice(&mode.shape[..angles]);
+        for (body, generators) in self.generators.iter().enumerate() {
+            let Some([_, square]) = generators else { continue };
+            let block = self.block(angles, body);
+            let own = &mode.shape[block.clone()];
+            let sideways = apply(square, own);
+            let mut rest: Vec<Complex64> = own.iter().zip(sideways).map(|(x, y)| x + y).collect();
+            let machine = &self.machine;
+            let inertia = &machine.bodies[body].shaft().expect("a body that turns").mass;
+            for axial in along_axis(&machine.bodies[body], square)? {
+                let moved = inertia.apply(&axial);
+                let part: Complex64 = rest.iter().zip(&moved).map(|(x, m)| x * m).sum();
+                rest.iter_mut().zip(&axial).for_each(|(x, own)| *x -= part * own);
+                along += part.norm_sqr();
+            }
+            twisted[block].copy_from_slice(&rest);
+        }
+        Ok((twisted, along))
     }
 
     /// Twists of the bodies, and nodes between them.

@@ -145,6 +145,11 @@ impl JoinedPlan {
         (own.bearing.radial_clearance, own.circles)
     }
 
+    /// x and y of a bushing (m).
+    pub(crate) fn place_of_bushing(&self, joint: usize) -> [f64; 2] {
+        self.joints[joint].sides.bore_axis
+    }
+
     /// To how many pressures of the film of a joint the answers of its bore are kept; none where it does not give way.
     pub(crate) fn pressures(&self, joint: usize) -> Option<usize> {
         let own = &self.joints[joint];
