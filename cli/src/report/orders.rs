@@ -16,12 +16,13 @@ use crate::history::ReadHistory;
 /// What phases mean.
 const REFERENCE: &str =
     "x = A cos(n θ + φ): A zero to peak in the unit of the signal, θ the column `angle`";
-/// Orders that are fitted beside the constant; the last two over two revolutions or more.
-const ORDERS: [f64; 5] = [1.0, 2.0, 3.0, 0.5, 1.5];
+/// Orders that are fitted beside the constant, and those over two revolutions or more where no other angle has one near them.
+const ORDERS: [f64; 3] = [1.0, 2.0, 3.0];
+const HALVES: [f64; 2] = [0.5, 1.5];
 /// Orders of every other angle that are fitted beside them.
 const BESIDE: [f64; 2] = [1.0, 2.0];
 /// Revolutions up to which more are taken than a cycle has, where orders of other angles are nearer than a revolution.
-const TOGETHER: f64 = 16.0;
+const TOGETHER: f64 = 32.0;
 /// Rows for one unknown, at least.
 const ROWS: usize = 2;
 /// Rows a revolution, at least: four in a period of the highest order that is fitted. With N of them what oscillates m times
@@ -195,10 +196,6 @@ impl Window {
         all.collect()
     }
 
-    fn own_orders(&self) -> &'static [f64] {
-        &ORDERS[..if self.revolutions > 1 { 5 } else { 3 }]
-    }
-
     /// Whether orders differ by a revolution or more.
     fn apart(&self, a: f64, b: f64) -> bool {
         (a - b).abs() * self.revolutions as f64 >= 1.0 - 1e-3
@@ -209,20 +206,21 @@ impl Window {
         let same = |a: f64, b: f64| (a - b).abs() <= 1e-3 * b;
         let all = self.beside().into_iter().map(|own| own.2);
         let near = all.filter(|&order| {
-            let orders = self.own_orders();
             order > 1e-3
-                && !orders.iter().any(|own| same(order, *own))
-                && orders.iter().chain([&0.0]).any(|own| !self.apart(order, *own))
+                && !ORDERS.iter().any(|own| same(order, *own))
+                && ORDERS.iter().chain([&0.0]).any(|own| !self.apart(order, *own))
         });
         near.collect()
     }
 
     /// What is fitted beside the constant: places of angles, and how often each goes in a revolution of its angle.
     fn terms(&self) -> Vec<(usize, f64)> {
-        let mut orders: Vec<f64> = self.own_orders().to_vec();
+        let mut orders: Vec<f64> = ORDERS.to_vec();
         let mut all: Vec<(usize, f64)> = orders.iter().map(|own| (0, *own)).collect();
         orders.push(0.0);
-        for (place, times, order) in self.beside() {
+        let halves = if self.revolutions > 1 { &HALVES[..] } else { &[] };
+        let halves = halves.iter().map(|own| (0, *own, *own));
+        for (place, times, order) in self.beside().into_iter().chain(halves) {
             if orders.iter().all(|own| self.apart(order, *own)) {
                 orders.push(order);
                 all.push((place, times));
