@@ -196,7 +196,11 @@ fn figure(
     let micrometres: Vec<f64> = built.clearances.iter().map(|clearance| 1e6 * clearance).collect();
     let orbits = || histories::eccentricities(history, &titles, &micrometres, span);
     Ok(Some(match stem {
-        "laws" => laws::laws(&laws),
+        "laws" => {
+            // Laws of rings have no force over the clearance.
+            let figure = laws::laws(&laws);
+            return Ok(figure.panels.iter().any(|own| !own.lines.is_empty()).then_some(figure));
+        }
         "reactions" => histories::reactions(history, &titles, span)?,
         "eccentricity" => orbits()?,
         "eccentricity-stretched" if span == Span::All => return Ok(None),

@@ -22,21 +22,24 @@ type Lines = Vec<(String, Style, Vec<f64>)>;
 /// The signals that turn with one angle.
 struct Turning<'a> {
     angle: &'a str,
+    /// The angles of other bodies.
+    others: Vec<&'a str>,
     /// First and last angle (rad).
     span: [f64; 2],
     signals: Vec<&'a Oscillation>,
 }
 
 impl Turning<'_> {
-    /// Columns of the rows: time, angle, and those of the signals.
+    /// Columns of the rows: time, angle, the other angles, and those of the signals.
     fn names(&self) -> Vec<&str> {
         let own = self.signals.iter().flat_map(|own| own.columns.iter().map(|own| own.0.as_str()));
-        ["t_s", self.angle].into_iter().chain(own).collect()
+        ["t_s", self.angle].into_iter().chain(self.others.iter().copied()).chain(own).collect()
     }
 
-    /// The angle and the columns by their places.
-    fn places(&self) -> (usize, Vec<usize>) {
-        (1, (2..self.names().len()).collect())
+    /// The angle, the other angles and the columns by their places.
+    fn places(&self) -> (usize, Vec<usize>, Vec<usize>) {
+        let first = 2 + self.others.len();
+        (1, (2..first).collect(), (first..self.names().len()).collect())
     }
 
     fn panels(
@@ -80,7 +83,8 @@ fn turning<'a>(
     let of = |(place, span): (usize, [f64; 2])| {
         let angle = angles[place];
         let signals = shown.iter().filter(|own| own.angle.as_deref() == Some(angle)).collect();
-        Turning { angle, span, signals }
+        let others = angles.iter().copied().filter(|own| *own != angle).collect();
+        Turning { angle, others, span, signals }
     };
     Ok(found.into_iter().map(of).collect())
 }
@@ -149,7 +153,8 @@ pub(super) fn envelope(
     let mut panels = Vec::new();
     for own in turning(history, all, begins)? {
         let names = own.names();
-        let mut enveloper = Enveloper::new(own.places(), own.span);
+        let (angle, _, columns) = own.places();
+        let mut enveloper = Enveloper::new((angle, columns), own.span);
         history.scan(history.start(), &names, &mut |row| enveloper.add(row[0], row))?;
         let names: Vec<String> = names.into_iter().map(str::to_owned).collect();
         let Some(found) = enveloper.finish(&names) else { continue };

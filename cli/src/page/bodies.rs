@@ -20,16 +20,23 @@ impl Shapes {
         if case.machine.is_mass() {
             return meshed;
         }
-        let rigid = bodies().filter_map(|(body, (own, plan))| {
-            let PlannedBody::Rigid(rigid) = plan else { return None };
+        let rigid = bodies().filter_map(|(body, (own, planned))| {
+            let PlannedBody::Rigid(rigid) = planned else { return None };
             let RigidBody { mass, polar_inertia, transverse_inertia, centre, .. } = rigid.body;
+            // What does not tilt has no place along the axis but that of its joints.
+            let joints = case.machine.joints.iter().enumerate();
+            let own_joints =
+                joints.filter(|(_, joint)| joint.sides.iter().any(|side| side.body == Some(body)));
+            let z: Vec<f64> = own_joints.flat_map(|(joint, _)| plan.stations(joint)).collect();
+            let mean = z.iter().sum::<f64>() / z.len() as f64;
+            let anywhere = transverse_inertia.is_none() && !z.is_empty();
             Some(Solid {
                 name: own.name.text(),
                 body,
                 carried: None,
                 turns: own.turns(),
                 axis: own.axis,
-                z: centre[2],
+                z: if anywhere { mean } else { centre[2] },
                 mass,
                 polar: polar_inertia,
                 across: transverse_inertia,

@@ -157,7 +157,9 @@ class Chart {
     const bottom = inner.top + inner.height;
     for (const tick of ticks(v.x0 * ax.factor, v.x1 * ax.factor, inner.width / 80, ax.unit)) {
       const x = px(tick / ax.factor).toFixed(1);
-      out.push(`<line class="grid-line" x1="${x}" x2="${x}" y1="${inner.top}" y2="${bottom}"/><text x="${x}" y="${bottom + 15}" text-anchor="middle">${shown(tick)}</text>`);
+      const [text, edge] = [shown(tick), width - 3];
+      const end = Number(x) + 3.3 * text.length > edge;
+      out.push(`<line class="grid-line" x1="${x}" x2="${x}" y1="${inner.top}" y2="${bottom}"/><text x="${end ? edge : x}" y="${bottom + 15}" text-anchor="${end ? 'end' : 'middle'}">${text}</text>`);
     }
     for (const tick of ticks(v.y0 * ay.factor, v.y1 * ay.factor, inner.height / 42, ay.unit)) {
       const y = py(tick / ay.factor).toFixed(1);
@@ -175,12 +177,19 @@ class Chart {
       const y = py(own.y).toFixed(1);
       out.push(`<line class="level" x1="${inner.left}" x2="${right}" y1="${y}" y2="${y}"/><text x="${right - 4}" y="${Number(y) - 4}" text-anchor="end">${escaped(own.name)}</text>`);
     }
-    let free = -Infinity;
+    // A mark and its name stand or fall together, so that no name stands at another one's line: the first ones come first.
+    const marked_ = [];
     for (const own of spec.marks || []) {
       if (own.x < v.x0 || own.x > v.x1) continue;
       const x = px(own.x);
+      const wide = 6.2 * own.name.length + 6;
+      const left = x + wide > right;
+      const [from, to] = left ? [x - wide, x] : [x, x + wide];
+      const row = [0, 1, 2].find((line_) => marked_.every((other) => other.row !== line_ || other.to < from || other.from > to));
+      if (own.name && row === undefined) continue;
+      marked_.push({ row, from, to });
       out.push(`<line class="mark" x1="${x.toFixed(1)}" x2="${x.toFixed(1)}" y1="${inner.top}" y2="${bottom}"/>`);
-      if (x - free > 24) { out.push(`<text x="${(x + 3).toFixed(1)}" y="${inner.top + 11}">${escaped(own.name)}</text>`); free = x; }
+      if (own.name) out.push(`<text class="label" x="${(left ? x - 3 : x + 3).toFixed(1)}" y="${inner.top + 11 + 13 * row}" text-anchor="${left ? 'end' : 'start'}">${escaped(own.name)}</text>`);
     }
     spec.series.forEach((own, k) => {
       if (this.hidden.has(own.name)) return;
@@ -189,16 +198,21 @@ class Chart {
       for (const piece of own.pieces || [{ ...own, dash }]) out.push(`<path class="line ${own.className || `s${style}`}" ${piece.dash ? `stroke-dasharray="${piece.dash}"` : ''} d="${own.path ? this.path(own) : this.line(piece, v, inner)}"/>`);
       if (own.arrows) for (const at of own.arrows) out.push(this.arrow(own, at, style));
     });
-    const labels = [];
+    const [labels, over] = [[], []];
     for (const own of spec.dots || []) {
       const [x, y] = [px(own.x), py(own.y)];
       out.push(`<circle class="f${own.style ?? 1}" cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="3.6"/>`);
-      // Labels that would lie on one another have none.
-      if (!own.label || labels.some(([a, b]) => Math.abs(a - x) < 52 && Math.abs(b - y) < 13)) continue;
-      labels.push([x, y]);
-      const left = x > right - 60;
-      out.push(`<text x="${(left ? x - 6 : x + 6).toFixed(1)}" y="${(y - 5).toFixed(1)}" text-anchor="${left ? 'end' : 'start'}">${escaped(own.label)}</text>`);
+      if (!own.label) continue;
+      // Beside its dot where no other label is.
+      const wide = 6.4 * own.label.length;
+      const spots = [[6, -5], [6, 13], [-6 - wide, -5], [-6 - wide, 13], [6, -18], [-6 - wide, -18], [6, 26], [-6 - wide, 26]].map(([dx, dy]) => [x + dx, y + dy]);
+      const fits = ([a, b]) => a > inner.left && a + wide < right && b > inner.top + 9 && b < bottom && labels.every((other) => a > other[0] + other[2] || a + wide < other[0] || Math.abs(b - other[1]) > 12);
+      const spot = spots.find(fits);
+      if (!spot) continue;
+      labels.push([...spot, wide]);
+      over.push(`<text class="label" x="${spot[0].toFixed(1)}" y="${spot[1].toFixed(1)}">${escaped(own.label)}</text>`);
     }
+    out.push(...over);
     out.push('<g class="over"></g></g>');
     this.svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
     this.svg.innerHTML = out.join('');

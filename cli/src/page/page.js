@@ -128,8 +128,12 @@ function facts() {
   }
   const top = strongest();
   if (top) fact('strongest motion', top.words, () => `${top.title}: ${shown(top.amplitude * Units.of(top.unit)[1] * Amplitudes.factor, 3)} ${Units.of(top.unit)[0]} ${Amplitudes.words} at ${shown(top.hertz, 4)} Hz`);
-  const passed = largestOrder();
   const orders = (summary.orders?.signals || []).filter((own) => own.signal.endsWith('_um'));
+  const last = Math.max(...orders.map((own) => own['1X'].amplitude), 0);
+  // Over a run-up the last revolutions are half a window behind the last point.
+  const passed = [largestOrder()].find((own) => own && own.amplitude >= last);
+  const slow = largestBelow();
+  if (slow) fact('largest part below 1X, 0-pk', [slow.amplitude, 'µm'], `${slow.title}: ${shown(slow.order, 3)} times the speed of ${shown(slow.rpm, 4)} rpm`);
   if (passed) fact('largest 1X, 0-pk', [passed.amplitude, 'µm'], `${passed.title}, at ${shown(passed.rpm, 4)} rpm`);
   else if (orders.length) {
     const top = orders.reduce((best, own) => (own['1X'].amplitude > best['1X'].amplitude ? own : best));
@@ -148,6 +152,20 @@ function largestOrder() {
       const overall = numbers(signal.overall);
       // Where something else moves more, it leaks into the fit.
       numbers(signal.first).forEach((amplitude, k) => { if (amplitude > 0.55 * overall[k] && (!top || amplitude > top.amplitude)) top = { amplitude, rpm: rpm[k], title }; });
+    }
+  }
+  return top;
+}
+
+// Where the largest part below 1X is largest over a run-up, if it is more than a fifth of all motion there.
+function largestBelow() {
+  let top = null;
+  for (const all of run.tracked) {
+    const rpm = numbers(all.rpm);
+    for (const signal of all.signals.filter((own) => own.column.endsWith('_um'))) {
+      const title = about.signals.find((own) => own.columns.some(([name]) => name === signal.column))?.title || signal.column;
+      const [overall, order] = [numbers(signal.overall), numbers(signal.below_order)];
+      numbers(signal.below).forEach((amplitude, k) => { if (amplitude > 0.2 * overall[k] && (!top || amplitude > top.amplitude)) top = { amplitude, rpm: rpm[k], order: order[k], title }; });
     }
   }
   return top;
@@ -207,10 +225,14 @@ function results() {
     table(own, ['', '', ['force', 'N'], ['displacement of the mass', 'mm']], moving.flatMap((support, k) => ['min', 'mean', 'max'].map((which) => [which === 'min' ? `Stop ${k + 1}` : '', which, [support.RX_N[which], 'N'], [1e-3 * support.X_um[which], 'mm']])), [1]);
   } else if (moving.length) {
     const heads = ['', '', ['force x', 'N'], ['force y', 'N'], ['eccentricity x', 'µm'], ['eccentricity y', 'µm'], ['clearance', 'µm']];
-    const rows = moving.flatMap((support, k) => ['min', 'mean', 'max'].map((which) => [
-      which === 'min' ? support.joint || supportName(k) : '', which, [support.RX_N[which], 'N'], [support.RY_N[which], 'N'], [support.EX_um[which], 'µm'], [support.EY_um[which], 'µm'],
+    const pushes = (support) => ['RX_N', 'RY_N', 'EX_um', 'EY_um'].some((name) => ['min', 'max'].some((which) => support[name]?.[which] !== 0));
+    const named_ = moving.map((support, k) => [support.joint || supportName(k), support]);
+    const still = named_.filter(([, support]) => !pushes(support)).map(([name]) => name);
+    const rows = named_.filter(([, support]) => pushes(support)).flatMap(([name, support]) => ['min', 'mean', 'max'].map((which) => [
+      which === 'min' ? name : '', which, [support.RX_N[which], 'N'], [support.RY_N[which], 'N'], [support.EX_um[which], 'µm'], [support.EY_um[which], 'µm'],
       which === 'min' && support.clearance_um > 0 ? [support.clearance_um, 'µm'] : '']));
     table(own, heads, rows, [1]);
+    if (still.length) add(own, 'p', `Nothing moves or pushes across the axis in ${still.join(', ')}.`, { class: 'soft' });
   }
   if (summary.orders) {
     add(own, 'h3', 'Orders');
@@ -310,6 +332,7 @@ function orbits() {
   const polar = add(own, 'div', undefined, { class: 'grid squares' });
   for (const orbit of run.orbits) {
     const [fx, fy, before] = [numbers(orbit.fx_n), numbers(orbit.fy_n), numbers(orbit.before)];
+    if ([fx, fy].every((own_) => own_.every((value) => value === 0))) continue;
     const spec = { id: `polar-${slug(orbit.title)}`, title: `${orbit.title}: force`, equal: true, origin: true, x: { label: 'force along y', unit: 'N' }, y: { label: 'force along x', unit: 'N' }, series: [], dots: [{ x: 0, y: 0, style: 6, name: 'no force' }] };
     spec.update = () => {
       let from = 0;
@@ -342,6 +365,7 @@ function overAngle() {
   const grid = add(own, 'div', undefined, { class: 'grid' });
   for (const { group, revolutions, before, columns: packed } of run.turned) {
     const { title, quantity, unit, factor, lines } = about.groups[group];
+    if (packed.every((own_) => numbers(own_).every((value) => value === 0))) continue;
     const x = numbers(before).map((degrees) => 360 * revolutions - degrees);
     new Chart(grid, {
       id: `angle-${slug(title)}`, title, sync: `angle ${revolutions.toFixed(3)}`, x: { label: 'angle', unit: '°' }, y: { label: quantity, unit }, range: [0, 360 * revolutions],
@@ -350,22 +374,28 @@ function overAngle() {
   }
 }
 
+// The body of a column of an angle.
+const turningOf = (angle) => /^theta_(.+)_rad$/.exec(angle || '')?.[1] || about.groups.flatMap((own) => own.lines).find(([name]) => name === 'omega_rad_s')?.[1] || 'the first body that turns';
+
 function spectra() {
   if (!run || !run.spectra.some((spectrum) => spectrum.lines.length)) return;
   const own = part('spectra', 'Spectra');
   const two = run.spectra.some((spectrum) => spectrum.two_sided);
+  // Angles of bodies whose speed varies.
+  const varies = new Set(about.signals.filter((one) => run.tracked.some((all) => all.signals.some((signal) => one.columns.some(([name]) => name === signal.column)))).map((one) => one.angle));
   add(own, 'p', `Over the last ${shown(1e3 * run.spectrum_s, 4)} ms, Hann window.${two ? ' Where x and y are known, the motion is taken as circles: those that run with the rotation have positive frequencies, those against it negative ones. A circle shows its radius; what moves along a line shows half of its amplitude on both sides.' : ''}`, { class: 'soft' });
   const grid = add(own, 'div', undefined, { class: 'grid' });
   run.spectra.forEach((spectrum, k) => {
     const signal = about.signals[k];
     if (!spectrum.lines.length) return;
-    const orders = spectrum.turning_hz > 0 ? [0.5, 1, 2] : [];
+    const orders = spectrum.turning_hz > 0 ? [1, 2, 0.5] : [];
     const marks = orders.flatMap((order) => { const name = order === 0.5 ? '½X' : `${order}X`; const at = order * spectrum.turning_hz; return spectrum.two_sided ? [{ x: -at, name: `−${name}` }, { x: at, name }] : [{ x: at, name }]; });
-    marks.sort((a, b) => a.x - b.x);
+    const body = turningOf(signal.angle);
+    const note = spectrum.turning_hz > 0 ? `1X: ${body} at ${shown(60 * spectrum.turning_hz, 4)} rpm${varies.has(signal.angle) ? ' on average' : ''}` : '';
     new Chart(grid, {
       id: `spectrum-${slug(signal.title)}-${slug(signal.quantity)}`, title: `${signal.title}: ${signal.quantity}`, zero: true, sync: `frequency ${spectrum.two_sided}`,
       x: { label: spectrum.two_sided ? 'frequency, backward < 0 < forward' : 'frequency', unit: 'Hz', short: 'frequency' }, y: { label: short(signal.quantity), unit: signal.unit, amplitude: true },
-      marks, series: spectrum.lines.map((line, place) => ({ name: line.name, x: numbers(line.frequency_hz), y: numbers(line.amplitude), style: place })),
+      marks, note, series: spectrum.lines.map((line, place) => ({ name: line.name, x: numbers(line.frequency_hz), y: numbers(line.amplitude), style: place })),
     });
   });
 }
@@ -384,7 +414,7 @@ function tracked() {
   const own = part('orders', 'Orders over speed');
   for (const all of run.tracked) {
     const n = all.revolutions;
-    add(own, 'p', `Amplitudes and phases of x = A cos(nθ + φ), tracked by the angle: each point is a fit over ${shown(n)} revolutions with the weights of a Hann window. It tells an order from what differs from it by ${shown(2 / n, 3)} orders or more; nearer than that, both are in one. Overall is half of largest less least value in the same revolutions, of the direction in which it is larger: where it is far above 1X, something else moves: the largest part between ${shown(1.5 / n, 2)} and ${shown(1 - 1.5 / n, 2)} times the speed is shown with its order where it matters.`, { class: 'soft' });
+    add(own, 'p', `Amplitudes and phases of x = A cos(nθ + φ), tracked by the angle: each point is a fit over ${shown(n)} revolutions with the weights of a Hann window. It tells an order from what differs from it by ${shown(2 / n, 3)} orders or more; nearer than that, both are in one. Overall is half of largest less least value in the same revolutions, of the direction in which it is larger: where it is far above 1X, something else moves: the largest part between ${shown(2 / n, 2)} and ${shown(1 - 2 / n, 2)} times the speed is shown with its order where it matters${run.tracked.length > 1 || new Set(about.signals.map((one) => one.angle)).size > 1 ? ', without once and twice the speeds of other bodies' : ''}. Curves begin and end half of ${shown(n)} revolutions inside the run.`, { class: 'soft' });
     const { turn, x } = overSpeed(all);
     const grid = add(own, 'div', undefined, { class: 'grid' });
     for (const whole of about.signals) {
@@ -571,15 +601,18 @@ const CHARTED = {
     const across = orders.map((order) => { const x = [ends[0], Math.min(ends[1], (60 * top) / order)]; return { name: `${order}X`, x, y: x.map((rpm) => (order * rpm) / 60), style: 6, dash: { 0.5: '6 2 1 2', 1: '2 3', 2: '1 4' }[order] || '4 4' }; }).filter((own) => own.x[1] > own.x[0]);
     const x = { label: 'speed', unit: 'rpm' };
     const kinds = [...new Set(modes.flatMap(([, own]) => own.map((row) => row.whirl)))];
-    const note = `${[['forward', 'solid: forward whirl'], ['backward', 'dashed: backward'], ['-', 'dotted: neither']].filter(([kind]) => kinds.includes(kind)).map(([, words]) => words).join(', ')}${above ? `; ${above} more ${above === 1 ? 'mode' : 'modes'} above` : ''}`;
-    const letter = (row) => (row.motion && row.motion !== 'lateral' ? row.motion : { forward: 'F', backward: 'B' }[row.whirl] || '');
+    const letter = (row) => ({ axial: 'A', torsional: 'T' })[row.motion] || { forward: 'F', backward: 'B' }[row.whirl] || '';
+    const letters = [['F', 'forward'], ['B', 'backward'], ['T', 'torsional'], ['A', 'axial']].filter(([one]) => critical.some((row) => letter(row) === one)).map((one) => one.join(' ')).join(', ');
+    const thresholds = (tables.get(`${name}.critical.csv`)?.rows || []).filter((row) => row.what !== 'critical speed').map((row) => ({ x: row.speed_rpm, name: `${row.what} ${shown(row.speed_rpm, 5)}` }));
+    const note = `${[['forward', 'solid: forward whirl'], ['backward', 'dashed: backward'], ['-', 'dotted: neither']].filter(([kind]) => kinds.includes(kind)).map(([, words]) => words).join(', ')}${letters ? `; ${letters}` : ''}${above ? `; ${above} more ${above === 1 ? 'mode' : 'modes'} above` : ''}`;
     new Chart(host, {
       id: `campbell-${slug(name)}`, title: 'Natural frequencies', zero: true, sync: `speed ${name}`, x, y: { label: 'frequency', unit: 'Hz' },
       series: [...modes.map(([branch, own], k) => whirled(own, 'frequency_hz', `mode ${branch}`, k % 6)), ...across], note,
-      dots: critical.filter((row) => row.frequency_hz <= top).sort((a, b) => (b.whirl === 'forward') - (a.whirl === 'forward')).map((row) => ({ x: row.speed_rpm, y: row.frequency_hz, style: row.damping_ratio > 0.2 ? 6 : 1, name: critical.some((one) => one.damping_ratio > 0.2) ? 'critical speed (black: amplification 1/(2ζ) below 2.5)' : 'critical speed', label: `${shown(row.speed_rpm, 4)} ${letter(row)}` })),
+      dots: critical.filter((row) => row.frequency_hz <= top).sort((a, b) => (b.whirl === 'forward') - (a.whirl === 'forward')).map((row) => ({ x: row.speed_rpm, y: row.frequency_hz, style: row.damping_ratio > 0.2 ? 6 : 1, name: critical.some((one) => one.damping_ratio > 0.2) ? 'critical speed (black: amplification 1/(2ζ) below 2.5)' : 'critical speed', label: `${shown(row.speed_rpm, 5)} ${letter(row)}`.trim() })),
+      marks: thresholds,
     });
     new Chart(host, {
-      id: `decrement-${slug(name)}`, title: 'Damping: unstable below zero', sync: `speed ${name}`, x, y: { label: 'log decrement', unit: '1' }, levels: [{ y: 0, name: '', framed: true }],
+      id: `decrement-${slug(name)}`, title: 'Damping: unstable below zero', sync: `speed ${name}`, x, y: { label: 'log decrement', unit: '1' }, levels: [{ y: 0, name: '', framed: true }], marks: thresholds,
       series: modes.map(([branch, own], k) => whirled(own, 'log_decrement', `mode ${branch}`, k % 6)),
     });
     return [`${name}.svg`];
@@ -587,17 +620,28 @@ const CHARTED = {
   response(host, name, tables) {
     const rows = tables.get(`${name}.csv`)?.rows;
     if (!rows?.length) return [];
-    const all = [...grouped(rows, 'point', 'order')].filter(([, own]) => own.length > 1).slice(0, 24);
+    const moves = (own) => own.some((row) => row.major_um > 1e-6);
+    const all = [...grouped(rows, 'body', 'point', 'order')].filter(([, own]) => own.length > 1 && moves(own)).sort(([, a], [, b]) => (a[0].order === 0) - (b[0].order === 0)).slice(0, 24);
+    const several = new Set(rows.map((row) => row.body)).size > 1;
+    const found = tables.get(`${name}.peaks.csv`)?.rows || [];
     for (const [, own] of all) {
-      const [{ point, order }] = own;
-      const x = { label: 'speed', unit: 'rpm' };
-      const title = `${point}, ${order}X`;
-      const id = slug(`${name} ${title}`);
+      const [{ body, point, order }] = own;
+      const x = { label: several ? `speed of ${body}` : 'speed', unit: 'rpm' };
+      const title = order === 0 ? `${point}, mean position` : `${point}, ${order}X${several ? ` of ${body}` : ''}`;
+      const id = slug(`${name} ${body} ${point} ${order}`);
+      // Peaks lie between the speeds of the table.
+      const peaks = found.filter((row) => row.body === body && row.point === point && row.order === order && typeof row.major_um === 'number');
+      const beside = peaks.flatMap((row) => [[row.half_power_below_rpm, Math.SQRT1_2], [row.speed_rpm, 1], [row.half_power_above_rpm, Math.SQRT1_2]].filter(([rpm]) => typeof rpm === 'number').map(([rpm, part_]) => ({ speed_rpm: rpm, major_um: part_ * row.major_um })));
+      const whole = [...own, ...beside].sort((a, b) => a.speed_rpm - b.speed_rpm);
       new Chart(host, {
-        id: `bode-${id}`, title, zero: true, sync: `speed ${name}`, x, y: { label: 'displacement', unit: 'µm', amplitude: true },
-        series: [line(own, 'speed_rpm', 'x_um', 'x'), line(own, 'speed_rpm', 'y_um', 'y'), line(own, 'speed_rpm', 'major_um', 'major axis of the orbit', { style: 6, dash: '2 3' })],
+        id: `bode-${id}`, title, zero: true, sync: `speed ${name}`, x, y: { label: 'displacement', unit: 'µm', amplitude: order !== 0 },
+        series: order === 0
+          ? [line(own, 'speed_rpm', 'x_um', 'x'), line(own, 'speed_rpm', 'y_um', 'y')].map((one, k) => ({ ...one, y: one.y.map((value, at) => value * Math.cos((Math.PI * own[at][`${'xy'[k]}_phase_deg`]) / 180)) }))
+          : [line(own, 'speed_rpm', 'x_um', 'x'), line(own, 'speed_rpm', 'y_um', 'y'), line(whole, 'speed_rpm', 'major_um', 'major semi-axis of the orbit', { style: 6, dash: '2 3' })],
+        dots: peaks.map((row) => ({ x: row.speed_rpm, y: row.major_um, style: 1, name: 'peak', label: `${shown(row.speed_rpm, 5)} rpm` })),
+        note: peaks.length ? 'peaks and half powers between the speeds of the table are of the major semi-axis' : '',
       });
-      new Chart(host, {
+      if (order !== 0) new Chart(host, {
         id: `bode-phase-${id}`, title: `${title}: phase`, sync: `speed ${name}`, x, y: { label: 'phase', unit: '°' },
         series: ['x', 'y'].map((axis) => { const phase = line(own, 'speed_rpm', `${axis}_phase_deg`, axis); return { ...phase, y: unwrapped(phase.y) }; }),
       });
@@ -607,7 +651,7 @@ const CHARTED = {
   stability(host, name, tables) {
     const rows = tables.get(`${name}.csv`)?.rows;
     if (!rows || rows.length < 2) return [];
-    const marks = (tables.get(`${name}.thresholds.csv`)?.rows || []).map((row) => ({ x: row.speed_rpm, name: row.what }));
+    const marks = (tables.get(`${name}.thresholds.csv`)?.rows || []).map((row) => ({ x: row.speed_rpm, name: `${row.what} ${shown(row.speed_rpm, 5)}` }));
     new Chart(host, {
       id: `stability-${slug(name)}`, title: 'The least stable mode: unstable below zero', x: { label: 'speed', unit: 'rpm' }, y: { label: 'log decrement', unit: '1' }, marks, levels: [{ y: 0, name: '', framed: true }],
       series: [line(rows, 'speed_rpm', 'least_log_decrement', 'least log decrement')],
@@ -683,13 +727,17 @@ function analysed() {
     while (lines.length && !lines[0].trim()) lines.shift();
     const chaptered = kind === 'lateral' && lateral(own, name, tables, lines);
     for (const figure of data.figures) if (chaptered && figure.name === `${name}.svg`) figure.shown = true;
-    if (lines.length <= 24 && !chaptered) worded(own, lines);
+    const folds = lines.length > 24 || chaptered;
+    if (!folds) worded(own, lines);
+    // What must not be missed, however long the rest is.
+    const loud = lines.filter((words) => /UNSTABLE|NOT STABLE|becomes unstable|too large for a linear|critically damped/.test(words));
+    if (folds && !chaptered && loud.length) { worded(own, loud.slice(0, 6)); if (loud.length > 6) add(own, 'p', `${loud.length - 6} more of these lines are in the words below.`, { class: 'soft' }); }
     const grid = add(own, 'div', undefined, { class: 'grid' });
     const replaced = CHARTED[kind]?.(grid, name, tables) || [];
     for (const figure of data.figures) if (replaced.includes(figure.name)) figure.shown = true;
     drawn(own, data.figures.filter((figure) => files.includes(figure.name) && !figure.shown));
     inSpace(own, name);
-    if (lines.length > 24 || chaptered) { const more = add(own, 'details'); add(more, 'summary', `All that was found, in words (${lines.length} lines)`); worded(more, lines); }
+    if (folds) { const more = add(own, 'details', undefined, { class: 'words-of' }); add(more, 'summary', `All that was found, in words (${lines.length} lines)`); worded(more, lines); }
     for (const file of files) {
       const table_ = tables.get(file);
       if (!table_ || !table_.rows.length) continue;
@@ -734,7 +782,14 @@ document.getElementById('theme').addEventListener('change', (event) => { documen
 document.getElementById('print').addEventListener('click', () => window.print());
 let width = window.innerWidth;
 window.addEventListener('resize', () => { if (window.innerWidth !== width) { width = window.innerWidth; Chart.renderAll(); redrawScenes(); } });
-const printing = (on) => { Chart.printing = on; for (const details of document.querySelectorAll('details')) if (on) details.dataset.was = details.open; Chart.renderAll(); };
+const printing = (on) => {
+  Chart.printing = on;
+  for (const details of document.querySelectorAll('details.words-of')) {
+    if (on) details.dataset.was = details.open ? 'open' : '';
+    details.open = on || details.dataset.was === 'open';
+  }
+  Chart.renderAll();
+};
 window.addEventListener('beforeprint', () => printing(true));
 window.addEventListener('afterprint', () => printing(false));
 // For tests: what is shown, read back.

@@ -98,7 +98,8 @@ impl RunData {
             .filter_map(|&(angle, span)| {
                 let own = signals.iter().filter(|own| own.1 == Some(angle));
                 let columns = own.flat_map(|own| own.0.iter().copied()).collect();
-                Tracker::new((angle, columns), span)
+                let others = angles.iter().copied().filter(|own| *own != angle).collect();
+                Tracker::new((angle, others, columns), span)
             })
             .collect();
         let of_envelope = |&(angle, span): &(usize, [f64; 2])| {

@@ -310,11 +310,18 @@ class Scene {
   // Joints where they stand at rest, and their names.
   joined(view) {
     const { gl, canvas, marks } = this;
+    const taken = [];
     for (const { at, label } of marks.names) {
       const [x, y] = [0, 1].map((row) => at.reduce((sum, own, k) => sum + own * view[4 * k + row], view[12 + row]));
       label.hidden = !this.joints || Math.abs(x) > 1 || Math.abs(y) > 1;
-      label.style.left = `${(0.5 * (1 + x) * canvas.clientWidth).toFixed(1)}px`;
-      label.style.top = `${(0.5 * (1 - y) * canvas.clientHeight).toFixed(1)}px`;
+      const left = 0.5 * (1 + x) * canvas.clientWidth;
+      let top = 0.5 * (1 - y) * canvas.clientHeight;
+      // Names that would lie on one another are stacked.
+      const wide = 7 * label.textContent.length + 8;
+      while (!label.hidden && taken.some((own) => Math.abs(own.left - left) < 0.5 * (own.wide + wide) && Math.abs(own.top - top) < 14)) top -= 15;
+      if (!label.hidden) taken.push({ left, top, wide });
+      label.style.left = `${left.toFixed(1)}px`;
+      label.style.top = `${top.toFixed(1)}px`;
     }
     if (!this.joints || !marks.count) return;
     gl.uniform1f(this.at('scale'), 0);

@@ -24,6 +24,8 @@ pub(crate) struct Shapes {
     joints: Vec<Mark>,
     /// Names of those that are too large.
     left_out: Vec<String>,
+    /// Names of those without inertias by which cylinders could be drawn.
+    without_shape: Vec<String>,
 }
 
 /// A body in its own frame.
@@ -136,6 +138,7 @@ impl Shapes {
             let radius = square.sqrt();
             let length = length.filter(|square| *square > 0.0).map_or(LENGTH * radius, f64::sqrt);
             if !(radius > 0.0 && length.is_finite()) {
+                all.without_shape.push(own.name.to_owned());
                 continue;
             }
             let (points, corners) = cylinder(radius, [own.z - 0.5 * length, own.z + 0.5 * length]);

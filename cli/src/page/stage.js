@@ -65,14 +65,17 @@ function ramp(own, ends) {
   return fill;
 }
 
+// Bodies that the picture has not.
+const notShown = ({ left_out, without_shape }) => `${left_out.length ? ` Too large to be shown here: ${left_out.join(', ')}.` : ''}${without_shape?.length ? ` Not drawn, as nothing tells their shape: ${without_shape.join(', ')}.` : ''}`;
+
 function machine() {
   const { shapes } = data;
   if (!shapes) return;
   const own = part('machine', 'The machine');
   const moves = shapes.bodies.some((body) => body.motion);
-  const rest = shapes.left_out.length ? ` Too large to be shown here: ${shapes.left_out.join(', ')}.` : '';
+  const rest = notShown(shapes);
   const played = data.motions.length ? ' Analyses below show its modes and orbits.' : '';
-  add(own, 'p', `Bodies, x up: by their meshes${shapes.bodies.some((body) => body.sketched) ? '; what has none as cylinders of the same mass and inertias' : ''}.${shapes.joints?.length ? ' Rings are joints, with a foot where they stand on the ground.' : ''}${moves ? '' : ' With [fields] in the case, the motion of those with meshes over the last cycle is shown, too.'}${played}${rest}`, { class: 'soft' });
+  add(own, 'p', `Bodies, x up: by their meshes${shapes.bodies.some((body) => body.sketched) ? '; what has none as cylinders of the same mass and inertias' : ''}.${shapes.joints?.length ? ' Rings are joints, with a foot where they stand on the ground.' : ''}${moves ? '' : ' The table [fields] in the case file would add the motion of the meshes over the last cycle.'}${played}${rest}`, { class: 'soft' });
   const on = stage(own, shapes, 'The bodies of the machine in space');
   if (!on) return;
   scene = on.made;
@@ -104,7 +107,7 @@ function inSpace(own, name) {
   const { shapes, motions } = content;
   const sized = motions[0].metres !== null;
   add(own, 'h3', sized ? 'Orbits in space' : 'Modes in space');
-  const rest = `${shapes.left_out.length ? ` Too large to be shown here: ${shapes.left_out.join(', ')}.` : ''}${content.left_out ? ` ${content.left_out} more had no room on this page.` : ''}`;
+  const rest = `${notShown(shapes)}${content.left_out ? ` ${content.left_out} more had no room on this page.` : ''}`;
   add(own, 'p', `In the fixed frame, x up: the rotation of the bodies themselves is left out. ${sized ? 'φ counts from where the body that excites them stands at θ = 0.' : 'Amplitudes of modes have no size, and decay and growth are left out; at φ = 0 the point that gets furthest is there.'} Lines are orbits of points at the top of the bodies: blue with the rotation, orange against it, grey neither. Grey is the machine without the motion.${rest}`, { class: 'soft' });
   const on = stage(own, shapes, `Motions of ${name} in space`);
   if (!on) return;
