@@ -44,7 +44,8 @@ impl Below {
     /// Amplitude and order of the largest part of a column.
     pub(super) fn largest(&self, column: usize) -> [f64; 2] {
         let own = self.sums.iter().skip(column).step_by(self.columns).map(|own| own.norm());
-        let most = own.enumerate().fold((0, 0.0), |most, own| if own.1 > most.1 { own } else { most });
+        let most =
+            own.enumerate().fold((0, 0.0), |most, own| if own.1 > most.1 { own } else { most });
         let amplitude = if self.weight > 0.0 { 2.0 * most.1 / self.weight } else { 0.0 };
         [amplitude, self.first + most.0 as f64 * self.step]
     }

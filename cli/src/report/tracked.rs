@@ -194,7 +194,8 @@ impl Tracker {
             let of = |part: usize, order: usize| {
                 all.iter().map(|own| own.columns[place].orders[order][part]).collect()
             };
-            let below = |part: usize| all.iter().map(|own| own.columns[place].below[part]).collect();
+            let below =
+                |part: usize| all.iter().map(|own| own.columns[place].below[part]).collect();
             TrackedSignal {
                 column: names[*column].clone(),
                 overall: all.iter().map(|own| own.columns[place].overall).collect(),
