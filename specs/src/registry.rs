@@ -198,6 +198,14 @@ pub enum BoreMotion {
     SectionTiltX,
     /// Mean rotation of the journal's section about y of its body (rad).
     SectionTiltY,
+    /// Where a sensor looks at the journal's body, along x of that body (m).
+    SeenX,
+    /// The same along y (m).
+    SeenY,
+    /// What the sensor stands on, along x (m).
+    BaseX,
+    /// The same along y (m).
+    BaseY,
     /// The frame of the second of two gears, in space (rad).
     SecondFrame,
     /// The second of two gears in space, times the ratio of its base radius to that of the first (rad).

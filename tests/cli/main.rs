@@ -53,6 +53,7 @@ mod rotors_page;
 mod rubs;
 mod schema;
 mod section_tables;
+mod sensors;
 mod set_places;
 mod shell;
 mod stability_map;

@@ -188,12 +188,7 @@ fn values(mode: &Mode, speed: f64) -> String {
     format!("{numbers},{whirl},{sense},{},{},{beside}", value.re, value.im)
 }
 
-fn text(
-    case: &Case,
-    linear: &LinearMachine,
-    of: usize,
-    (all, ways): (&Campbell, &Ways),
-) -> String {
+fn text(case: &Case, linear: &LinearMachine, of: usize, (all, ways): (&Campbell, &Ways)) -> String {
     let body = linear.machine().bodies[of].name();
     let mut text = format!("{}: {}\n", case.name, case.title);
     let ends = [all.speeds.first(), all.speeds.last()];

@@ -123,14 +123,16 @@ pub(super) fn found(
         files.extend(drawn(name, &figure(case, body, &drawing)));
     }
     let mut text = format!("{}: {}\n\n{}{notes}", case.name, case.title, table(&rows));
+    let sensed = words::sensed(case);
     text.push_str(&words::at_the_speed(linear));
+    text.push_str(&sensed);
     if !whole.is_empty() {
         let file = format!("{name}.5x5.csv");
         writeln!(text, "\nMoments, forces along z and what tilts do beside this: {file}")
             .expect("text can be written");
         files.push((file, whole.into_bytes()));
     }
-    facts.lines(&(words::at_the_speed(linear) + &notes));
+    facts.lines(&(words::at_the_speed(linear) + &sensed + &notes));
     Ok(Found { text, files, interrupted, facts })
 }
 

@@ -5,6 +5,8 @@ use std::fmt::Write;
 use whirl_solver::linear::{Campbell, Doubt, LinearMachine, Mode, Way, Whirl};
 use whirl_text::{as_given, rounded, shown};
 
+use crate::case::Case;
+
 /// rad/s in rpm.
 pub(super) fn rpm(speed: f64) -> f64 {
     as_given(speed * 60.0 / std::f64::consts::TAU)
@@ -102,6 +104,20 @@ pub(super) fn at_the_speed(linear: &LinearMachine) -> String {
     }
     format!(
         "note: coefficients of {} depend on the frequency: these are those at the frequency of the rotation\n",
+        joints.join(", ")
+    )
+}
+
+/// Which joints read sensors, whose forces by what these read are no coefficients, if there are any.
+pub(super) fn sensed(case: &Case) -> String {
+    let joints = case.machine.joints.iter().filter(|own| own.sensor.is_some());
+    let joints: Vec<&str> = joints.map(|own| own.called.word.as_str()).collect();
+    if joints.is_empty() {
+        return String::new();
+    }
+    format!(
+        "note: these are forces by the displacement of the journals alone: what {} make of the readings of their sensors counts in modes, \
+         responses and runs\n",
         joints.join(", ")
     )
 }

@@ -37,6 +37,17 @@ pub(crate) struct Joint {
     pub(crate) offset: [[f64; 2]; 3],
     /// The teeth of two gears.
     pub(crate) gears: Option<Gears>,
+    /// What its law reads apart from where it acts.
+    pub(crate) sensor: Option<Sensor>,
+}
+
+/// A sensor that looks at the body of the journal.
+#[derive(Debug, Clone)]
+pub(crate) struct Sensor {
+    /// Where the case has it.
+    pub(crate) place: Located,
+    /// Where it looks at the journal's body, and what of the bore's body it stands on.
+    pub(crate) sides: [Side; 2],
 }
 
 impl Joint {
@@ -65,6 +76,7 @@ impl Joint {
             run_out: [[0.0; 2]; 3],
             offset: [[0.0; 2]; 3],
             gears: None,
+            sensor: None,
         }
     }
 }

@@ -163,7 +163,7 @@ fn read_one(table: &Table, machine: Option<&JoinedMachine>) -> Option<Wanted> {
                 return None;
             }
             let places = match bearing.law.source.acts() {
-                Acts::Joint | Acts::Gear => 1,
+                Acts::Joint | Acts::Sensor | Acts::Gear => 1,
                 // Of a law of a ring each has one.
                 Acts::Ring | Acts::Spring => bearing.facts.springs.unwrap_or(1),
             };

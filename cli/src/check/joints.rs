@@ -53,6 +53,22 @@ pub(super) fn all(joined: &JoinedMachine, plan: &JoinedPlan) -> Vec<(String, Vec
                 joined.bodies[bore].name.text()
             ));
         }
+        more.extend(joint.sensor.as_ref().map(|own| {
+            let [seen, base] = &own.sides;
+            let at = |side: &crate::case::JointSide| match (side.sets.first(), side.z) {
+                (Some(set), None) => set.text().to_owned(),
+                (_, z) => format!("z = {} mm", rounded(1e3 * z.unwrap_or(0.0), 6)),
+            };
+            let (first, second) = (seen.place.text(), base.place.text());
+            match base.body {
+                Some(_) => format!(
+                    "its sensor sees {first} at {}, from {second} at {}",
+                    at(seen),
+                    at(base)
+                ),
+                None => format!("its sensor sees {first} at {}", at(seen)),
+            }
+        }));
         (of_joint((joint, joined), &law.name(), c, &plan.stations(place)), more)
     };
     joined.joints.iter().zip(&plan.laws).enumerate().map(of).collect()

@@ -377,7 +377,9 @@ mod tests {
             let all = [of("x_um", "theta_rad"), of("y_um", "theta_b_rad")];
             let found = orders(&history, &all, cycle).unwrap().expect("they turn").signals;
             let known = match ratio {
-                2.0 => [[20.0, (3.0 + 8.0 * 1.0_f64.cos()).hypot(8.0 * 1.0_f64.sin())], [11.0, 2.0]],
+                2.0 => {
+                    [[20.0, (3.0 + 8.0 * 1.0_f64.cos()).hypot(8.0 * 1.0_f64.sin())], [11.0, 2.0]]
+                }
                 _ => [[20.0, 3.0], [11.0, 2.0]],
             };
             for (own, known) in found.iter().zip(known) {

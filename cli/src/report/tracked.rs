@@ -233,7 +233,8 @@ impl Tracker {
             let of = |part: usize, order: usize| {
                 all.iter().map(|own| own.columns[place].orders[order][part]).collect()
             };
-            let below = |part: usize| all.iter().map(|own| own.columns[place].below[part]).collect();
+            let below =
+                |part: usize| all.iter().map(|own| own.columns[place].below[part]).collect();
             TrackedSignal {
                 column: names[*column].clone(),
                 overall: all.iter().map(|own| own.columns[place].overall).collect(),
@@ -313,7 +314,8 @@ mod tests {
     /// A run-up by which θ = a t + b t², and what it leaves.
     fn tracked([a, b]: [f64; 2], end: f64, x: impl Fn(f64) -> f64) -> Tracker {
         let angle = |t: f64| a * t + b * t * t;
-        let mut tracker = Tracker::new((0, Vec::new(), vec![1]), [0.0, angle(end)]).expect("revolutions");
+        let mut tracker =
+            Tracker::new((0, Vec::new(), vec![1]), [0.0, angle(end)]).expect("revolutions");
         for step in 0..(end / 1e-4) as u32 {
             let t = 1e-4 * f64::from(step);
             tracker.add(t, &[angle(t), x(angle(t))]);
@@ -377,13 +379,22 @@ mod tests {
             let drift = 40.0 * (0.8 * t).cos();
             tracker.add(
                 t,
-                &[a(t), b(t), 20.0 * a(t).cos() + 15.0 * (b(t) + 0.4).cos(), 3.0 * a(t).sin() + drift],
+                &[
+                    a(t),
+                    b(t),
+                    20.0 * a(t).cos() + 15.0 * (b(t) + 0.4).cos(),
+                    3.0 * a(t).sin() + drift,
+                ],
             );
         }
         assert!(tracker.found.len() > 50);
         for place in &tracker.found {
             let [own, drifting] = [0, 1].map(|k| &place.columns[k]);
-            assert!((own.orders[0][0] - 20.0).abs() < 0.05 && own.below[0] < 0.05, "{:?}", own.below);
+            assert!(
+                (own.orders[0][0] - 20.0).abs() < 0.05 && own.below[0] < 0.05,
+                "{:?}",
+                own.below
+            );
             assert!(drifting.below[0] < 0.02 || drifting.below[1].is_nan(), "{:?}", drifting.below);
         }
     }

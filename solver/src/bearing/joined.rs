@@ -8,7 +8,7 @@ use crate::bodies::{Body, BodyPlace};
 use crate::linalg::Matrix;
 
 /// The bodies on whose coordinates a row of T_b is: that of the bore, and that of the journal where its section moves in its
-/// frame.
+/// frame, or a sensor looks at it.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Joined {
     pub(super) bore: usize,
@@ -22,7 +22,9 @@ impl Joined {
         let [journal, bore] = part.bearing.sides.bodies;
         let sides = &part.bearing.sides;
         let twists = part.other.is_none()
-            && (sides.torque_section.is_some() || sides.whole_sections[0].is_some());
+            && [sides.torque_section, sides.whole_sections[0], sides.sensor[0]]
+                .iter()
+                .any(Option::is_some);
         let twists = twists || sides.gear.is_some() && sides.sections[0].is_some();
         let turned =
             places[bore].rotation.filter(|_| sides.gear.is_some() && is_free(&bodies[bore]));

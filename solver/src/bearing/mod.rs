@@ -128,6 +128,9 @@ pub struct Sides {
     /// Section of the journal that turns with the torque on it, as a place in the measures of its body; the frame alone does
     /// where there is none.
     pub torque_section: Option<usize>,
+    /// Where a sensor looks at the journal's body, and what it stands on, as places in the nodes of both bodies; none on the
+    /// ground, and none of a joint without a sensor.
+    pub sensor: [Option<usize>; 2],
     /// Where springs stand on the faces of a bore, in place of its rings of nodes.
     pub surface: Option<BoreSurface>,
     /// Teeth, where both sides are gears: its law acts once a flank.
@@ -162,6 +165,7 @@ impl Default for Sides {
             sections: [None; 2],
             whole_sections: [None; 2],
             torque_section: None,
+            sensor: [None; 2],
             surface: None,
             gear: None,
         }

@@ -43,6 +43,14 @@ impl<'a> Part<'a> {
                 "acts on the teeth of gears, or is to act there and does not",
                 "give two gears a law with F_n, and what has no teeth another one",
             ),
+            _ if kind.bore.contains(&BoreMotion::SeenX)
+                && self.bearing.sides.sensor[0].is_none() =>
+            {
+                (
+                    "reads a sensor, but the joint has none",
+                    "say where it looks at the journal's body, or take a law of a ring",
+                )
+            }
             (ContactPlace::Spring, Some(_)) => (
                 "acts at springs, but tilts and displacements along z have none",
                 "give it the forces of a ring, F_x and F_y",
@@ -56,7 +64,7 @@ impl<'a> Part<'a> {
                 "give the bearing one station",
             ),
             (ContactPlace::Joint, None) if spins => (
-                "acts on tilts of the journal's section, but the journal spins in a frame at rest and has none",
+                "sees the section or a sensor of the journal's body, but the journal spins in a frame at rest and has none",
                 "take a body whose frame turns, or a law of a ring",
             ),
             _ => return None,

@@ -21,7 +21,8 @@ use whirl_tests::History;
 use crate::workbench::Workbench;
 
 /// Everything that the cases name, by its name.
-const FILES: [(&str, &str); 28] = [
+const FILES: [(&str, &str); 29] = [
+    ("sensor.toml", include_str!("sensor.toml")),
     ("heated.toml", include_str!("heated.toml")),
     ("oil.csv", include_str!("oil.csv")),
     ("bore.csv", include_str!("bore.csv")),
@@ -53,7 +54,8 @@ const FILES: [(&str, &str); 28] = [
 ];
 
 /// Those of them that are cases.
-const CASES: [&str; 16] = [
+const CASES: [&str; 17] = [
+    "sensor.toml",
     "films.toml",
     "heated.toml",
     "pads.toml",
@@ -126,6 +128,19 @@ fn every_key_of_named_bodies_runs() {
     assert!((time[0] - 501.0 * 2e-5).abs() < 1e-12, "{}", time[0]);
     let speed = std::f64::consts::TAU / 60.0 * (120.0 + 600.0 * 0.011);
     assert!((more.last("omega_motor_rad_s") / speed - 1.0).abs() < 1e-9);
+}
+
+/// What sensors do is held to state spaces in `sensors`; here all of their keys stand together.
+#[test]
+fn every_key_of_sensors_runs() {
+    let found = Results::of("sensor", &[]);
+    assert_eq!(found.summary["verdict"]["sound"], true);
+    assert_eq!(found.history.rows(), 400);
+    let outcome = found.bench.whirl(&["check", "sensor.toml"]);
+    let said = "its sensor sees rotor at PROBE, from holder at EYE_BORE";
+    assert!(outcome.stdout.contains(said), "{}", outcome.stdout);
+    let said = "its sensor sees rotor at z = 170 mm, from holder at z = 170 mm";
+    assert!(outcome.stdout.contains(said), "{}", outcome.stdout);
 }
 
 /// What gears do is held to equations in `gears`; here all of their keys stand together. The pinion pushes the ring outwards: the

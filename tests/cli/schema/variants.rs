@@ -53,42 +53,42 @@ const NAMED: [&str; 8] = [
      teeth pitch_radii internal pressure_angle mesh_stiffness mesh_damping backlash",
     "/body/chosen/turns=prescribed /body/chosen/mass_damping /output/chosen/joint /fields/bodies mesh matrices units merge dimensions rigid /body/chosen/material regions /body/chosen/sets modes \
      /body/chosen/stiffness /body/chosen/damping initial_speed held ground_spring axial_restraint section \
-     stiffening /joint/chosen/kind=stop film first second /joint/chosen/springs radial_clearance stations \
+     stiffening /joint/chosen/kind=stop film /joint/chosen/sensor first second /joint/chosen/springs radial_clearance stations \
      /joint/chosen/stiffness /joint/chosen/damping /joint/chosen/table tilting_stiffness tilting_damping \
      axial_stiffness axial_damping \
      teeth pitch_radii internal pressure_angle mesh_stiffness mesh_damping backlash",
     "/body/chosen/turns=no /output/chosen/joint /fields/bodies mesh matrices units merge rigid moves_along_z diameter throw pin_diameter pin_length web_width web_thickness supports support_length layers_in_support \
      /body/chosen/dimensions/loads sectors /body/chosen/dimensions/cells/rings tolerance /body/chosen/mass \
      polar_inertia transverse_inertia /body/chosen/z /body/chosen/stiffness /body/chosen/damping \
-     /body/chosen/speed /body/chosen/table acceleration initial_speed section stiffening /joint/chosen/kind=bushing film journal bore /joint/chosen/table \
+     /body/chosen/speed /body/chosen/table acceleration initial_speed section stiffening /joint/chosen/kind=bushing film /joint/chosen/sensor journal bore /joint/chosen/table \
      /joint/chosen/law parameters /joint/chosen/springs radial_clearance journal_radius \
      /joint/chosen/length stations run_out offset side gap /march/duration /loads/chosen/couple /loads/chosen/order \
      teeth pitch_radii internal pressure_angle mesh_stiffness mesh_damping backlash",
     "/body/chosen/turns=prescribed /body/chosen/mass_damping /output/chosen/joint /fields/bodies mesh merge dimensions rigid moves_along_z static_correction /body/chosen/material regions /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z \
-     dmig calculix nodes drives loads /body/chosen/damping /body/chosen/stiffness initial_speed ground_spring /body/chosen/table /joint/chosen/kind=stop film first second /joint/chosen/springs radial_clearance stations \
+     dmig calculix nodes drives loads /body/chosen/damping /body/chosen/stiffness initial_speed ground_spring /body/chosen/table /joint/chosen/kind=stop film /joint/chosen/sensor first second /joint/chosen/springs radial_clearance stations \
      /joint/chosen/stiffness /joint/chosen/damping /joint/chosen/table tilting_stiffness tilting_damping \
      axial_stiffness axial_damping \
      teeth pitch_radii internal pressure_angle mesh_stiffness mesh_damping backlash",
     "/body/chosen/turns=prescribed /body/chosen/mass_damping /output/chosen/joint /fields/bodies mesh merge dimensions rigid moves_along_z static_correction /body/chosen/material regions /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z \
-     /body/chosen/matrices/dofs calculix drives loads /body/chosen/damping /body/chosen/stiffness initial_speed ground_spring /body/chosen/table /joint/chosen/kind=stop film first second /joint/chosen/springs radial_clearance stations \
+     /body/chosen/matrices/dofs calculix drives loads /body/chosen/damping /body/chosen/stiffness initial_speed ground_spring /body/chosen/table /joint/chosen/kind=stop film /joint/chosen/sensor first second /joint/chosen/springs radial_clearance stations \
      /joint/chosen/stiffness /joint/chosen/damping /joint/chosen/table tilting_stiffness tilting_damping \
      axial_stiffness axial_damping \
      teeth pitch_radii internal pressure_angle mesh_stiffness mesh_damping backlash",
     "/body/chosen/turns=prescribed /body/chosen/mass_damping /output/chosen/joint /fields/bodies mesh merge dimensions rigid moves_along_z static_correction /body/chosen/material regions /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z \
-     /body/chosen/matrices/dofs /body/chosen/matrices/stiffness /body/chosen/matrices/mass dmig drives loads /body/chosen/damping /body/chosen/stiffness initial_speed ground_spring /body/chosen/table /joint/chosen/kind=stop film first second /joint/chosen/springs radial_clearance stations \
+     /body/chosen/matrices/dofs /body/chosen/matrices/stiffness /body/chosen/matrices/mass dmig drives loads /body/chosen/damping /body/chosen/stiffness initial_speed ground_spring /body/chosen/table /joint/chosen/kind=stop film /joint/chosen/sensor first second /joint/chosen/springs radial_clearance stations \
      /joint/chosen/stiffness /joint/chosen/damping /joint/chosen/table tilting_stiffness tilting_damping \
      axial_stiffness axial_damping \
      teeth pitch_radii internal pressure_angle mesh_stiffness mesh_damping backlash",
     "/body/chosen/turns=no /body/chosen/mass_damping /output/chosen/joint /fields/bodies mesh matrices units merge dimensions rigid /body/chosen/material regions /body/chosen/sets modes static_correction held ground_spring \
      axial_restraint section stiffening polar_inertia /body/chosen/speed /body/chosen/table acceleration initial_speed \
-     /joint/chosen/kind=coupling film journal bore /joint/chosen/law parameters /joint/chosen/springs \
+     /joint/chosen/kind=coupling film /joint/chosen/sensor journal bore /joint/chosen/law parameters /joint/chosen/springs \
      radial_clearance journal_radius /joint/chosen/length stations run_out offset side gap \
      /joint/chosen/stiffness /joint/chosen/damping /joint/chosen/table tilting_stiffness tilting_damping \
      axial_stiffness axial_damping \
      teeth pitch_radii internal pressure_angle mesh_stiffness mesh_damping backlash",
     "/body/chosen/turns=no /body/chosen/mass_damping /output/chosen/joint /fields/bodies mesh matrices units merge dimensions rigid /body/chosen/material regions /body/chosen/sets modes static_correction held ground_spring \
      axial_restraint section stiffening polar_inertia /body/chosen/speed /body/chosen/table acceleration initial_speed \
-     /joint/chosen/kind=gear film journal bore /joint/chosen/law parameters /joint/chosen/springs \
+     /joint/chosen/kind=gear film /joint/chosen/sensor journal bore /joint/chosen/law parameters /joint/chosen/springs \
      radial_clearance journal_radius /joint/chosen/length stations run_out offset side gap \
      /joint/chosen/stiffness /joint/chosen/damping /joint/chosen/table tilting_stiffness tilting_damping \
      axial_stiffness axial_damping",
@@ -99,7 +99,7 @@ const SECTIONS: &str = "/body/chosen/turns=prescribed /body/chosen/mass_damping 
      outer_left outer_right inner_left inner_right mass_outer \
      /body/chosen/mass polar_inertia transverse_inertia /body/chosen/z /body/chosen/sets /body/chosen/regions material drives loads disc added \
      /body/chosen/stiffness /body/chosen/damping initial_speed held ground_spring /body/chosen/table \
-     /joint/chosen/kind=stop film first second /joint/chosen/springs radial_clearance stations \
+     /joint/chosen/kind=stop film /joint/chosen/sensor first second /joint/chosen/springs radial_clearance stations \
      /joint/chosen/stiffness /joint/chosen/damping /joint/chosen/table tilting_stiffness tilting_damping \
      axial_stiffness axial_damping \
      teeth pitch_radii internal pressure_angle mesh_stiffness mesh_damping backlash";

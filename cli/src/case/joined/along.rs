@@ -1,4 +1,4 @@
-//! What stands at a z of a body made from sections, as node sets of its mesh: sides of joints and loads. Layers of its cells
+//! What stands at a z of a body made from sections, as node sets of its mesh: sides of joints, sensors and loads. Layers of its cells
 //! end there, and of a body that nothing holds along z one of these sections is held.
 
 use whirl_codegen::diagnostic::{Code, Located};
@@ -38,6 +38,16 @@ pub(super) fn place(file: &Table, machine: &mut JoinedMachine) {
                 name(joint, side, &set, z);
             }
         }
+        let Some(sensor) = &mut joint.sensor else { continue };
+        for (side, own) in sensor.sides.iter_mut().enumerate() {
+            let (Some(body), true) = (own.body, own.sets.is_empty()) else { continue };
+            let found =
+                own.z.and_then(|z| set(file, &mut bodies[body], (&sensor.place, z, side == 1)));
+            // Without a place of its own it stands on the bore.
+            let of_joint = || joint.sides[1].sets.get(joint.sides[1].sets.len() / 2).cloned();
+            let set = found.map(|own| own.0).or_else(|| if side == 1 { of_joint() } else { None });
+            own.sets.extend(set);
+        }
     }
     for load in loads {
         let (Some(z), true) = (load.z, load.load.sets.is_empty()) else { continue };
@@ -51,7 +61,9 @@ pub(super) fn place(file: &Table, machine: &mut JoinedMachine) {
 
 /// The bodies on which sides and loads stand without a set, and where (m).
 fn wanted(machine: &JoinedMachine) -> Vec<(usize, f64)> {
+    let sensors = machine.joints.iter().filter_map(|joint| joint.sensor.as_ref());
     let sides = machine.joints.iter().flat_map(|joint| &joint.sides);
+    let sides = sides.chain(sensors.flat_map(|own| &own.sides));
     let sides =
         sides.filter(|side| side.sets.is_empty()).filter_map(|side| Some((side.body?, side.z?)));
     let loads = machine.loads.iter().filter(|load| load.load.sets.is_empty());

@@ -6,7 +6,7 @@ use whirl_solver::bearing::MotionKind;
 use whirl_solver::model::AttachmentKind;
 use whirl_specs::Motion;
 
-use super::{fit, gear};
+use super::{fit, gear, sensor};
 use crate::case::gravity::Gravity;
 use crate::case::ground::GroundMotion;
 use crate::case::joined_machine::{Drive, JoinedMachine};
@@ -62,6 +62,9 @@ impl Checks<'_, '_> {
         }
         if let Some((at, message, help)) = gear::wrong(self.machine, joint) {
             self.note(&at, message, &help);
+        }
+        if let Some((at, message, help)) = sensor::wrong(self.machine, joint) {
+            self.note(&at, message, help);
         }
         self.on_rocking(joint);
         let turns = |side: &Side| side.body.is_some_and(|body| self.machine.bodies[body].turns());

@@ -13,6 +13,7 @@ use super::fit::Room;
 use super::gear;
 use super::parts::Parts;
 use super::schema::{self, FROM_MESH};
+use super::sensor;
 use crate::case::joint::{Joint, JointKind, Side};
 use crate::case::law;
 use crate::case::library::FileStore;
@@ -53,6 +54,7 @@ pub(super) fn read(
     let of_bearing = matches!(kind, JointKind::Bearing | JointKind::Stop);
     let rings = |key: &str| if of_bearing { three(table, key) } else { Some(Vec::new()) };
     let (run_out, offset) = (rings("run_out"), rings("offset"));
+    let sensor = if kind == JointKind::Bearing { sensor::read(table) } else { None };
     let [Some(journal), Some(bore)] = sides else { return None };
     if journal.body.is_none() {
         let message = format!("the ground is the `{second}` of a {called}, not its `{first}`");
@@ -118,6 +120,11 @@ pub(super) fn read(
         table: name.clone(),
         places: table.places(),
     };
+    let acts = bearing.law.source.acts();
+    let sensor = match kind {
+        JointKind::Bearing => sensor::placed(table, sensor, acts, [&journal, &bore]),
+        _ => None,
+    };
     let (name, sides) = (name.clone(), [journal, bore]);
     let (others, table, clearance_from_mesh) = (parts.others, parts.table, parts.from_mesh);
     Some(Joint {
@@ -133,6 +140,7 @@ pub(super) fn read(
         run_out,
         offset,
         gears,
+        sensor,
     })
 }
 
@@ -225,7 +233,7 @@ fn bearing(store: FileStore, table: &Table) -> Option<Parts> {
     if each {
         table.demand("springs");
     }
-    if law.source.acts() == Acts::Joint && stations.len() > 1 {
+    if matches!(law.source.acts(), Acts::Joint | Acts::Sensor) && stations.len() > 1 {
         let message = format!("`{}` acts once a joint, not in several planes", law.name.text());
         let help = "leave `stations` out, or write one joint for each";
         table.push(table.written("stations").error_here(Code::BAD_VALUE, message).help(help));

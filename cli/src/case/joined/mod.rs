@@ -14,6 +14,7 @@ mod matrices;
 mod over_frequency;
 mod parts;
 pub(super) mod schema;
+mod sensor;
 
 pub(crate) use self::gear::axes_apart;
 pub(super) use self::joints::stop;

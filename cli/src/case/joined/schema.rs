@@ -246,6 +246,7 @@ pub(crate) const JOINT: &[Key] = &[
     key("law", Text, "the name of a law, or the path of a law file").like("\"ocvirk\""),
     key("parameters", PARAMETERS, "of the law, by name").like(PARAMETERS_EXAMPLE),
     key("film", Table(&[FILM, BORE_SHAPE]), "of a bearing whose law is a film: its nodes, ends and openings"),
+    key("sensor", Table(&[SENSOR]), "of a bearing whose law reads one: where it looks at the journal's body"),
     key("springs", Count(3, MOST_SPRINGS), "in a ring, of a law that acts spring by spring")
         .like("24"),
     key(
@@ -362,6 +363,17 @@ const SIDE: &[Key] = &[
         POSITION,
         "on a body of `sections`; on a rigid one where the other side does not say it",
     ),
+];
+
+const SENSOR: &[Key] = &[
+    key("z", POSITION, "on a body of `sections`, or on a rigid one"),
+    key("set", Text, "on a mesh: a node set around the axis").like("\"PROBE\""),
+    key(
+        "base",
+        Text,
+        "a node set of a mesh that carries the bore, on which the sensor stands; the bore if left out",
+    )
+    .like("\"PROBE_HOLDER\""),
 ];
 
 const BUSHING_STIFFNESS: &[Key] = &[

@@ -82,6 +82,12 @@ pub(super) fn place(
         let turned = turns(joined, first);
         sides.bore_axis = if turned { [own[0] + x, own[1] + y] } else { [x, y] };
     }
+    for (place, side) in joint.sensor.iter().flat_map(|own| own.sides.iter().enumerate()) {
+        if let Some(body) = side.body {
+            let z = side.z.unwrap_or(z[1]);
+            sides.sensor[place] = Some(centre_of(side, &mut bodies[body], z, errors)?);
+        }
+    }
     let mut film = None;
     let bore = match bodies.get_mut(second) {
         Some(PlannedBody::Meshed(plan)) if joint.sides[1].surface => {
@@ -246,7 +252,7 @@ fn journal(
     Some(journal)
 }
 
-/// The centre of a gear: a node of its body.
+/// The centre of a gear or of the section that a sensor sees: a node of its body.
 fn centre_of(
     side: &JointSide,
     body: &mut PlannedBody,
@@ -345,7 +351,9 @@ fn at(place: &Located, text: String) -> Located {
 /// in one plane has its only ring there, which the middle is; so has one whose law acts once.
 pub(super) fn stations(bearing: &case::Bearing, [left, right]: [f64; 2]) -> Vec<f64> {
     match bearing.stations.as_slice() {
-        _ if matches!(bearing.law.source.acts(), Acts::Joint | Acts::Gear) => vec![0.5],
+        _ if matches!(bearing.law.source.acts(), Acts::Joint | Acts::Sensor | Acts::Gear) => {
+            vec![0.5]
+        }
         [] => vec![0.0, 0.5, 1.0],
         [_] if left == right => vec![0.5],
         stations => stations.iter().map(|z| (z - left) / (right - left)).collect(),

@@ -89,7 +89,7 @@ impl ClearanceSpec {
         rows.extend(self.ring.iter().map(|coordinate| row("a ring", coordinate)));
         rows.push(row("a spring", &self.radial));
         rows.extend(self.tangential.iter().map(|coordinate| row("a spring", coordinate)));
-        let means = self.bore.iter().chain(&self.section).chain(&self.gear);
+        let means = self.bore.iter().chain(&self.section).chain(&self.sensor).chain(&self.gear);
         rows.extend(means.map(|coordinate| row("a ring", coordinate)));
         page.columns(&rows);
     }

@@ -4,7 +4,7 @@ use super::reader::Reader;
 use super::spec::NORMAL;
 use super::{
     BORE, BoreMotion, ClearanceSpec, Contact, ContactForce, ContactInput, Coordinate, GEAR, Place,
-    SECTION, Taken,
+    SECTION, SENSOR, Taken,
 };
 use crate::diagnostic::{Code, Located, suggest};
 use crate::document::{Document, Table, Value};
@@ -253,6 +253,7 @@ impl Binding<'_> {
 fn motions(spec: &ClearanceSpec) -> impl Iterator<Item = (BoreMotion, &Coordinate)> {
     let tangential = spec.tangential.iter().map(|own| (BoreMotion::Tangential, own));
     let means = BORE.into_iter().zip(&spec.bore).chain(SECTION.into_iter().zip(&spec.section));
+    let means = means.chain(SENSOR.into_iter().zip(&spec.sensor));
     let means = means.chain(GEAR.into_iter().zip(&spec.gear));
     let of_rings = means.clone().filter(|(motion, _)| !motion.is_of_whole_section());
     let of_sections = means.filter(|(motion, _)| motion.is_of_whole_section());

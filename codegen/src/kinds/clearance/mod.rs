@@ -36,6 +36,8 @@
 //! unit = "m"
 //! [section.gamma]     # the journal's section in its body: its turn; then a displacement along z, and two tilts
 //! unit = "rad"
+//! [sensor.t_x]        # the journal's body where a sensor looks at it: two displacements; then two of what it stands on
+//! unit = "m"
 //! [gear.phi]          # the second of two gears: the turn of its frame, and its own turn times the ratio of base radii
 //! unit = "rad"
 //! [measures.s]
@@ -62,7 +64,7 @@ use std::sync::Arc;
 
 pub use derive::Derived;
 pub(super) use schema::KIND;
-pub(crate) use spec::{Apart, BORE, BoreMotion, GEAR, Place, RINGS, SECTION};
+pub(crate) use spec::{Apart, BORE, BoreMotion, GEAR, Place, RINGS, SECTION, SENSOR};
 pub use spec::{ClearanceSpec, Contact, ContactForce, ContactInput, Coordinate, RING, Taken};
 
 use crate::diagnostic::{Diagnostics, Source};

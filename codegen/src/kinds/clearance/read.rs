@@ -33,6 +33,7 @@ impl<'d> Reader<'d> {
         let bore = [Dimension::LENGTH, Dimension::LENGTH, Dimension::ANGLE];
         let bore = self.whole_or_part(&root, "bore", &bore, &of_section);
         let section = self.whole_or_part(&root, "section", &[Dimension::ANGLE], &of_section);
+        let sensor = self.optional_coordinates(&root, "sensor", &[Dimension::LENGTH; 4]);
         let gear = self.optional_coordinates(&root, "gear", &[Dimension::ANGLE; 2]);
         let measures = self.measures(&root);
         let kinds = self.kinds(&root);
@@ -45,7 +46,8 @@ impl<'d> Reader<'d> {
         let (clearance, formula, value) = clearance?;
         let (axial_variable, axial) = axial?;
         let apart = apart?;
-        let (tangential, bore, section, gear) = (tangential?, bore?, section?, gear?);
+        let (tangential, bore, section) = (tangential?, bore?, section?);
+        let (sensor, gear) = (sensor?, gear?);
         let mut constants = constants?.into_iter();
         let mut spec = ClearanceSpec {
             name,
@@ -57,6 +59,7 @@ impl<'d> Reader<'d> {
             radius: constants.next(),
             tangential: tangential.into_iter().next(),
             section,
+            sensor,
             gear,
             bore,
             contacts: Vec::new(),

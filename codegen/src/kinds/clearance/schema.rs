@@ -34,6 +34,11 @@ const CLEARANCE: &[Key] = &[
         "the turn of the journal's section against the frame of its body; also its displacement along z and two tilts",
     ),
     key(
+        "sensor",
+        COORDINATES,
+        "two displacements of the journal's body where a sensor looks at it, in the frame of that body, and two of what it stands on",
+    ),
+    key(
         "gear",
         COORDINATES,
         "of the second of two gears: the turn of its frame, and its own times the ratio of base radii",

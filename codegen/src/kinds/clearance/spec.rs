@@ -26,6 +26,9 @@ pub(crate) const SECTION: [BoreMotion; 4] = [
     BoreMotion::SectionTiltX,
     BoreMotion::SectionTiltY,
 ];
+/// Coordinates of a sensor: the journal's body where it looks, in the frame of that body, and what it stands on.
+pub(crate) const SENSOR: [BoreMotion; 4] =
+    [BoreMotion::SeenX, BoreMotion::SeenY, BoreMotion::BaseX, BoreMotion::BaseY];
 /// Coordinates of the second of two gears beside its mean motion: the turn of its frame, and its own by which teeth move.
 pub(crate) const GEAR: [BoreMotion; 2] = [BoreMotion::SecondFrame, BoreMotion::SecondTurn];
 /// Rings of a bearing, between which the axial functions interpolate.
@@ -58,6 +61,8 @@ pub struct ClearanceSpec {
     pub(crate) bore: Vec<Coordinate>,
     /// Motion of the journal's section in the frame of its body, as many of [`SECTION`] as the spec has.
     pub(crate) section: Vec<Coordinate>,
+    /// What a sensor sees and what it stands on, [`SENSOR`], if the spec has them.
+    pub(crate) sensor: Vec<Coordinate>,
     /// Turns of the second of two gears, [`GEAR`], if the spec has them.
     pub(crate) gear: Vec<Coordinate>,
     /// Kinds of laws, that of Q(h, ḣ) first.
@@ -109,6 +114,14 @@ pub(crate) enum BoreMotion {
     SectionTiltX,
     /// The journal's section, about y of its body.
     SectionTiltY,
+    /// Where a sensor looks at the journal's body, along x of that body.
+    SeenX,
+    /// The same along y.
+    SeenY,
+    /// What the sensor stands on, along x.
+    BaseX,
+    /// The same along y.
+    BaseY,
     /// The frame of the second of two gears, turning in space.
     SecondFrame,
     /// The second of two gears, turning in space, times the ratio of their base radii.
@@ -118,7 +131,8 @@ pub(crate) enum BoreMotion {
 impl BoreMotion {
     /// Whether rings have it not, but whole sections.
     pub(crate) fn is_of_whole_section(self) -> bool {
-        BORE[3..].contains(&self) || SECTION[1..].contains(&self) || GEAR.contains(&self)
+        let of_sections = [&BORE[3..], &SECTION[1..], &SENSOR, &GEAR];
+        of_sections.iter().any(|own| own.contains(&self))
     }
 }
 

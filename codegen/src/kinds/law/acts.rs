@@ -11,17 +11,19 @@ pub enum Acts {
     Ring,
     /// On a whole joint: once, from the displacement and the tilts of the sections on both sides.
     Joint,
+    /// On a whole joint: once, from the displacement of the shaft's centre line and from what a sensor reads elsewhere.
+    Sensor,
     /// On two gears: at their teeth, along the line of action.
     Gear,
 }
 
 impl Acts {
     /// All kinds.
-    pub const ALL: [Acts; 4] = [Acts::Spring, Acts::Ring, Acts::Joint, Acts::Gear];
+    pub const ALL: [Acts; 5] = [Acts::Spring, Acts::Ring, Acts::Joint, Acts::Sensor, Acts::Gear];
 
     /// Whether a law of this kind may have all that one of the other has.
     pub(super) fn has_all_of(self, other: Acts) -> bool {
-        self == other || (self, other) == (Acts::Joint, Acts::Ring)
+        self == other || matches!((self, other), (Acts::Joint | Acts::Sensor, Acts::Ring))
     }
 
     /// Inputs that such a law can take.
@@ -30,6 +32,7 @@ impl Acts {
             Acts::Spring => SPRING_INPUTS,
             Acts::Ring => RING_INPUTS,
             Acts::Joint => JOINT_INPUTS,
+            Acts::Sensor => SENSOR_INPUTS,
             Acts::Gear => GEAR_INPUTS,
         }
     }
@@ -40,6 +43,7 @@ impl Acts {
             Acts::Spring => SPRING_OUTPUTS,
             Acts::Ring => RING_OUTPUTS,
             Acts::Joint => JOINT_OUTPUTS,
+            Acts::Sensor => RING_OUTPUTS,
             Acts::Gear => GEAR_OUTPUTS,
         }
     }
@@ -48,7 +52,7 @@ impl Acts {
     pub(crate) fn needed(self) -> &'static [&'static str] {
         match self {
             Acts::Spring => &["Q"],
-            Acts::Ring | Acts::Joint => &["F_x", "F_y"],
+            Acts::Ring | Acts::Joint | Acts::Sensor => &["F_x", "F_y"],
             Acts::Gear => &["F_n"],
         }
     }
@@ -59,6 +63,7 @@ impl Acts {
             Acts::Spring => "spring",
             Acts::Ring => "ring",
             Acts::Joint => "joint",
+            Acts::Sensor => "sensor",
             Acts::Gear => "gear",
         }
     }
@@ -69,6 +74,7 @@ impl Acts {
             Acts::Spring => "a law of a spring",
             Acts::Ring => "a law of a ring",
             Acts::Joint => "a law of a joint",
+            Acts::Sensor => "a law of a joint with a sensor",
             Acts::Gear => "a law of a gear",
         }
     }
@@ -151,6 +157,23 @@ const JOINT_OUTPUTS: &[Quantity] = &[
     quantity("M_x", Dimension::TORQUE, "moment on the shaft about the vertical axis x"),
     quantity("M_y", Dimension::TORQUE, "moment on the shaft about the horizontal axis y"),
     M_Z,
+];
+
+const SENSOR_INPUTS: &[Quantity] = &[
+    E_X,
+    E_Y,
+    E_X_DOT,
+    E_Y_DOT,
+    quantity("y_x", Dimension::LENGTH, "vertical displacement of the shaft that its sensor reads"),
+    quantity(
+        "y_y",
+        Dimension::LENGTH,
+        "horizontal displacement of the shaft that its sensor reads",
+    ),
+    quantity("y_x_dot", Dimension::SPEED, "rate of y_x"),
+    quantity("y_y_dot", Dimension::SPEED, "rate of y_y"),
+    OMEGA,
+    THETA,
 ];
 
 const GEAR_INPUTS: &[Quantity] = &[

@@ -192,6 +192,10 @@ impl Kernels<'_> {
             BoreMotion::SectionZ => quote!(BoreMotion::SectionZ),
             BoreMotion::SectionTiltX => quote!(BoreMotion::SectionTiltX),
             BoreMotion::SectionTiltY => quote!(BoreMotion::SectionTiltY),
+            BoreMotion::SeenX => quote!(BoreMotion::SeenX),
+            BoreMotion::SeenY => quote!(BoreMotion::SeenY),
+            BoreMotion::BaseX => quote!(BoreMotion::BaseX),
+            BoreMotion::BaseY => quote!(BoreMotion::BaseY),
             BoreMotion::SecondFrame => quote!(BoreMotion::SecondFrame),
             BoreMotion::SecondTurn => quote!(BoreMotion::SecondTurn),
         });

@@ -88,6 +88,7 @@ fn all_coordinates(spec: &ClearanceSpec) -> Vec<(&str, Id)> {
         .chain(&spec.tangential)
         .chain(&spec.bore)
         .chain(&spec.section)
+        .chain(&spec.sensor)
         .chain(&spec.gear)
         .chain([&spec.constant])
         .chain(&spec.radius);
