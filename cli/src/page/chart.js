@@ -336,8 +336,8 @@ class Chart {
       parts.push(`<span data-name="${escaped(own.name)}"${off}><svg viewBox="0 0 26 8"><path class="line ${own.className ? 's6' : `s${style}`}" stroke-width="2" ${dash ? `stroke-dasharray="${dash}"` : ''} d="M0 4H26"/></svg>${escaped(own.name)}${value}</span>`);
     });
     for (const own of spec.circles || []) if (own.r > 0 && own.name) parts.push(`<span><svg viewBox="0 0 26 8"><path stroke="var(--mark)" stroke-width="1.5" stroke-dasharray="2 3" d="M0 4H26"/></svg>${escaped(own.name)}</span>`);
-    if ((spec.dots || []).length) parts.push(`<span><svg viewBox="0 0 26 8"><circle class="f${spec.dots[0].style ?? 1}" cx="13" cy="4" r="3.6"/></svg>${escaped(spec.dots[0].name)}</span>`);
-    if (spec.note) parts.push(`<span>${escaped(spec.note)}</span>`);
+    if ((spec.dots || []).length) parts.push(`<span class="wraps"><svg viewBox="0 0 26 8"><circle class="f${spec.dots[0].style ?? 1}" cx="13" cy="4" r="3.6"/></svg>${escaped(spec.dots[0].name)}</span>`);
+    if (spec.note) parts.push(`<span class="wraps">${escaped(spec.note)}</span>`);
     this.legend.innerHTML = parts.join('');
   }
 
