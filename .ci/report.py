@@ -164,7 +164,12 @@ def over_angle(browser, rows, charts):
     groups, compared = browser.run('whirl.data.about.groups'), 0
     for turned in browser.run('whirl.data.run.turned.map((own) => ({ group: own.group, revolutions: own.revolutions }))'):
         group = groups[turned['group']]
-        chart = next(own for own in charts if own['id'].startswith('angle-') and own['title'] == group['title'])
+        chart = next((own for own in charts if own['id'].startswith('angle-') and own['title'] == group['title']), None)
+        if chart is None:
+            # What is zero over all of them has no chart.
+            last = first_of(rows[group['angle']], turned['revolutions'])
+            assert all(value == 0 for column, _ in group['lines'] for value in rows[column][last:]), group['title']
+            continue
         theta = rows[group['angle']]
         for line, (column, _) in zip(chart['series'], group['lines']):
             known = [own * group['factor'] for own in rows[column]]

@@ -213,9 +213,9 @@ fn a_sensor_at_the_magnets_is_a_bearing_without_one() {
         let far = |other: &[f64]| {
             own.iter().zip(other).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / largest
         };
-        assert!(largest > 0.0 && far(&by_z) < 1e-7, "{column}: {}", far(&by_z));
+        assert!(largest > 0.0 && far(by_z) < 1e-7, "{column}: {}", far(by_z));
         // The mean of the surface from 60 to 120 mm is that of its middle but for what the section bends.
-        assert!(far(&by_set) > 1e-9 && far(&by_set) < 0.05, "{column}: {}", far(&by_set));
+        assert!(far(by_set) > 1e-9 && far(by_set) < 0.05, "{column}: {}", far(by_set));
     }
 }
 

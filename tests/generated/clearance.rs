@@ -15,7 +15,7 @@ fn the_first_measure_is_the_clearance() {
     let [gamma, s_z, a_x, a_y] = [0.2, 5e-6, 0.03, 0.04];
     let all = measures(
         psi, theta, eps_x, eps_y, delta, 1e-6, b_x, b_y, beta, b_z, g_x, g_y, gamma, s_z, a_x, a_y,
-        0.4, 0.6, c, 0.03,
+        6e-6, 7e-6, 8e-6, 9e-6, 0.4, 0.6, c, 0.03,
     );
     assert_eq!(all[0], h);
 }

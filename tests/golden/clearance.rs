@@ -35,7 +35,7 @@ pub mod journal {
         let twice_y_ = -y_;
         [[x_, y_], [y_, by_angle_y_], [by_angle_y_, twice_y_]]
     }
-    /// h, s, alpha, e_x, e_y, e_z, alpha_x, alpha_y, e_n, s_mean of psi, theta, eps_x, eps_y, delta, tau, b_x, b_y, beta, b_z, g_x, g_y, gamma, s_z, a_x, a_y, phi, lambda, c, R, SI.
+    /// h, s, alpha, e_x, e_y, e_z, alpha_x, alpha_y, e_n, s_mean, y_x, y_y of psi, theta, eps_x, eps_y, delta, tau, b_x, b_y, beta, b_z, g_x, g_y, gamma, s_z, a_x, a_y, t_x, t_y, r_x, r_y, phi, lambda, c, R, SI.
     pub fn measures<L: Lane>(
         psi: L,
         theta: L,
@@ -53,11 +53,15 @@ pub mod journal {
         s_z: L,
         a_x: L,
         a_y: L,
+        t_x: L,
+        t_y: L,
+        r_x: L,
+        r_y: L,
         phi: L,
         lambda: L,
         c: L,
         R: L,
-    ) -> [L; 10] {
+    ) -> [L; 12] {
         let cos_theta = theta.cos();
         let sin_theta = theta.sin();
         let h_part2 = eps_x * cos_theta - eps_y * sin_theta;
@@ -87,7 +91,11 @@ pub mod journal {
         let e_n_part2 = h_part2 - cos_phi * b_x + sin_phi * b_y;
         let e_n = e_n_part2 + R * (s_part + lambda);
         let s_mean = (tau + s_part2 - s_part4 + s_part6) * 0.5;
-        [h, s, alpha, e_x, e_y, e_z, alpha_x, alpha_y, e_n, s_mean]
+        let y_x_part2 = cos_theta * t_x - r_x - sin_theta * t_y;
+        let y_x_part5 = sin_theta * t_x - r_y + cos_theta * t_y;
+        let y_x = cos_beta * y_x_part2 + sin_beta * y_x_part5;
+        let y_y = cos_beta * y_x_part5 - sin_beta * y_x_part2;
+        [h, s, alpha, e_x, e_y, e_z, alpha_x, alpha_y, e_n, s_mean, y_x, y_y]
     }
     /// All measures from the coordinates in the order of the spec: see [`Clearance::measure`].
     pub fn measure(at_: &[f64], out_: &mut [f64]) {
@@ -113,6 +121,10 @@ pub mod journal {
                 at_[17],
                 at_[18],
                 at_[19],
+                at_[20],
+                at_[21],
+                at_[22],
+                at_[23],
             ),
         );
     }
@@ -3230,6 +3242,1032 @@ pub mod journal {
                 tangent,
             };
         }
+        /// Laws that act once a joint: F_x, F_y, M_z of e_x, e_y, e_x_dot, e_y_dot, y_x, y_y, y_x_dot, y_y_dot, omega, theta.
+        pub mod sensor {
+            use crate::{
+                BoreMotion, Contact, ContactPlace, ContactState, ContactTangent,
+                ContactVariable, Lane,
+            };
+            /// Nothing is kept.
+            pub fn prepare(_: &[f64], _: &mut [f64]) {}
+            /// Inputs of the law.
+            ///
+            /// Once a ring: 2 add, 4 mul, 2 function; each spring: 42 add, 48 mul, 2 function.
+            pub fn inputs(count_: usize, state_: &ContactState, out_: &mut [f64]) {
+                let _ = state_;
+                let [b_x_row_, b_y_row_, beta_row_, gamma_row_, t_x_row_, t_y_row_,
+                r_x_row_, r_y_row_] = crate::strided(count_, state_.stride, state_.bore);
+                let [b_x_dot_row_, b_y_dot_row_, beta_dot_row_, gamma_dot_row_,
+                t_x_dot_row_, t_y_dot_row_, r_x_dot_row_, r_y_dot_row_] = crate::strided(
+                    count_,
+                    state_.stride,
+                    state_.bore_dot,
+                );
+                let [theta, eps_x, eps_y] = state_.ring.position;
+                let [theta_dot, eps_x_dot, eps_y_dot] = state_.ring.velocity;
+                let cos_theta = Lane::cos(theta);
+                let sin_theta = Lane::sin(theta);
+                let u_x = eps_x * cos_theta - eps_y * sin_theta;
+                let taken_e_x__part = eps_x * sin_theta + eps_y * cos_theta;
+                let [taken_e_x_out_, taken_e_y_out_, taken_e_x_dot_out_,
+                taken_e_y_dot_out_, taken_y_x_out_, taken_y_y_out_, taken_y_x_dot_out_,
+                taken_y_y_dot_out_, taken_omega_out_, taken_theta_out_,
+                measure_of_M_z_out_] = crate::strided_mut(count_, state_.stride, out_);
+                for j_ in 0..count_ {
+                    let b_x = b_x_row_[j_];
+                    let b_y = b_y_row_[j_];
+                    let beta = beta_row_[j_];
+                    let gamma = gamma_row_[j_];
+                    let t_x = t_x_row_[j_];
+                    let t_y = t_y_row_[j_];
+                    let r_x = r_x_row_[j_];
+                    let r_y = r_y_row_[j_];
+                    let b_x_dot = b_x_dot_row_[j_];
+                    let b_y_dot = b_y_dot_row_[j_];
+                    let beta_dot = beta_dot_row_[j_];
+                    let gamma_dot = gamma_dot_row_[j_];
+                    let t_x_dot = t_x_dot_row_[j_];
+                    let t_y_dot = t_y_dot_row_[j_];
+                    let r_x_dot = r_x_dot_row_[j_];
+                    let r_y_dot = r_y_dot_row_[j_];
+                    let cos_beta = Lane::cos(beta);
+                    let taken_e_x__part2 = u_x - b_x;
+                    let sin_beta = Lane::sin(beta);
+                    let taken_e_x__part4 = taken_e_x__part - b_y;
+                    let taken_e_x_ = cos_beta * taken_e_x__part2
+                        + sin_beta * taken_e_x__part4;
+                    let taken_e_y_ = cos_beta * taken_e_x__part4
+                        - taken_e_x__part2 * sin_beta;
+                    let taken_e_x_dot__part3 = (sin_beta * u_x
+                        - cos_beta * taken_e_x__part) * theta_dot;
+                    let taken_e_x_dot__part4 = cos_beta * cos_theta
+                        + sin_beta * sin_theta;
+                    let taken_e_x_dot__part7 = sin_beta * cos_theta
+                        - cos_beta * sin_theta;
+                    let taken_e_x_dot__part9 = taken_e_x_dot__part3
+                        + taken_e_x_dot__part4 * eps_x_dot
+                        + taken_e_x_dot__part7 * eps_y_dot;
+                    let taken_e_x_dot__part11 = taken_e_x_dot__part9 - cos_beta * b_x_dot
+                        - sin_beta * b_y_dot;
+                    let taken_e_x_dot_ = taken_e_x_dot__part11 + taken_e_y_ * beta_dot;
+                    let taken_e_y_dot__part3 = (cos_beta * u_x
+                        + sin_beta * taken_e_x__part) * theta_dot;
+                    let taken_e_y_dot__part7 = taken_e_y_dot__part3
+                        - taken_e_x_dot__part7 * eps_x_dot
+                        + taken_e_x_dot__part4 * eps_y_dot;
+                    let taken_e_y_dot__part9 = taken_e_y_dot__part7 + sin_beta * b_x_dot
+                        - cos_beta * b_y_dot;
+                    let taken_e_y_dot_ = taken_e_y_dot__part9 - beta_dot * taken_e_x_;
+                    let t_x_cos_theta = t_x * cos_theta;
+                    let t_y_sin_theta = t_y * sin_theta;
+                    let taken_y_x__part2 = t_x_cos_theta - r_x - t_y_sin_theta;
+                    let t_x_sin_theta = t_x * sin_theta;
+                    let t_y_cos_theta = t_y * cos_theta;
+                    let taken_y_x__part5 = t_x_sin_theta - r_y + t_y_cos_theta;
+                    let taken_y_x_ = cos_beta * taken_y_x__part2
+                        + sin_beta * taken_y_x__part5;
+                    let taken_y_y_ = cos_beta * taken_y_x__part5
+                        - sin_beta * taken_y_x__part2;
+                    let taken_y_x_dot__part = t_x_cos_theta - t_y_sin_theta;
+                    let taken_y_x_dot__part3 = t_x_sin_theta + t_y_cos_theta;
+                    let taken_y_x_dot__part6 = (sin_beta * taken_y_x_dot__part
+                        - cos_beta * taken_y_x_dot__part3) * theta_dot;
+                    let taken_y_x_dot__part9 = taken_y_x_dot__part6
+                        + taken_y_y_ * beta_dot + t_x_dot * taken_e_x_dot__part4;
+                    let taken_y_x_dot__part12 = taken_y_x_dot__part9
+                        + t_y_dot * taken_e_x_dot__part7 - cos_beta * r_x_dot;
+                    let taken_y_x_dot_ = taken_y_x_dot__part12 - sin_beta * r_y_dot;
+                    let taken_y_y_dot__part4 = (cos_beta * taken_y_x_dot__part
+                        + sin_beta * taken_y_x_dot__part3) * theta_dot;
+                    let taken_y_y_dot__part7 = taken_y_y_dot__part4
+                        - beta_dot * taken_y_x_ - t_x_dot * taken_e_x_dot__part7;
+                    let taken_y_y_dot__part10 = taken_y_y_dot__part7
+                        + t_y_dot * taken_e_x_dot__part4 + sin_beta * r_x_dot;
+                    let taken_y_y_dot_ = taken_y_y_dot__part10 - cos_beta * r_y_dot;
+                    let taken_omega_ = theta_dot + (gamma_dot - beta_dot);
+                    let measure_of_M_z_ = theta + (gamma - beta);
+                    taken_e_x_out_[j_] = taken_e_x_;
+                    taken_e_y_out_[j_] = taken_e_y_;
+                    taken_e_x_dot_out_[j_] = taken_e_x_dot_;
+                    taken_e_y_dot_out_[j_] = taken_e_y_dot_;
+                    taken_y_x_out_[j_] = taken_y_x_;
+                    taken_y_y_out_[j_] = taken_y_y_;
+                    taken_y_x_dot_out_[j_] = taken_y_x_dot_;
+                    taken_y_y_dot_out_[j_] = taken_y_y_dot_;
+                    taken_omega_out_[j_] = taken_omega_;
+                    taken_theta_out_[j_] = theta;
+                    measure_of_M_z_out_[j_] = measure_of_M_z_;
+                }
+            }
+            /// Generalised forces.
+            ///
+            /// Once a ring: 2 add, 4 mul, 2 function; each spring: 17 add, 24 mul, 2 function, 3 add into sums; after the springs: no operations.
+            pub fn force(
+                count_: usize,
+                state_: &ContactState,
+                forces_: &[f64],
+                ring_: &mut [f64; 3],
+                out_: &mut [f64],
+            ) {
+                let _ = state_;
+                let [b_x_row_, b_y_row_, beta_row_, _, _, _, _, _] = crate::strided(
+                    count_,
+                    state_.stride,
+                    state_.bore,
+                );
+                let [F_x_row_, F_y_row_, M_z_row_] = crate::strided(
+                    count_,
+                    state_.stride,
+                    forces_,
+                );
+                let [theta, eps_x, eps_y] = state_.ring.position;
+                let cos_theta = Lane::cos(theta);
+                let sin_theta = Lane::sin(theta);
+                let u_x = eps_x * cos_theta - eps_y * sin_theta;
+                let taken_e_x__part = eps_x * sin_theta + eps_y * cos_theta;
+                let [force_3_out_, force_4_out_, force_5_out_, force_6_out_,
+                force_7_out_, force_8_out_, force_9_out_, force_10_out_] = crate::strided_mut(
+                    count_,
+                    state_.stride,
+                    out_,
+                );
+                let mut total_force_0_ = 0.0;
+                let mut total_force_1_ = 0.0;
+                let mut total_force_2_ = 0.0;
+                for j_ in 0..count_ {
+                    let b_x = b_x_row_[j_];
+                    let b_y = b_y_row_[j_];
+                    let beta = beta_row_[j_];
+                    let F_x = F_x_row_[j_];
+                    let F_y = F_y_row_[j_];
+                    let M_z = M_z_row_[j_];
+                    let cos_beta = Lane::cos(beta);
+                    let taken_e_x__part2 = u_x - b_x;
+                    let sin_beta = Lane::sin(beta);
+                    let taken_e_x__part4 = taken_e_x__part - b_y;
+                    let taken_e_x_ = cos_beta * taken_e_x__part2
+                        + sin_beta * taken_e_x__part4;
+                    let taken_e_y_ = cos_beta * taken_e_x__part4
+                        - taken_e_x__part2 * sin_beta;
+                    let taken_e_x_dot__part4 = cos_beta * cos_theta
+                        + sin_beta * sin_theta;
+                    let taken_e_x_dot__part7 = sin_beta * cos_theta
+                        - cos_beta * sin_theta;
+                    let force_3_ = sin_beta * F_y - cos_beta * F_x;
+                    let force_4_ = -(sin_beta * F_x + cos_beta * F_y);
+                    let force_5_ = taken_e_y_ * F_x - M_z - F_y * taken_e_x_;
+                    let force_1_ = F_x * taken_e_x_dot__part4
+                        - F_y * taken_e_x_dot__part7;
+                    let force_0__part = F_x
+                        * (sin_beta * u_x - cos_beta * taken_e_x__part);
+                    let force_0__part3 = F_y
+                        * (cos_beta * u_x + sin_beta * taken_e_x__part);
+                    let force_0_ = M_z + force_0__part + force_0__part3;
+                    let force_2_ = F_x * taken_e_x_dot__part7
+                        + F_y * taken_e_x_dot__part4;
+                    force_3_out_[j_] = force_3_;
+                    force_4_out_[j_] = force_4_;
+                    force_5_out_[j_] = force_5_;
+                    force_6_out_[j_] = M_z;
+                    force_7_out_[j_] = 0.0;
+                    force_8_out_[j_] = 0.0;
+                    force_9_out_[j_] = 0.0;
+                    force_10_out_[j_] = 0.0;
+                    total_force_0_ += force_0_;
+                    total_force_1_ += force_1_;
+                    total_force_2_ += force_2_;
+                }
+                *ring_ = [total_force_0_, total_force_1_, total_force_2_];
+            }
+            /// Derivatives B + a1·P of the generalised forces.
+            ///
+            /// Once a ring: 2 add, 4 mul, 2 function; each spring: 401 add, 373 mul, 2 function, 9 add into sums; after the springs: no operations.
+            pub fn tangent(
+                count_: usize,
+                state_: &ContactState,
+                forces_: &[f64],
+                slopes_: &[f64],
+                a1_: f64,
+                out_: &mut ContactTangent,
+            ) {
+                let _ = state_;
+                let [b_x_row_, b_y_row_, beta_row_, _, t_x_row_, t_y_row_, r_x_row_,
+                r_y_row_] = crate::strided(count_, state_.stride, state_.bore);
+                let [b_x_dot_row_, b_y_dot_row_, beta_dot_row_, _, t_x_dot_row_,
+                t_y_dot_row_, r_x_dot_row_, r_y_dot_row_] = crate::strided(
+                    count_,
+                    state_.stride,
+                    state_.bore_dot,
+                );
+                let [F_x_row_, F_y_row_, _] = crate::strided(
+                    count_,
+                    state_.stride,
+                    forces_,
+                );
+                let [dF_x_de_x_row_, dF_x_de_y_row_, dF_x_de_x_dot_row_,
+                dF_x_de_y_dot_row_, dF_x_dy_x_row_, dF_x_dy_y_row_, dF_x_dy_x_dot_row_,
+                dF_x_dy_y_dot_row_, dF_x_domega_row_, dF_x_dtheta_row_, dF_y_de_x_row_,
+                dF_y_de_y_row_, dF_y_de_x_dot_row_, dF_y_de_y_dot_row_, dF_y_dy_x_row_,
+                dF_y_dy_y_row_, dF_y_dy_x_dot_row_, dF_y_dy_y_dot_row_, dF_y_domega_row_,
+                dF_y_dtheta_row_, dM_z_de_x_row_, dM_z_de_y_row_, dM_z_de_x_dot_row_,
+                dM_z_de_y_dot_row_, dM_z_dy_x_row_, dM_z_dy_y_row_, dM_z_dy_x_dot_row_,
+                dM_z_dy_y_dot_row_, dM_z_domega_row_, dM_z_dtheta_row_] = crate::strided(
+                    count_,
+                    state_.stride,
+                    slopes_,
+                );
+                let [theta, eps_x, eps_y] = state_.ring.position;
+                let [theta_dot, eps_x_dot, eps_y_dot] = state_.ring.velocity;
+                let cos_theta = Lane::cos(theta);
+                let sin_theta = Lane::sin(theta);
+                let u_x = eps_x * cos_theta - eps_y * sin_theta;
+                let taken_e_x__part = eps_x * sin_theta + eps_y * cos_theta;
+                let [by_0_3_out_, by_0_4_out_, by_0_5_out_, by_0_6_out_, by_0_7_out_,
+                by_0_8_out_, by_0_9_out_, by_0_10_out_, by_1_3_out_, by_1_4_out_,
+                by_1_5_out_, by_1_6_out_, by_1_7_out_, by_1_8_out_, by_1_9_out_,
+                by_1_10_out_, by_2_3_out_, by_2_4_out_, by_2_5_out_, by_2_6_out_,
+                by_2_7_out_, by_2_8_out_, by_2_9_out_, by_2_10_out_] = crate::rows_mut(
+                    count_,
+                    &mut out_.ring_bore,
+                );
+                let [by_3_0_out_, by_3_1_out_, by_3_2_out_, by_4_0_out_, by_4_1_out_,
+                by_4_2_out_, by_5_0_out_, by_5_1_out_, by_5_2_out_, by_6_0_out_,
+                by_6_1_out_, by_6_2_out_, by_7_0_out_, by_7_1_out_, by_7_2_out_,
+                by_8_0_out_, by_8_1_out_, by_8_2_out_, by_9_0_out_, by_9_1_out_,
+                by_9_2_out_, by_10_0_out_, by_10_1_out_, by_10_2_out_] = crate::rows_mut(
+                    count_,
+                    &mut out_.bore_ring,
+                );
+                let [by_3_3_out_, by_3_4_out_, by_3_5_out_, by_3_6_out_, by_3_7_out_,
+                by_3_8_out_, by_3_9_out_, by_3_10_out_, by_4_3_out_, by_4_4_out_,
+                by_4_5_out_, by_4_6_out_, by_4_7_out_, by_4_8_out_, by_4_9_out_,
+                by_4_10_out_, by_5_3_out_, by_5_4_out_, by_5_5_out_, by_5_6_out_,
+                by_5_7_out_, by_5_8_out_, by_5_9_out_, by_5_10_out_, by_6_3_out_,
+                by_6_4_out_, by_6_5_out_, by_6_6_out_, by_6_7_out_, by_6_8_out_,
+                by_6_9_out_, by_6_10_out_, by_7_3_out_, by_7_4_out_, by_7_5_out_,
+                by_7_6_out_, by_7_7_out_, by_7_8_out_, by_7_9_out_, by_7_10_out_,
+                by_8_3_out_, by_8_4_out_, by_8_5_out_, by_8_6_out_, by_8_7_out_,
+                by_8_8_out_, by_8_9_out_, by_8_10_out_, by_9_3_out_, by_9_4_out_,
+                by_9_5_out_, by_9_6_out_, by_9_7_out_, by_9_8_out_, by_9_9_out_,
+                by_9_10_out_, by_10_3_out_, by_10_4_out_, by_10_5_out_, by_10_6_out_,
+                by_10_7_out_, by_10_8_out_, by_10_9_out_, by_10_10_out_] = crate::rows_mut(
+                    count_,
+                    &mut out_.bore_bore,
+                );
+                let mut total_by_0_0_ = 0.0;
+                let mut total_by_0_1_ = 0.0;
+                let mut total_by_0_2_ = 0.0;
+                let mut total_by_1_0_ = 0.0;
+                let mut total_by_1_1_ = 0.0;
+                let mut total_by_1_2_ = 0.0;
+                let mut total_by_2_0_ = 0.0;
+                let mut total_by_2_1_ = 0.0;
+                let mut total_by_2_2_ = 0.0;
+                for j_ in 0..count_ {
+                    let b_x = b_x_row_[j_];
+                    let b_y = b_y_row_[j_];
+                    let beta = beta_row_[j_];
+                    let t_x = t_x_row_[j_];
+                    let t_y = t_y_row_[j_];
+                    let r_x = r_x_row_[j_];
+                    let r_y = r_y_row_[j_];
+                    let b_x_dot = b_x_dot_row_[j_];
+                    let b_y_dot = b_y_dot_row_[j_];
+                    let beta_dot = beta_dot_row_[j_];
+                    let t_x_dot = t_x_dot_row_[j_];
+                    let t_y_dot = t_y_dot_row_[j_];
+                    let r_x_dot = r_x_dot_row_[j_];
+                    let r_y_dot = r_y_dot_row_[j_];
+                    let F_x = F_x_row_[j_];
+                    let F_y = F_y_row_[j_];
+                    let dF_x_de_x = dF_x_de_x_row_[j_];
+                    let dF_x_de_y = dF_x_de_y_row_[j_];
+                    let dF_x_de_x_dot = dF_x_de_x_dot_row_[j_];
+                    let dF_x_de_y_dot = dF_x_de_y_dot_row_[j_];
+                    let dF_x_dy_x = dF_x_dy_x_row_[j_];
+                    let dF_x_dy_y = dF_x_dy_y_row_[j_];
+                    let dF_x_dy_x_dot = dF_x_dy_x_dot_row_[j_];
+                    let dF_x_dy_y_dot = dF_x_dy_y_dot_row_[j_];
+                    let dF_x_domega = dF_x_domega_row_[j_];
+                    let dF_x_dtheta = dF_x_dtheta_row_[j_];
+                    let dF_y_de_x = dF_y_de_x_row_[j_];
+                    let dF_y_de_y = dF_y_de_y_row_[j_];
+                    let dF_y_de_x_dot = dF_y_de_x_dot_row_[j_];
+                    let dF_y_de_y_dot = dF_y_de_y_dot_row_[j_];
+                    let dF_y_dy_x = dF_y_dy_x_row_[j_];
+                    let dF_y_dy_y = dF_y_dy_y_row_[j_];
+                    let dF_y_dy_x_dot = dF_y_dy_x_dot_row_[j_];
+                    let dF_y_dy_y_dot = dF_y_dy_y_dot_row_[j_];
+                    let dF_y_domega = dF_y_domega_row_[j_];
+                    let dF_y_dtheta = dF_y_dtheta_row_[j_];
+                    let dM_z_de_x = dM_z_de_x_row_[j_];
+                    let dM_z_de_y = dM_z_de_y_row_[j_];
+                    let dM_z_de_x_dot = dM_z_de_x_dot_row_[j_];
+                    let dM_z_de_y_dot = dM_z_de_y_dot_row_[j_];
+                    let dM_z_dy_x = dM_z_dy_x_row_[j_];
+                    let dM_z_dy_y = dM_z_dy_y_row_[j_];
+                    let dM_z_dy_x_dot = dM_z_dy_x_dot_row_[j_];
+                    let dM_z_dy_y_dot = dM_z_dy_y_dot_row_[j_];
+                    let dM_z_domega = dM_z_domega_row_[j_];
+                    let dM_z_dtheta = dM_z_dtheta_row_[j_];
+                    let cos_beta = Lane::cos(beta);
+                    let taken_e_x__part2 = u_x - b_x;
+                    let sin_beta = Lane::sin(beta);
+                    let taken_e_x__part4 = taken_e_x__part - b_y;
+                    let taken_e_x_ = cos_beta * taken_e_x__part2
+                        + sin_beta * taken_e_x__part4;
+                    let taken_e_y_ = cos_beta * taken_e_x__part4
+                        - taken_e_x__part2 * sin_beta;
+                    let taken_e_x_dot__part2 = sin_beta * u_x
+                        - cos_beta * taken_e_x__part;
+                    let taken_e_x_dot__part3 = taken_e_x_dot__part2 * theta_dot;
+                    let taken_e_x_dot__part4 = cos_beta * cos_theta
+                        + sin_beta * sin_theta;
+                    let taken_e_x_dot__part5 = taken_e_x_dot__part4 * eps_x_dot;
+                    let taken_e_x_dot__part7 = sin_beta * cos_theta
+                        - cos_beta * sin_theta;
+                    let taken_e_x_dot__part8 = taken_e_x_dot__part7 * eps_y_dot;
+                    let taken_e_y_dot__part2 = cos_beta * u_x
+                        + sin_beta * taken_e_x__part;
+                    let taken_e_y_dot__part3 = taken_e_y_dot__part2 * theta_dot;
+                    let taken_e_y_dot__part4 = taken_e_x_dot__part7 * eps_x_dot;
+                    let taken_e_y_dot__part6 = taken_e_x_dot__part4 * eps_y_dot;
+                    let taken_e_y_dot__part8 = taken_e_y_dot__part3
+                        - taken_e_y_dot__part4 + taken_e_y_dot__part6
+                        + sin_beta * b_x_dot;
+                    let taken_e_y_dot_ = taken_e_y_dot__part8 - cos_beta * b_y_dot
+                        - beta_dot * taken_e_x_;
+                    let t_x_cos_theta = t_x * cos_theta;
+                    let t_y_sin_theta = t_y * sin_theta;
+                    let taken_y_x__part2 = t_x_cos_theta - r_x - t_y_sin_theta;
+                    let t_x_sin_theta = t_x * sin_theta;
+                    let t_y_cos_theta = t_y * cos_theta;
+                    let taken_y_x__part5 = t_x_sin_theta - r_y + t_y_cos_theta;
+                    let taken_y_x_ = cos_beta * taken_y_x__part2
+                        + sin_beta * taken_y_x__part5;
+                    let taken_y_y_ = cos_beta * taken_y_x__part5
+                        - sin_beta * taken_y_x__part2;
+                    let taken_y_x_dot__part = t_x_cos_theta - t_y_sin_theta;
+                    let taken_y_x_dot__part3 = t_x_sin_theta + t_y_cos_theta;
+                    let taken_y_x_dot__part5 = sin_beta * taken_y_x_dot__part
+                        - cos_beta * taken_y_x_dot__part3;
+                    let taken_y_x_dot__part6 = taken_y_x_dot__part5 * theta_dot;
+                    let taken_y_x_dot__part8 = t_x_dot * taken_e_x_dot__part4;
+                    let taken_y_x_dot__part10 = t_y_dot * taken_e_x_dot__part7;
+                    let taken_y_y_dot__part3 = cos_beta * taken_y_x_dot__part
+                        + sin_beta * taken_y_x_dot__part3;
+                    let taken_y_y_dot__part4 = taken_y_y_dot__part3 * theta_dot;
+                    let taken_y_y_dot__part6 = t_x_dot * taken_e_x_dot__part7;
+                    let taken_y_y_dot__part8 = t_y_dot * taken_e_x_dot__part4;
+                    let taken_y_y_dot__part9 = taken_y_y_dot__part4
+                        - beta_dot * taken_y_x_ - taken_y_y_dot__part6
+                        + taken_y_y_dot__part8;
+                    let taken_y_y_dot_ = taken_y_y_dot__part9 + sin_beta * r_x_dot
+                        - cos_beta * r_y_dot;
+                    let sin_beta_F_y = sin_beta * F_y;
+                    let cos_beta_F_x = cos_beta * F_x;
+                    let force_3_ = sin_beta_F_y - cos_beta_F_x;
+                    let sin_beta_F_x = sin_beta * F_x;
+                    let cos_beta_F_y = cos_beta * F_y;
+                    let by_0_3__part2 = sin_beta * beta_dot - cos_beta * a1_;
+                    let by_0_3__part4 = sin_beta * dF_x_de_y - cos_beta * dF_x_de_x
+                        + dF_x_de_x_dot * by_0_3__part2;
+                    let by_0_3__part5 = cos_beta * beta_dot + sin_beta * a1_;
+                    let by_0_3__part7 = by_0_3__part4 + dF_x_de_y_dot * by_0_3__part5;
+                    let by_0_3__part11 = sin_beta * dF_y_de_y - cos_beta * dF_y_de_x
+                        + dF_y_de_x_dot * by_0_3__part2;
+                    let by_0_3__part13 = by_0_3__part11 + dF_y_de_y_dot * by_0_3__part5;
+                    let cos_beta_dM_z_de_x = cos_beta * dM_z_de_x;
+                    let by_0_3__part16 = taken_e_x_dot__part2 * by_0_3__part7
+                        + taken_e_y_dot__part2 * by_0_3__part13 - cos_beta_dM_z_de_x;
+                    let sin_beta_dM_z_de_y = sin_beta * dM_z_de_y;
+                    let by_0_3__part18 = dM_z_de_x_dot * by_0_3__part2;
+                    let by_0_3__part20 = dM_z_de_y_dot * by_0_3__part5;
+                    let by_0_3_ = by_0_3__part16 + sin_beta_dM_z_de_y + by_0_3__part18
+                        + by_0_3__part20;
+                    let by_0_4__part3 = dF_x_de_y_dot * by_0_3__part2
+                        - sin_beta * dF_x_de_x - cos_beta * dF_x_de_y;
+                    let by_0_4__part5 = by_0_4__part3 - dF_x_de_x_dot * by_0_3__part5;
+                    let by_0_4__part9 = dF_y_de_y_dot * by_0_3__part2
+                        - sin_beta * dF_y_de_x - cos_beta * dF_y_de_y;
+                    let by_0_4__part11 = by_0_4__part9 - dF_y_de_x_dot * by_0_3__part5;
+                    let sin_beta_dM_z_de_x = sin_beta * dM_z_de_x;
+                    let by_0_4__part14 = taken_e_x_dot__part2 * by_0_4__part5
+                        + taken_e_y_dot__part2 * by_0_4__part11 - sin_beta_dM_z_de_x;
+                    let cos_beta_dM_z_de_y = cos_beta * dM_z_de_y;
+                    let by_0_4__part16 = dM_z_de_x_dot * by_0_3__part5;
+                    let by_0_4__part18 = dM_z_de_y_dot * by_0_3__part2;
+                    let by_0_4_ = by_0_4__part14 - cos_beta_dM_z_de_y - by_0_4__part16
+                        + by_0_4__part18;
+                    let dF_x_domega_a1_ = dF_x_domega * a1_;
+                    let by_0_5__part2 = taken_e_y_ * dF_x_de_x - dF_x_domega_a1_
+                        - dF_x_de_y * taken_e_x_;
+                    let by_0_5__part3 = taken_e_y_dot_ + taken_e_y_ * a1_;
+                    let by_0_5__part7 = cos_beta * b_x_dot + sin_beta * b_y_dot
+                        - taken_e_x_dot__part3;
+                    let by_0_5__part10 = by_0_5__part7 - taken_e_x_dot__part5
+                        - taken_e_x_dot__part8 - taken_e_y_ * beta_dot;
+                    let by_0_5__part11 = by_0_5__part10 - taken_e_x_ * a1_;
+                    let by_0_5__part13 = by_0_5__part2 + dF_x_de_x_dot * by_0_5__part3
+                        + dF_x_de_y_dot * by_0_5__part11;
+                    let by_0_5__part15 = by_0_5__part13 + taken_y_y_ * dF_x_dy_x
+                        - dF_x_dy_y * taken_y_x_;
+                    let by_0_5__part16 = taken_y_y_dot_ + taken_y_y_ * a1_;
+                    let by_0_5__part20 = cos_beta * r_x_dot + sin_beta * r_y_dot
+                        - taken_y_x_dot__part6;
+                    let by_0_5__part23 = by_0_5__part20 - taken_y_y_ * beta_dot
+                        - taken_y_x_dot__part8 - taken_y_x_dot__part10;
+                    let by_0_5__part24 = by_0_5__part23 - taken_y_x_ * a1_;
+                    let by_0_5__part26 = by_0_5__part15 + dF_x_dy_x_dot * by_0_5__part16
+                        + dF_x_dy_y_dot * by_0_5__part24;
+                    let by_6_6_ = dM_z_domega * a1_;
+                    let by_0_5__part29 = F_x * taken_e_y_dot__part2;
+                    let dF_y_domega_a1_ = dF_y_domega * a1_;
+                    let by_0_5__part32 = taken_e_y_ * dF_y_de_x - dF_y_domega_a1_
+                        - dF_y_de_y * taken_e_x_;
+                    let by_0_5__part36 = by_0_5__part32 + dF_y_de_x_dot * by_0_5__part3
+                        + dF_y_de_y_dot * by_0_5__part11;
+                    let by_0_5__part38 = by_0_5__part36 + taken_y_y_ * dF_y_dy_x
+                        - dF_y_dy_y * taken_y_x_;
+                    let by_0_5__part42 = by_0_5__part38 + dF_y_dy_x_dot * by_0_5__part16
+                        + dF_y_dy_y_dot * by_0_5__part24;
+                    let by_0_5__part44 = taken_e_x_dot__part2 * by_0_5__part26 - by_6_6_
+                        + by_0_5__part29 + taken_e_y_dot__part2 * by_0_5__part42;
+                    let by_0_5__part45 = F_y * taken_e_x_dot__part2;
+                    let taken_e_y__dM_z_de_x = taken_e_y_ * dM_z_de_x;
+                    let dM_z_de_y_taken_e_x_ = dM_z_de_y * taken_e_x_;
+                    let by_0_5__part49 = dM_z_de_x_dot * by_0_5__part3;
+                    let by_0_5__part50 = by_0_5__part44 - by_0_5__part45
+                        + taken_e_y__dM_z_de_x - dM_z_de_y_taken_e_x_ + by_0_5__part49;
+                    let by_0_5__part51 = dM_z_de_y_dot * by_0_5__part11;
+                    let taken_y_y__dM_z_dy_x = taken_y_y_ * dM_z_dy_x;
+                    let dM_z_dy_y_taken_y_x_ = dM_z_dy_y * taken_y_x_;
+                    let by_0_5__part55 = dM_z_dy_x_dot * by_0_5__part16;
+                    let by_0_5__part56 = by_0_5__part50 + by_0_5__part51
+                        + taken_y_y__dM_z_dy_x - dM_z_dy_y_taken_y_x_ + by_0_5__part55;
+                    let by_0_5__part57 = dM_z_dy_y_dot * by_0_5__part24;
+                    let by_0_5_ = by_0_5__part56 + by_0_5__part57;
+                    let by_0_6_ = by_6_6_ + dF_x_domega * taken_e_x_dot__part2 * a1_
+                        + dF_y_domega * taken_e_y_dot__part2 * a1_;
+                    let by_0_7__part8 = taken_e_x_dot__part7 * theta_dot
+                        - beta_dot * taken_e_x_dot__part7 + taken_e_x_dot__part4 * a1_;
+                    let by_0_7__part10 = dF_x_dy_x * taken_e_x_dot__part4
+                        - dF_x_dy_y * taken_e_x_dot__part7
+                        + dF_x_dy_x_dot * by_0_7__part8;
+                    let by_0_7__part11 = taken_e_x_dot__part4 * theta_dot;
+                    let by_0_7__part12 = beta_dot * taken_e_x_dot__part4;
+                    let by_0_7__part14 = taken_e_x_dot__part7 * a1_;
+                    let by_0_7__part15 = by_0_7__part11 - by_0_7__part12
+                        - by_0_7__part14;
+                    let by_0_7__part17 = by_0_7__part10 + dF_x_dy_y_dot * by_0_7__part15;
+                    let by_0_7__part23 = dF_y_dy_x * taken_e_x_dot__part4
+                        - dF_y_dy_y * taken_e_x_dot__part7
+                        + dF_y_dy_x_dot * by_0_7__part8;
+                    let by_0_7__part25 = by_0_7__part23 + dF_y_dy_y_dot * by_0_7__part15;
+                    let by_0_7__part28 = dM_z_dy_x * taken_e_x_dot__part4;
+                    let by_0_7__part29 = taken_e_x_dot__part2 * by_0_7__part17
+                        + taken_e_y_dot__part2 * by_0_7__part25 + by_0_7__part28;
+                    let by_0_7__part30 = dM_z_dy_y * taken_e_x_dot__part7;
+                    let by_0_7__part32 = dM_z_dy_x_dot * by_0_7__part8;
+                    let by_0_7__part34 = dM_z_dy_y_dot * by_0_7__part15;
+                    let by_0_7_ = by_0_7__part29 - by_0_7__part30 + by_0_7__part32
+                        + by_0_7__part34;
+                    let by_0_8__part5 = by_0_7__part12 - by_0_7__part11 + by_0_7__part14;
+                    let by_0_8__part7 = dF_x_dy_x * taken_e_x_dot__part7
+                        + dF_x_dy_y * taken_e_x_dot__part4
+                        + dF_x_dy_x_dot * by_0_8__part5;
+                    let by_0_8__part9 = by_0_8__part7 + dF_x_dy_y_dot * by_0_7__part8;
+                    let by_0_8__part15 = dF_y_dy_x * taken_e_x_dot__part7
+                        + dF_y_dy_y * taken_e_x_dot__part4
+                        + dF_y_dy_x_dot * by_0_8__part5;
+                    let by_0_8__part17 = by_0_8__part15 + dF_y_dy_y_dot * by_0_7__part8;
+                    let by_0_8__part20 = dM_z_dy_x * taken_e_x_dot__part7;
+                    let by_0_8__part21 = taken_e_x_dot__part2 * by_0_8__part9
+                        + taken_e_y_dot__part2 * by_0_8__part17 + by_0_8__part20;
+                    let by_0_8__part22 = dM_z_dy_y * taken_e_x_dot__part4;
+                    let by_0_8__part24 = dM_z_dy_x_dot * by_0_8__part5;
+                    let by_0_8__part26 = dM_z_dy_y_dot * by_0_7__part8;
+                    let by_0_8_ = by_0_8__part21 + by_0_8__part22 + by_0_8__part24
+                        + by_0_8__part26;
+                    let by_0_9__part3 = sin_beta * dF_x_dy_y - cos_beta * dF_x_dy_x
+                        + dF_x_dy_x_dot * by_0_3__part2;
+                    let by_0_9__part5 = by_0_9__part3 + dF_x_dy_y_dot * by_0_3__part5;
+                    let by_0_9__part9 = sin_beta * dF_y_dy_y - cos_beta * dF_y_dy_x
+                        + dF_y_dy_x_dot * by_0_3__part2;
+                    let by_0_9__part11 = by_0_9__part9 + dF_y_dy_y_dot * by_0_3__part5;
+                    let cos_beta_dM_z_dy_x = cos_beta * dM_z_dy_x;
+                    let by_0_9__part14 = taken_e_x_dot__part2 * by_0_9__part5
+                        + taken_e_y_dot__part2 * by_0_9__part11 - cos_beta_dM_z_dy_x;
+                    let sin_beta_dM_z_dy_y = sin_beta * dM_z_dy_y;
+                    let by_0_9__part16 = dM_z_dy_x_dot * by_0_3__part2;
+                    let by_0_9__part18 = dM_z_dy_y_dot * by_0_3__part5;
+                    let by_0_9_ = by_0_9__part14 + sin_beta_dM_z_dy_y + by_0_9__part16
+                        + by_0_9__part18;
+                    let by_0_10__part3 = dF_x_dy_y_dot * by_0_3__part2
+                        - sin_beta * dF_x_dy_x - cos_beta * dF_x_dy_y;
+                    let by_0_10__part5 = by_0_10__part3 - dF_x_dy_x_dot * by_0_3__part5;
+                    let by_0_10__part9 = dF_y_dy_y_dot * by_0_3__part2
+                        - sin_beta * dF_y_dy_x - cos_beta * dF_y_dy_y;
+                    let by_0_10__part11 = by_0_10__part9 - dF_y_dy_x_dot * by_0_3__part5;
+                    let sin_beta_dM_z_dy_x = sin_beta * dM_z_dy_x;
+                    let by_0_10__part14 = taken_e_x_dot__part2 * by_0_10__part5
+                        + taken_e_y_dot__part2 * by_0_10__part11 - sin_beta_dM_z_dy_x;
+                    let cos_beta_dM_z_dy_y = cos_beta * dM_z_dy_y;
+                    let by_0_10__part16 = dM_z_dy_x_dot * by_0_3__part5;
+                    let by_0_10__part18 = dM_z_dy_y_dot * by_0_3__part2;
+                    let by_0_10_ = by_0_10__part14 - cos_beta_dM_z_dy_y - by_0_10__part16
+                        + by_0_10__part18;
+                    let by_1_3_ = taken_e_x_dot__part4 * by_0_3__part7
+                        - taken_e_x_dot__part7 * by_0_3__part13;
+                    let by_1_4_ = taken_e_x_dot__part4 * by_0_4__part5
+                        - taken_e_x_dot__part7 * by_0_4__part11;
+                    let by_1_5__part2 = F_x * taken_e_x_dot__part7;
+                    let by_1_5__part5 = taken_e_x_dot__part4 * by_0_5__part26
+                        - by_1_5__part2 - taken_e_x_dot__part7 * by_0_5__part42;
+                    let by_1_5__part6 = F_y * taken_e_x_dot__part4;
+                    let by_1_5_ = by_1_5__part5 - by_1_5__part6;
+                    let by_1_6_ = dF_x_domega * taken_e_x_dot__part4 * a1_
+                        - dF_y_domega * taken_e_x_dot__part7 * a1_;
+                    let by_1_7_ = taken_e_x_dot__part4 * by_0_7__part17
+                        - taken_e_x_dot__part7 * by_0_7__part25;
+                    let by_1_8_ = taken_e_x_dot__part4 * by_0_8__part9
+                        - taken_e_x_dot__part7 * by_0_8__part17;
+                    let by_1_9_ = taken_e_x_dot__part4 * by_0_9__part5
+                        - taken_e_x_dot__part7 * by_0_9__part11;
+                    let by_1_10_ = taken_e_x_dot__part4 * by_0_10__part5
+                        - taken_e_x_dot__part7 * by_0_10__part11;
+                    let by_2_3_ = taken_e_x_dot__part7 * by_0_3__part7
+                        + taken_e_x_dot__part4 * by_0_3__part13;
+                    let by_2_4_ = taken_e_x_dot__part7 * by_0_4__part5
+                        + taken_e_x_dot__part4 * by_0_4__part11;
+                    let force_1__part = F_x * taken_e_x_dot__part4;
+                    let force_1__part2 = F_y * taken_e_x_dot__part7;
+                    let force_1_ = force_1__part - force_1__part2;
+                    let by_2_5_ = force_1_ + taken_e_x_dot__part7 * by_0_5__part26
+                        + taken_e_x_dot__part4 * by_0_5__part42;
+                    let by_2_6_ = dF_x_domega * taken_e_x_dot__part7 * a1_
+                        + dF_y_domega * taken_e_x_dot__part4 * a1_;
+                    let by_2_7_ = taken_e_x_dot__part7 * by_0_7__part17
+                        + taken_e_x_dot__part4 * by_0_7__part25;
+                    let by_2_8_ = taken_e_x_dot__part7 * by_0_8__part9
+                        + taken_e_x_dot__part4 * by_0_8__part17;
+                    let by_2_9_ = taken_e_x_dot__part7 * by_0_9__part5
+                        + taken_e_x_dot__part4 * by_0_9__part11;
+                    let by_2_10_ = taken_e_x_dot__part7 * by_0_10__part5
+                        + taken_e_x_dot__part4 * by_0_10__part11;
+                    let by_3_0__part4 = dF_y_dtheta + dF_y_de_x * taken_e_x_dot__part2
+                        + dF_y_de_y * taken_e_y_dot__part2;
+                    let by_3_0__part8 = taken_e_y_dot__part4 - taken_e_y_dot__part3
+                        - taken_e_y_dot__part6 + beta_dot * taken_e_y_dot__part2;
+                    let by_3_0__part10 = by_3_0__part8 + taken_e_x_dot__part2 * a1_;
+                    let by_3_0__part16 = taken_e_x_dot__part5 + taken_e_x_dot__part8
+                        + taken_e_x_dot__part3 - beta_dot * taken_e_x_dot__part2;
+                    let by_3_0__part18 = by_3_0__part16 + taken_e_y_dot__part2 * a1_;
+                    let by_3_0__part20 = by_3_0__part4 + dF_y_de_x_dot * by_3_0__part10
+                        + dF_y_de_y_dot * by_3_0__part18;
+                    let by_3_0__part24 = by_3_0__part20
+                        + dF_y_dy_x * taken_y_x_dot__part5
+                        + dF_y_dy_y * taken_y_y_dot__part3;
+                    let by_3_0__part28 = beta_dot * taken_y_y_dot__part3
+                        - taken_y_y_dot__part4 + taken_y_y_dot__part6
+                        - taken_y_y_dot__part8;
+                    let by_3_0__part30 = by_3_0__part28 + taken_y_x_dot__part5 * a1_;
+                    let by_3_0__part36 = taken_y_x_dot__part8 + taken_y_x_dot__part10
+                        + taken_y_x_dot__part6 - beta_dot * taken_y_x_dot__part5;
+                    let by_3_0__part38 = by_3_0__part36 + taken_y_y_dot__part3 * a1_;
+                    let by_3_0__part40 = by_3_0__part24 + dF_y_dy_x_dot * by_3_0__part30
+                        + dF_y_dy_y_dot * by_3_0__part38;
+                    let by_3_0__part41 = by_3_0__part40 + dF_y_domega_a1_;
+                    let by_3_0__part46 = dF_x_dtheta + dF_x_de_x * taken_e_x_dot__part2
+                        + dF_x_de_y * taken_e_y_dot__part2;
+                    let by_3_0__part50 = by_3_0__part46 + dF_x_de_x_dot * by_3_0__part10
+                        + dF_x_de_y_dot * by_3_0__part18;
+                    let by_3_0__part54 = by_3_0__part50
+                        + dF_x_dy_x * taken_y_x_dot__part5
+                        + dF_x_dy_y * taken_y_y_dot__part3;
+                    let by_3_0__part58 = by_3_0__part54 + dF_x_dy_x_dot * by_3_0__part30
+                        + dF_x_dy_y_dot * by_3_0__part38;
+                    let by_3_0__part59 = by_3_0__part58 + dF_x_domega_a1_;
+                    let by_3_0_ = sin_beta * by_3_0__part41 - cos_beta * by_3_0__part59;
+                    let by_3_1__part5 = dF_y_de_x * taken_e_x_dot__part4
+                        - dF_y_de_y * taken_e_x_dot__part7
+                        + dF_y_de_x_dot * by_0_7__part8;
+                    let by_3_1__part7 = by_3_1__part5 + dF_y_de_y_dot * by_0_7__part15;
+                    let by_3_1__part13 = dF_x_de_x * taken_e_x_dot__part4
+                        - dF_x_de_y * taken_e_x_dot__part7
+                        + dF_x_de_x_dot * by_0_7__part8;
+                    let by_3_1__part15 = by_3_1__part13 + dF_x_de_y_dot * by_0_7__part15;
+                    let by_3_1_ = sin_beta * by_3_1__part7 - cos_beta * by_3_1__part15;
+                    let by_3_2__part5 = dF_y_de_x * taken_e_x_dot__part7
+                        + dF_y_de_y * taken_e_x_dot__part4
+                        + dF_y_de_x_dot * by_0_8__part5;
+                    let by_3_2__part7 = by_3_2__part5 + dF_y_de_y_dot * by_0_7__part8;
+                    let by_3_2__part13 = dF_x_de_x * taken_e_x_dot__part7
+                        + dF_x_de_y * taken_e_x_dot__part4
+                        + dF_x_de_x_dot * by_0_8__part5;
+                    let by_3_2__part15 = by_3_2__part13 + dF_x_de_y_dot * by_0_7__part8;
+                    let by_3_2_ = sin_beta * by_3_2__part7 - cos_beta * by_3_2__part15;
+                    let by_3_3_ = sin_beta * by_0_3__part13 - cos_beta * by_0_3__part7;
+                    let by_3_4_ = sin_beta * by_0_4__part11 - cos_beta * by_0_4__part5;
+                    let by_3_5__part4 = sin_beta_F_x - cos_beta * by_0_5__part26
+                        + sin_beta * by_0_5__part42;
+                    let by_3_5_ = by_3_5__part4 + cos_beta_F_y;
+                    let by_3_6_ = sin_beta * dF_y_domega * a1_
+                        - cos_beta * dF_x_domega * a1_;
+                    let by_3_7_ = sin_beta * by_0_7__part25 - cos_beta * by_0_7__part17;
+                    let by_3_8_ = sin_beta * by_0_8__part17 - cos_beta * by_0_8__part9;
+                    let by_3_9_ = sin_beta * by_0_9__part11 - cos_beta * by_0_9__part5;
+                    let by_3_10_ = sin_beta * by_0_10__part11
+                        - cos_beta * by_0_10__part5;
+                    let by_4_0_ = -(sin_beta * by_3_0__part59
+                        + cos_beta * by_3_0__part41);
+                    let by_4_1_ = -(sin_beta * by_3_1__part15
+                        + cos_beta * by_3_1__part7);
+                    let by_4_2_ = -(sin_beta * by_3_2__part15
+                        + cos_beta * by_3_2__part7);
+                    let by_4_3_ = -(sin_beta * by_0_3__part7
+                        + cos_beta * by_0_3__part13);
+                    let by_4_4_ = -(sin_beta * by_0_4__part5
+                        + cos_beta * by_0_4__part11);
+                    let by_4_5_ = force_3_ - sin_beta * by_0_5__part26
+                        - cos_beta * by_0_5__part42;
+                    let by_4_6__part3 = sin_beta * dF_x_domega * a1_
+                        + cos_beta * dF_y_domega * a1_;
+                    let by_4_6_ = -by_4_6__part3;
+                    let by_4_7_ = -(sin_beta * by_0_7__part17
+                        + cos_beta * by_0_7__part25);
+                    let by_4_8_ = -(sin_beta * by_0_8__part9
+                        + cos_beta * by_0_8__part17);
+                    let by_4_9_ = -(sin_beta * by_0_9__part5
+                        + cos_beta * by_0_9__part11);
+                    let by_4_10_ = -(sin_beta * by_0_10__part5
+                        + cos_beta * by_0_10__part11);
+                    let by_5_0__part2 = dM_z_de_x * taken_e_x_dot__part2;
+                    let by_5_0__part4 = dM_z_de_y * taken_e_y_dot__part2;
+                    let by_5_0__part6 = dM_z_de_x_dot * by_3_0__part10;
+                    let by_5_0__part7 = by_0_5__part29 - dM_z_dtheta - by_5_0__part2
+                        - by_5_0__part4 - by_5_0__part6;
+                    let by_5_0__part8 = dM_z_de_y_dot * by_3_0__part18;
+                    let by_5_0__part10 = dM_z_dy_x * taken_y_x_dot__part5;
+                    let by_5_0__part12 = dM_z_dy_y * taken_y_y_dot__part3;
+                    let by_5_0__part14 = dM_z_dy_x_dot * by_3_0__part30;
+                    let by_5_0__part15 = by_5_0__part7 - by_5_0__part8 - by_5_0__part10
+                        - by_5_0__part12 - by_5_0__part14;
+                    let by_5_0__part16 = dM_z_dy_y_dot * by_3_0__part38;
+                    let by_5_0__part21 = by_5_0__part15 - by_5_0__part16 - by_6_6_
+                        - by_0_5__part45 + taken_e_y_ * by_3_0__part59;
+                    let by_5_0_ = by_5_0__part21 - taken_e_x_ * by_3_0__part41;
+                    let by_5_1__part = dM_z_de_y * taken_e_x_dot__part7;
+                    let by_5_1__part2 = dM_z_de_x * taken_e_x_dot__part4;
+                    let by_5_1__part4 = dM_z_de_x_dot * by_0_7__part8;
+                    let by_5_1__part6 = dM_z_de_y_dot * by_0_7__part15;
+                    let by_5_1__part8 = by_5_1__part - by_5_1__part2 - by_5_1__part4
+                        - by_5_1__part6 - by_1_5__part2;
+                    let by_5_1_ = by_5_1__part8 - by_1_5__part6
+                        + taken_e_y_ * by_3_1__part15 - taken_e_x_ * by_3_1__part7;
+                    let by_5_2__part = dM_z_de_x * taken_e_x_dot__part7;
+                    let by_5_2__part3 = dM_z_de_y * taken_e_x_dot__part4;
+                    let by_5_2__part5 = dM_z_de_x_dot * by_0_8__part5;
+                    let by_5_2__part7 = dM_z_de_y_dot * by_0_7__part8;
+                    let by_5_2__part8 = force_1__part - by_5_2__part - by_5_2__part3
+                        - by_5_2__part5 - by_5_2__part7;
+                    let by_5_2_ = by_5_2__part8 - force_1__part2
+                        + taken_e_y_ * by_3_2__part15 - taken_e_x_ * by_3_2__part7;
+                    let by_5_3__part4 = cos_beta_dM_z_de_x - sin_beta_dM_z_de_y
+                        - by_0_3__part18 - by_0_3__part20 + sin_beta_F_x;
+                    let by_5_3_ = by_5_3__part4 + cos_beta_F_y
+                        + taken_e_y_ * by_0_3__part7 - taken_e_x_ * by_0_3__part13;
+                    let by_5_4__part4 = sin_beta_dM_z_de_x + cos_beta_dM_z_de_y
+                        + by_0_4__part16 - by_0_4__part18 - cos_beta_F_x;
+                    let by_5_4_ = by_5_4__part4 + sin_beta_F_y
+                        + taken_e_y_ * by_0_4__part5 - taken_e_x_ * by_0_4__part11;
+                    let by_5_5__part4 = by_6_6_ - taken_e_y__dM_z_de_x
+                        + dM_z_de_y_taken_e_x_ - by_0_5__part49 - by_0_5__part51;
+                    let by_5_5__part8 = by_5_5__part4 - taken_y_y__dM_z_dy_x
+                        + dM_z_dy_y_taken_y_x_ - by_0_5__part55 - by_0_5__part57;
+                    let by_5_5__part11 = by_5_5__part8 + taken_e_y_ * by_0_5__part26
+                        - F_x * taken_e_x_;
+                    let by_5_5_ = by_5_5__part11 - taken_e_x_ * by_0_5__part42
+                        - F_y * taken_e_y_;
+                    let by_5_6_ = taken_e_y_ * dF_x_domega * a1_ - by_6_6_
+                        - dF_y_domega * taken_e_x_ * a1_;
+                    let by_5_7__part5 = by_0_7__part30 - by_0_7__part28 - by_0_7__part32
+                        - by_0_7__part34 + taken_e_y_ * by_0_7__part17;
+                    let by_5_7_ = by_5_7__part5 - taken_e_x_ * by_0_7__part25;
+                    let by_5_8__part4 = taken_e_y_ * by_0_8__part9 - by_0_8__part20
+                        - by_0_8__part22 - by_0_8__part24;
+                    let by_5_8_ = by_5_8__part4 - by_0_8__part26
+                        - taken_e_x_ * by_0_8__part17;
+                    let by_5_9__part5 = cos_beta_dM_z_dy_x - sin_beta_dM_z_dy_y
+                        - by_0_9__part16 - by_0_9__part18 + taken_e_y_ * by_0_9__part5;
+                    let by_5_9_ = by_5_9__part5 - taken_e_x_ * by_0_9__part11;
+                    let by_5_10__part5 = sin_beta_dM_z_dy_x + cos_beta_dM_z_dy_y
+                        + by_0_10__part16 - by_0_10__part18
+                        + taken_e_y_ * by_0_10__part5;
+                    let by_5_10_ = by_5_10__part5 - taken_e_x_ * by_0_10__part11;
+                    let by_6_0__part4 = dM_z_dtheta + by_5_0__part2 + by_5_0__part4
+                        + by_5_0__part6 + by_5_0__part8;
+                    let by_6_0__part8 = by_6_0__part4 + by_5_0__part10 + by_5_0__part12
+                        + by_5_0__part14 + by_5_0__part16;
+                    let by_6_0_ = by_6_0__part8 + by_6_6_;
+                    let by_6_1_ = by_5_1__part2 - by_5_1__part + by_5_1__part4
+                        + by_5_1__part6;
+                    let by_6_2_ = by_5_2__part + by_5_2__part3 + by_5_2__part5
+                        + by_5_2__part7;
+                    let by_6_3_ = sin_beta_dM_z_de_y - cos_beta_dM_z_de_x
+                        + by_0_3__part18 + by_0_3__part20;
+                    let by_6_4_ = by_0_4__part18 - sin_beta_dM_z_de_x
+                        - cos_beta_dM_z_de_y - by_0_4__part16;
+                    let by_6_5__part4 = taken_e_y__dM_z_de_x - by_6_6_
+                        - dM_z_de_y_taken_e_x_ + by_0_5__part49 + by_0_5__part51;
+                    let by_6_5_ = by_6_5__part4 + taken_y_y__dM_z_dy_x
+                        - dM_z_dy_y_taken_y_x_ + by_0_5__part55 + by_0_5__part57;
+                    let by_6_7_ = by_0_7__part28 - by_0_7__part30 + by_0_7__part32
+                        + by_0_7__part34;
+                    let by_6_8_ = by_0_8__part20 + by_0_8__part22 + by_0_8__part24
+                        + by_0_8__part26;
+                    let by_6_9_ = sin_beta_dM_z_dy_y - cos_beta_dM_z_dy_x
+                        + by_0_9__part16 + by_0_9__part18;
+                    let by_6_10_ = by_0_10__part18 - sin_beta_dM_z_dy_x
+                        - cos_beta_dM_z_dy_y - by_0_10__part16;
+                    let force_2_ = by_1_5__part2 + by_1_5__part6;
+                    let by_0_0__part5 = dM_z_dtheta
+                        + taken_e_x_dot__part2 * by_3_0__part59 - by_0_5__part29
+                        + taken_e_y_dot__part2 * by_3_0__part41;
+                    let by_0_0__part9 = by_0_0__part5 + by_0_5__part45 + by_5_0__part2
+                        + by_5_0__part4 + by_5_0__part6;
+                    let by_0_0__part13 = by_0_0__part9 + by_5_0__part8 + by_5_0__part10
+                        + by_5_0__part12 + by_5_0__part14;
+                    let by_0_0_ = by_0_0__part13 + by_5_0__part16 + by_6_6_;
+                    let by_0_1__part4 = taken_e_x_dot__part2 * by_3_1__part15
+                        + by_1_5__part2 + taken_e_y_dot__part2 * by_3_1__part7;
+                    let by_0_1__part8 = by_0_1__part4 + by_1_5__part6 + by_5_1__part2
+                        - by_5_1__part + by_5_1__part4;
+                    let by_0_1_ = by_0_1__part8 + by_5_1__part6;
+                    let by_0_2__part4 = taken_e_x_dot__part2 * by_3_2__part15
+                        - force_1__part + taken_e_y_dot__part2 * by_3_2__part7;
+                    let by_0_2__part8 = by_0_2__part4 + force_1__part2 + by_5_2__part
+                        + by_5_2__part3 + by_5_2__part5;
+                    let by_0_2_ = by_0_2__part8 + by_5_2__part7;
+                    let by_1_0_ = force_2_ + taken_e_x_dot__part4 * by_3_0__part59
+                        - taken_e_x_dot__part7 * by_3_0__part41;
+                    let by_1_1_ = taken_e_x_dot__part4 * by_3_1__part15
+                        - taken_e_x_dot__part7 * by_3_1__part7;
+                    let by_1_2_ = taken_e_x_dot__part4 * by_3_2__part15
+                        - taken_e_x_dot__part7 * by_3_2__part7;
+                    let by_2_0_ = force_1__part2 - force_1__part
+                        + taken_e_x_dot__part7 * by_3_0__part59
+                        + taken_e_x_dot__part4 * by_3_0__part41;
+                    let by_2_1_ = taken_e_x_dot__part7 * by_3_1__part15
+                        + taken_e_x_dot__part4 * by_3_1__part7;
+                    let by_2_2_ = taken_e_x_dot__part7 * by_3_2__part15
+                        + taken_e_x_dot__part4 * by_3_2__part7;
+                    by_0_3_out_[j_] = by_0_3_;
+                    by_0_4_out_[j_] = by_0_4_;
+                    by_0_5_out_[j_] = by_0_5_;
+                    by_0_6_out_[j_] = by_0_6_;
+                    by_0_7_out_[j_] = by_0_7_;
+                    by_0_8_out_[j_] = by_0_8_;
+                    by_0_9_out_[j_] = by_0_9_;
+                    by_0_10_out_[j_] = by_0_10_;
+                    by_1_3_out_[j_] = by_1_3_;
+                    by_1_4_out_[j_] = by_1_4_;
+                    by_1_5_out_[j_] = by_1_5_;
+                    by_1_6_out_[j_] = by_1_6_;
+                    by_1_7_out_[j_] = by_1_7_;
+                    by_1_8_out_[j_] = by_1_8_;
+                    by_1_9_out_[j_] = by_1_9_;
+                    by_1_10_out_[j_] = by_1_10_;
+                    by_2_3_out_[j_] = by_2_3_;
+                    by_2_4_out_[j_] = by_2_4_;
+                    by_2_5_out_[j_] = by_2_5_;
+                    by_2_6_out_[j_] = by_2_6_;
+                    by_2_7_out_[j_] = by_2_7_;
+                    by_2_8_out_[j_] = by_2_8_;
+                    by_2_9_out_[j_] = by_2_9_;
+                    by_2_10_out_[j_] = by_2_10_;
+                    by_3_0_out_[j_] = by_3_0_;
+                    by_3_1_out_[j_] = by_3_1_;
+                    by_3_2_out_[j_] = by_3_2_;
+                    by_4_0_out_[j_] = by_4_0_;
+                    by_4_1_out_[j_] = by_4_1_;
+                    by_4_2_out_[j_] = by_4_2_;
+                    by_5_0_out_[j_] = by_5_0_;
+                    by_5_1_out_[j_] = by_5_1_;
+                    by_5_2_out_[j_] = by_5_2_;
+                    by_6_0_out_[j_] = by_6_0_;
+                    by_6_1_out_[j_] = by_6_1_;
+                    by_6_2_out_[j_] = by_6_2_;
+                    by_7_0_out_[j_] = 0.0;
+                    by_7_1_out_[j_] = 0.0;
+                    by_7_2_out_[j_] = 0.0;
+                    by_8_0_out_[j_] = 0.0;
+                    by_8_1_out_[j_] = 0.0;
+                    by_8_2_out_[j_] = 0.0;
+                    by_9_0_out_[j_] = 0.0;
+                    by_9_1_out_[j_] = 0.0;
+                    by_9_2_out_[j_] = 0.0;
+                    by_10_0_out_[j_] = 0.0;
+                    by_10_1_out_[j_] = 0.0;
+                    by_10_2_out_[j_] = 0.0;
+                    by_3_3_out_[j_] = by_3_3_;
+                    by_3_4_out_[j_] = by_3_4_;
+                    by_3_5_out_[j_] = by_3_5_;
+                    by_3_6_out_[j_] = by_3_6_;
+                    by_3_7_out_[j_] = by_3_7_;
+                    by_3_8_out_[j_] = by_3_8_;
+                    by_3_9_out_[j_] = by_3_9_;
+                    by_3_10_out_[j_] = by_3_10_;
+                    by_4_3_out_[j_] = by_4_3_;
+                    by_4_4_out_[j_] = by_4_4_;
+                    by_4_5_out_[j_] = by_4_5_;
+                    by_4_6_out_[j_] = by_4_6_;
+                    by_4_7_out_[j_] = by_4_7_;
+                    by_4_8_out_[j_] = by_4_8_;
+                    by_4_9_out_[j_] = by_4_9_;
+                    by_4_10_out_[j_] = by_4_10_;
+                    by_5_3_out_[j_] = by_5_3_;
+                    by_5_4_out_[j_] = by_5_4_;
+                    by_5_5_out_[j_] = by_5_5_;
+                    by_5_6_out_[j_] = by_5_6_;
+                    by_5_7_out_[j_] = by_5_7_;
+                    by_5_8_out_[j_] = by_5_8_;
+                    by_5_9_out_[j_] = by_5_9_;
+                    by_5_10_out_[j_] = by_5_10_;
+                    by_6_3_out_[j_] = by_6_3_;
+                    by_6_4_out_[j_] = by_6_4_;
+                    by_6_5_out_[j_] = by_6_5_;
+                    by_6_6_out_[j_] = by_6_6_;
+                    by_6_7_out_[j_] = by_6_7_;
+                    by_6_8_out_[j_] = by_6_8_;
+                    by_6_9_out_[j_] = by_6_9_;
+                    by_6_10_out_[j_] = by_6_10_;
+                    by_7_3_out_[j_] = 0.0;
+                    by_7_4_out_[j_] = 0.0;
+                    by_7_5_out_[j_] = 0.0;
+                    by_7_6_out_[j_] = 0.0;
+                    by_7_7_out_[j_] = 0.0;
+                    by_7_8_out_[j_] = 0.0;
+                    by_7_9_out_[j_] = 0.0;
+                    by_7_10_out_[j_] = 0.0;
+                    by_8_3_out_[j_] = 0.0;
+                    by_8_4_out_[j_] = 0.0;
+                    by_8_5_out_[j_] = 0.0;
+                    by_8_6_out_[j_] = 0.0;
+                    by_8_7_out_[j_] = 0.0;
+                    by_8_8_out_[j_] = 0.0;
+                    by_8_9_out_[j_] = 0.0;
+                    by_8_10_out_[j_] = 0.0;
+                    by_9_3_out_[j_] = 0.0;
+                    by_9_4_out_[j_] = 0.0;
+                    by_9_5_out_[j_] = 0.0;
+                    by_9_6_out_[j_] = 0.0;
+                    by_9_7_out_[j_] = 0.0;
+                    by_9_8_out_[j_] = 0.0;
+                    by_9_9_out_[j_] = 0.0;
+                    by_9_10_out_[j_] = 0.0;
+                    by_10_3_out_[j_] = 0.0;
+                    by_10_4_out_[j_] = 0.0;
+                    by_10_5_out_[j_] = 0.0;
+                    by_10_6_out_[j_] = 0.0;
+                    by_10_7_out_[j_] = 0.0;
+                    by_10_8_out_[j_] = 0.0;
+                    by_10_9_out_[j_] = 0.0;
+                    by_10_10_out_[j_] = 0.0;
+                    total_by_0_0_ += by_0_0_;
+                    total_by_0_1_ += by_0_1_;
+                    total_by_0_2_ += by_0_2_;
+                    total_by_1_0_ += by_1_0_;
+                    total_by_1_1_ += by_1_1_;
+                    total_by_1_2_ += by_1_2_;
+                    total_by_2_0_ += by_2_0_;
+                    total_by_2_1_ += by_2_1_;
+                    total_by_2_2_ += by_2_2_;
+                }
+                out_.ring_ring = [
+                    [total_by_0_0_, total_by_0_1_, total_by_0_2_],
+                    [total_by_1_0_, total_by_1_1_, total_by_1_2_],
+                    [total_by_2_0_, total_by_2_1_, total_by_2_2_],
+                ];
+            }
+            /// The entry of the registry.
+            pub const ENTRY: Contact = Contact {
+                name: "sensor",
+                place: ContactPlace::Joint,
+                inputs: &[
+                    ContactVariable {
+                        name: "e_x",
+                        unit: "m",
+                        bore: &[0, 1, 2],
+                        radius: false,
+                        rate: false,
+                    },
+                    ContactVariable {
+                        name: "e_y",
+                        unit: "m",
+                        bore: &[0, 1, 2],
+                        radius: false,
+                        rate: false,
+                    },
+                    ContactVariable {
+                        name: "e_x_dot",
+                        unit: "m/s",
+                        bore: &[0, 1, 2],
+                        radius: false,
+                        rate: true,
+                    },
+                    ContactVariable {
+                        name: "e_y_dot",
+                        unit: "m/s",
+                        bore: &[0, 1, 2],
+                        radius: false,
+                        rate: true,
+                    },
+                    ContactVariable {
+                        name: "y_x",
+                        unit: "m",
+                        bore: &[2, 4, 5, 6, 7],
+                        radius: false,
+                        rate: false,
+                    },
+                    ContactVariable {
+                        name: "y_y",
+                        unit: "m",
+                        bore: &[2, 4, 5, 6, 7],
+                        radius: false,
+                        rate: false,
+                    },
+                    ContactVariable {
+                        name: "y_x_dot",
+                        unit: "m/s",
+                        bore: &[2, 4, 5, 6, 7],
+                        radius: false,
+                        rate: true,
+                    },
+                    ContactVariable {
+                        name: "y_y_dot",
+                        unit: "m/s",
+                        bore: &[2, 4, 5, 6, 7],
+                        radius: false,
+                        rate: true,
+                    },
+                    ContactVariable {
+                        name: "omega",
+                        unit: "rad/s",
+                        bore: &[2, 3],
+                        radius: false,
+                        rate: true,
+                    },
+                    ContactVariable {
+                        name: "theta",
+                        unit: "rad",
+                        bore: &[],
+                        radius: false,
+                        rate: false,
+                    },
+                ],
+                forces: &[
+                    ContactVariable {
+                        name: "F_x",
+                        unit: "N",
+                        bore: &[0, 1, 2],
+                        radius: false,
+                        rate: false,
+                    },
+                    ContactVariable {
+                        name: "F_y",
+                        unit: "N",
+                        bore: &[0, 1, 2],
+                        radius: false,
+                        rate: false,
+                    },
+                    ContactVariable {
+                        name: "M_z",
+                        unit: "N*m",
+                        bore: &[2, 3],
+                        radius: false,
+                        rate: false,
+                    },
+                ],
+                rows: 11,
+                measures: &[0, 1, 10],
+                bore: &[
+                    BoreMotion::MeanX,
+                    BoreMotion::MeanY,
+                    BoreMotion::MeanTurn,
+                    BoreMotion::SectionTurn,
+                    BoreMotion::SeenX,
+                    BoreMotion::SeenY,
+                    BoreMotion::BaseX,
+                    BoreMotion::BaseY,
+                ],
+                table: 0,
+                prepare,
+                evaluate: inputs,
+                force,
+                tangent,
+            };
+        }
         /// Laws that act once a joint: F_n of e_n, e_n_dot.
         pub mod gear {
             use crate::{
@@ -3637,8 +4675,8 @@ pub mod journal {
             title: "Radial clearance of the springs of a journal bearing",
             source: "Hu, Mourelatos, Vlahopoulos, J. Sound Vib. 267 (2003) 1-28, eqs. (13), (14), (24), with the shaft's displacement turned from its rotating frame into the fixed one",
             spec: "motion/clearance.toml",
-            text: "kind = \"clearance\"\nname = \"journal\"\ntitle = \"Radial clearance of the springs of a journal bearing\"\nsource = \"Hu, Mourelatos, Vlahopoulos, J. Sound Vib. 267 (2003) 1-28, eqs. (13), (14), (24), with the shaft's displacement turned from its rotating frame into the fixed one\"\n\n# Constants of each spring.\n[spring.psi]\nunit = \"rad\"\ntitle = \"angle of the spring on the bore, from the vertical x axis\"\n\n# One bearing.\n[constants.c]\nunit = \"m\"\ntitle = \"radial clearance of the undeformed bearing\"\n\n[constants.R]\nunit = \"m\"\ntitle = \"radius of the journal\"\n\n# Coordinates that all springs of a ring share.\n[ring.theta]\nunit = \"rad\"\ntitle = \"rotation of the shaft\"\n\n[ring.eps_x]\nunit = \"m\"\ntitle = \"displacement of the shaft's centre line along the turning x axis\"\n\n[ring.eps_y]\nunit = \"m\"\ntitle = \"displacement of the shaft's centre line along the turning y axis\"\n\n# Coordinates of each spring.\n[radial.delta]\nunit = \"m\"\ntitle = \"radial displacement of the bore at the spring, outwards\"\n\n[tangential.tau]\nunit = \"m\"\ntitle = \"displacement of the bore at the spring along the tangent (-sin psi, cos psi)\"\n\n# Mean motion of the bore's ring, and of its whole section.\n[bore.b_x]\nunit = \"m\"\ntitle = \"mean displacement of the bore along the vertical x axis\"\n\n[bore.b_y]\nunit = \"m\"\ntitle = \"mean displacement of the bore along the y axis\"\n\n[bore.beta]\nunit = \"rad\"\ntitle = \"mean rotation of the bore\"\n\n[bore.b_z]\nunit = \"m\"\ntitle = \"mean displacement of the bore along z\"\n\n[bore.g_x]\nunit = \"rad\"\ntitle = \"mean rotation of the bore about the vertical x axis\"\n\n[bore.g_y]\nunit = \"rad\"\ntitle = \"mean rotation of the bore about the y axis\"\n\n# The section of the journal in the frame of its body.\n[section.gamma]\nunit = \"rad\"\ntitle = \"mean rotation of the journal's section against the frame of its body\"\n\n[section.s_z]\nunit = \"m\"\ntitle = \"mean displacement of the journal's section along z\"\n\n[section.a_x]\nunit = \"rad\"\ntitle = \"mean rotation of the journal's section about the turning x axis\"\n\n[section.a_y]\nunit = \"rad\"\ntitle = \"mean rotation of the journal's section about the turning y axis\"\n\n# The second of two gears, whose axes are apart. Its bore's motion b_x, b_y is that of its centre in the frame of its body. Both\n# frames are counted from the line of action, so that x lies along it.\n[gear.phi]\nunit = \"rad\"\ntitle = \"rotation of the frame of the second gear\"\n\n[gear.lambda]\nunit = \"rad\"\ntitle = \"rotation of the second gear times its base radius over that of the first\"\n\n[definitions]\n# The shaft's displacement in the fixed frame, A(theta) eps.\nu_x = 'cos(theta)*eps_x - sin(theta)*eps_y'\nu_y = 'sin(theta)*eps_x + cos(theta)*eps_y'\n\n[clearance]\nh = 'c - cos(psi)*u_x - sin(psi)*u_y + delta'\n\n# Displacement along the bearing from those of its left, middle and right ring; s = z/L_b.\n[axial]\ns = ['2*s^2 - 3*s + 1', '-4*s^2 + 4*s', '2*s^2 - s']\n\n# Where the bodies of journal and bore turn about axes that are apart by (D_x, D_y), fixed in space: what that adds to the\n# displacement eps, seen by the journal's body, which turns by phi. theta is then its angle against the bore's body.\n[apart]\nphi = { D_x = 'cos(phi)*D_x + sin(phi)*D_y', D_y = 'cos(phi)*D_y - sin(phi)*D_x' }\n\n# Other quantities on which laws may depend, and with which their other forces do work.\n\n# Slip of the journal's surface over the bore along the tangent, positive with positive rotation.\n[measures.s]\nvalue = 'R*(theta + gamma) - sin(psi)*u_x + cos(psi)*u_y - tau'\nrate = \"v_t\"\nforce = \"T\"\n\n[measures.alpha]\nvalue = 'theta + gamma - beta'\nrate = \"omega\"\nforce = \"M_z\"\n\n# Displacement of the journal in the bore, along axes that turn with the bore: its forces are in balance where they act, on\n# the centres of both, and what is left of their moment, e x F, is a couple on the bore.\n[measures.e_x]\nvalue = 'cos(beta)*(u_x - b_x) + sin(beta)*(u_y - b_y)'\nforce = \"F_x\"\n\n[measures.e_y]\nvalue = 'cos(beta)*(u_y - b_y) - sin(beta)*(u_x - b_x)'\nforce = \"F_y\"\n\n# Displacement along z, and tilts as small rotations, along axes that turn with the bore: M_x and M_y act as couples on both\n# sections.\n[measures.e_z]\nvalue = 's_z - b_z'\nforce = \"F_z\"\n\n[measures.alpha_x]\nvalue = 'cos(beta)*(cos(theta)*a_x - sin(theta)*a_y - g_x) + sin(beta)*(sin(theta)*a_x + cos(theta)*a_y - g_y)'\nforce = \"M_x\"\n\n[measures.alpha_y]\nvalue = 'cos(beta)*(sin(theta)*a_x + cos(theta)*a_y - g_y) - sin(beta)*(cos(theta)*a_x - sin(theta)*a_y - g_x)'\nforce = \"M_y\"\n\n# Overlap of the teeth of two gears along the line of action; R is the base radius of the first.\n[measures.e_n]\nvalue = 'u_x - cos(phi)*b_x + sin(phi)*b_y + R*(theta + gamma + lambda)'\nforce = \"F_n\"\n\n# Mean motion of both surfaces along the tangent, in the frame of the bore: oil shears both alike where its pressure drives it.\n[measures.s_mean]\nvalue = '(R*(theta + gamma) - sin(psi)*u_x + cos(psi)*u_y + tau)/2'\nforce = \"T_m\"\n\n# Inputs and outputs of a law of springs, of a law of a whole ring, of a law of a whole joint, and of a law of two gears.\n[laws.spring]\ninputs = [\"h\", \"h_dot\", \"psi\", \"omega\", \"v_t\", \"theta\"]\nforces = [\"Q\", \"T\"]\n\n[laws.ring]\ninputs = [\"e_x\", \"e_y\", \"e_x_dot\", \"e_y_dot\", \"omega\", \"theta\"]\nforces = [\"F_x\", \"F_y\", \"M_z\"]\n\n[laws.joint]\ninputs = [\n  \"e_x\", \"e_y\", \"e_z\", \"alpha_x\", \"alpha_y\",\n  \"e_x_dot\", \"e_y_dot\", \"e_z_dot\", \"alpha_x_dot\", \"alpha_y_dot\",\n  \"omega\", \"theta\",\n]\nforces = [\"F_x\", \"F_y\", \"F_z\", \"M_x\", \"M_y\", \"M_z\"]\n\n[laws.gear]\ninputs = [\"e_n\", \"e_n_dot\"]\nforces = [\"F_n\"]\n",
-            hash: "d125c1195bc00a6275d230f77eefb665",
+            text: "kind = \"clearance\"\nname = \"journal\"\ntitle = \"Radial clearance of the springs of a journal bearing\"\nsource = \"Hu, Mourelatos, Vlahopoulos, J. Sound Vib. 267 (2003) 1-28, eqs. (13), (14), (24), with the shaft's displacement turned from its rotating frame into the fixed one\"\n\n# Constants of each spring.\n[spring.psi]\nunit = \"rad\"\ntitle = \"angle of the spring on the bore, from the vertical x axis\"\n\n# One bearing.\n[constants.c]\nunit = \"m\"\ntitle = \"radial clearance of the undeformed bearing\"\n\n[constants.R]\nunit = \"m\"\ntitle = \"radius of the journal\"\n\n# Coordinates that all springs of a ring share.\n[ring.theta]\nunit = \"rad\"\ntitle = \"rotation of the shaft\"\n\n[ring.eps_x]\nunit = \"m\"\ntitle = \"displacement of the shaft's centre line along the turning x axis\"\n\n[ring.eps_y]\nunit = \"m\"\ntitle = \"displacement of the shaft's centre line along the turning y axis\"\n\n# Coordinates of each spring.\n[radial.delta]\nunit = \"m\"\ntitle = \"radial displacement of the bore at the spring, outwards\"\n\n[tangential.tau]\nunit = \"m\"\ntitle = \"displacement of the bore at the spring along the tangent (-sin psi, cos psi)\"\n\n# Mean motion of the bore's ring, and of its whole section.\n[bore.b_x]\nunit = \"m\"\ntitle = \"mean displacement of the bore along the vertical x axis\"\n\n[bore.b_y]\nunit = \"m\"\ntitle = \"mean displacement of the bore along the y axis\"\n\n[bore.beta]\nunit = \"rad\"\ntitle = \"mean rotation of the bore\"\n\n[bore.b_z]\nunit = \"m\"\ntitle = \"mean displacement of the bore along z\"\n\n[bore.g_x]\nunit = \"rad\"\ntitle = \"mean rotation of the bore about the vertical x axis\"\n\n[bore.g_y]\nunit = \"rad\"\ntitle = \"mean rotation of the bore about the y axis\"\n\n# The section of the journal in the frame of its body.\n[section.gamma]\nunit = \"rad\"\ntitle = \"mean rotation of the journal's section against the frame of its body\"\n\n[section.s_z]\nunit = \"m\"\ntitle = \"mean displacement of the journal's section along z\"\n\n[section.a_x]\nunit = \"rad\"\ntitle = \"mean rotation of the journal's section about the turning x axis\"\n\n[section.a_y]\nunit = \"rad\"\ntitle = \"mean rotation of the journal's section about the turning y axis\"\n\n# A sensor: the journal's body where it looks at it, in the frame of that body, and what it stands on, in the frame of the bore's.\n[sensor.t_x]\nunit = \"m\"\ntitle = \"displacement of the journal's body at the sensor along the turning x axis\"\n\n[sensor.t_y]\nunit = \"m\"\ntitle = \"displacement of the journal's body at the sensor along the turning y axis\"\n\n[sensor.r_x]\nunit = \"m\"\ntitle = \"displacement of what the sensor stands on along the vertical x axis\"\n\n[sensor.r_y]\nunit = \"m\"\ntitle = \"displacement of what the sensor stands on along the y axis\"\n\n# The second of two gears, whose axes are apart. Its bore's motion b_x, b_y is that of its centre in the frame of its body. Both\n# frames are counted from the line of action, so that x lies along it.\n[gear.phi]\nunit = \"rad\"\ntitle = \"rotation of the frame of the second gear\"\n\n[gear.lambda]\nunit = \"rad\"\ntitle = \"rotation of the second gear times its base radius over that of the first\"\n\n[definitions]\n# The shaft's displacement in the fixed frame, A(theta) eps.\nu_x = 'cos(theta)*eps_x - sin(theta)*eps_y'\nu_y = 'sin(theta)*eps_x + cos(theta)*eps_y'\n\n[clearance]\nh = 'c - cos(psi)*u_x - sin(psi)*u_y + delta'\n\n# Displacement along the bearing from those of its left, middle and right ring; s = z/L_b.\n[axial]\ns = ['2*s^2 - 3*s + 1', '-4*s^2 + 4*s', '2*s^2 - s']\n\n# Where the bodies of journal and bore turn about axes that are apart by (D_x, D_y), fixed in space: what that adds to the\n# displacement eps, seen by the journal's body, which turns by phi. theta is then its angle against the bore's body.\n[apart]\nphi = { D_x = 'cos(phi)*D_x + sin(phi)*D_y', D_y = 'cos(phi)*D_y - sin(phi)*D_x' }\n\n# Other quantities on which laws may depend, and with which their other forces do work.\n\n# Slip of the journal's surface over the bore along the tangent, positive with positive rotation.\n[measures.s]\nvalue = 'R*(theta + gamma) - sin(psi)*u_x + cos(psi)*u_y - tau'\nrate = \"v_t\"\nforce = \"T\"\n\n[measures.alpha]\nvalue = 'theta + gamma - beta'\nrate = \"omega\"\nforce = \"M_z\"\n\n# Displacement of the journal in the bore, along axes that turn with the bore: its forces are in balance where they act, on\n# the centres of both, and what is left of their moment, e x F, is a couple on the bore.\n[measures.e_x]\nvalue = 'cos(beta)*(u_x - b_x) + sin(beta)*(u_y - b_y)'\nforce = \"F_x\"\n\n[measures.e_y]\nvalue = 'cos(beta)*(u_y - b_y) - sin(beta)*(u_x - b_x)'\nforce = \"F_y\"\n\n# Displacement along z, and tilts as small rotations, along axes that turn with the bore: M_x and M_y act as couples on both\n# sections.\n[measures.e_z]\nvalue = 's_z - b_z'\nforce = \"F_z\"\n\n[measures.alpha_x]\nvalue = 'cos(beta)*(cos(theta)*a_x - sin(theta)*a_y - g_x) + sin(beta)*(sin(theta)*a_x + cos(theta)*a_y - g_y)'\nforce = \"M_x\"\n\n[measures.alpha_y]\nvalue = 'cos(beta)*(sin(theta)*a_x + cos(theta)*a_y - g_y) - sin(beta)*(cos(theta)*a_x - sin(theta)*a_y - g_x)'\nforce = \"M_y\"\n\n# Overlap of the teeth of two gears along the line of action; R is the base radius of the first.\n[measures.e_n]\nvalue = 'u_x - cos(phi)*b_x + sin(phi)*b_y + R*(theta + gamma + lambda)'\nforce = \"F_n\"\n\n# Mean motion of both surfaces along the tangent, in the frame of the bore: oil shears both alike where its pressure drives it.\n[measures.s_mean]\nvalue = '(R*(theta + gamma) - sin(psi)*u_x + cos(psi)*u_y + tau)/2'\nforce = \"T_m\"\n\n# What a sensor reads, along the axes of e_x and e_y: no force works on it.\n[measures.y_x]\nvalue = 'cos(beta)*(cos(theta)*t_x - sin(theta)*t_y - r_x) + sin(beta)*(sin(theta)*t_x + cos(theta)*t_y - r_y)'\n\n[measures.y_y]\nvalue = 'cos(beta)*(sin(theta)*t_x + cos(theta)*t_y - r_y) - sin(beta)*(cos(theta)*t_x - sin(theta)*t_y - r_x)'\n\n# Inputs and outputs of a law of springs, of a law of a whole ring, of a law of a whole joint, of one that reads a sensor, and of a law of two gears.\n[laws.spring]\ninputs = [\"h\", \"h_dot\", \"psi\", \"omega\", \"v_t\", \"theta\"]\nforces = [\"Q\", \"T\"]\n\n[laws.ring]\ninputs = [\"e_x\", \"e_y\", \"e_x_dot\", \"e_y_dot\", \"omega\", \"theta\"]\nforces = [\"F_x\", \"F_y\", \"M_z\"]\n\n[laws.joint]\ninputs = [\n  \"e_x\", \"e_y\", \"e_z\", \"alpha_x\", \"alpha_y\",\n  \"e_x_dot\", \"e_y_dot\", \"e_z_dot\", \"alpha_x_dot\", \"alpha_y_dot\",\n  \"omega\", \"theta\",\n]\nforces = [\"F_x\", \"F_y\", \"F_z\", \"M_x\", \"M_y\", \"M_z\"]\n\n# A law of a whole joint that reads a sensor apart from where it acts.\n[laws.sensor]\ninputs = [\n  \"e_x\", \"e_y\", \"e_x_dot\", \"e_y_dot\", \"y_x\", \"y_y\", \"y_x_dot\", \"y_y_dot\", \"omega\", \"theta\",\n]\nforces = [\"F_x\", \"F_y\", \"M_z\"]\n\n[laws.gear]\ninputs = [\"e_n\", \"e_n_dot\"]\nforces = [\"F_n\"]\n",
+            hash: "89758e599e2647c89a5d9e75969de9c5",
         },
         axial,
         apart,
@@ -3653,14 +4691,17 @@ pub mod journal {
             "alpha_y",
             "e_n",
             "s_mean",
+            "y_x",
+            "y_y",
         ],
-        coordinates: 20,
+        coordinates: 24,
         measure,
         contacts: &[
             contacts::normal::ENTRY,
             contacts::spring::ENTRY,
             contacts::ring::ENTRY,
             contacts::joint::ENTRY,
+            contacts::sensor::ENTRY,
             contacts::gear::ENTRY,
         ],
     };

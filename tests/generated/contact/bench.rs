@@ -41,7 +41,7 @@ pub(super) enum Meaning {
     Psi,
 }
 
-/// Places of the measures: h, s, α, e_x, e_y, e_z, α_x, α_y, e_n, s_mean.
+/// Places of the measures: h, s, α, e_x, e_y, e_z, α_x, α_y, e_n, s_mean, y_x, y_y.
 pub(super) fn meaning(input: &str) -> Meaning {
     match input {
         "h" => Meaning::Value(0),
@@ -60,6 +60,10 @@ pub(super) fn meaning(input: &str) -> Meaning {
         "alpha_y_dot" => Meaning::Rate(7),
         "e_n" => Meaning::Value(8),
         "e_n_dot" => Meaning::Rate(8),
+        "y_x" => Meaning::Value(10),
+        "y_y" => Meaning::Value(11),
+        "y_x_dot" => Meaning::Rate(10),
+        "y_y_dot" => Meaning::Rate(11),
         "theta" => Meaning::Angle,
         "psi" => Meaning::Psi,
         _ => panic!("{input}: a meaning is needed"),
@@ -100,7 +104,7 @@ impl Bench {
                 Bench { kind, count, table }
             })
             .collect();
-        assert_eq!(benches.len(), 5, "normal forces, springs, rings, joints and gears");
+        assert_eq!(benches.len(), 6, "normal forces, springs, rings, joints, sensors and gears");
         benches
     }
 
@@ -241,7 +245,7 @@ impl Bench {
         j: usize,
         first: &[f64],
         second: &[f64],
-    ) -> [Hyper; 10] {
+    ) -> [Hyper; 12] {
         let at = |i: usize| Hyper::new(state.q[i], first[i], second[i]);
         let constant = |value: f64| Hyper::new(value, 0.0, 0.0);
         let motion = |wanted: BoreMotion| {
@@ -265,6 +269,10 @@ impl Bench {
             motion(BoreMotion::SectionZ),
             motion(BoreMotion::SectionTiltX),
             motion(BoreMotion::SectionTiltY),
+            motion(BoreMotion::SeenX),
+            motion(BoreMotion::SeenY),
+            motion(BoreMotion::BaseX),
+            motion(BoreMotion::BaseY),
             motion(BoreMotion::SecondFrame),
             motion(BoreMotion::SecondTurn),
             constant(C),
