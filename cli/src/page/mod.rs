@@ -40,11 +40,19 @@ use crate::results::{ABOUT, ANALYSES, SHAPES, SUMMARY, SWEEP};
 
 const PAGE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
-const CHARTS: &str = include_str!("chart.js");
-const SCENE: &str = include_str!("scene.js");
-const STAGE: &str = include_str!("stage.js");
-const LATERAL: &str = include_str!("lateral.js");
-const PARTS: &str = include_str!("page.js");
+/// In the order in which they are run.
+const SCRIPTS: [&str; 10] = [
+    include_str!("data.js"),
+    include_str!("chart.js"),
+    include_str!("marks.js"),
+    include_str!("scene.js"),
+    include_str!("stage.js"),
+    include_str!("lateral.js"),
+    include_str!("facts.js"),
+    include_str!("run.js"),
+    include_str!("analyses.js"),
+    include_str!("page.js"),
+];
 
 /// What is embedded.
 #[derive(Serialize)]
@@ -117,7 +125,7 @@ pub(crate) fn made(folder: &Path) -> Result<String, String> {
 
 fn filled(title: &str, data: &str) -> String {
     let title = title.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
-    let script = format!("(() => {{\n'use strict';\n{CHARTS}{SCENE}{STAGE}{LATERAL}{PARTS}}})();");
+    let script = format!("(() => {{\n'use strict';\n{}}})();", SCRIPTS.concat());
     let parts = [("style", STYLE), ("title", &title), ("data", data), ("script", &script)];
     let mut page = String::with_capacity(PAGE.len() + data.len() + STYLE.len() + script.len());
     for piece in PAGE.split("{{") {

@@ -1,0 +1,234 @@
+// Charts, figures and words of analyses and of sweeps.
+
+// Figures of files, as they are.
+function drawn(parent, figures) {
+  if (!figures.length) return;
+  const grid = add(parent, 'div', undefined, { class: 'grid' });
+  for (const figure of figures) {
+    figure.shown = true;
+    const frame = add(grid, 'figure', undefined, { class: 'drawing' });
+    add(frame, 'img', undefined, { src: `data:image/svg+xml;base64,${figure.base64}`, alt: figure.title });
+    add(frame, 'figcaption', figure.name, { class: 'soft' });
+  }
+}
+
+function drawings() {
+  const rest = data.figures.filter((figure) => !figure.shown);
+  if (rest.length) drawn(part('figures', 'Figures'), rest);
+}
+
+// The rows of a CSV by the names of its columns; what is a number is one.
+function parsed(csv) {
+  const cells = (line) => [...line.matchAll(/("(?:[^"]|"")*"|[^,]*)(?:,|$)/g)].map((own) => own[1]).slice(0, -1).map((own) => (own.startsWith('"') ? own.slice(1, -1).replaceAll('""', '"') : own));
+  const [head, ...lines] = csv.trimEnd().split('\n');
+  const names = cells(`${head},`);
+  return { names, rows: lines.map((line) => { const own = cells(`${line},`); return Object.fromEntries(names.map((name, k) => [name, own[k] !== '' && Number.isFinite(Number(own[k])) ? Number(own[k]) : own[k]])); }) };
+}
+
+// Rows by what some of their columns say.
+function grouped(rows, ...by) {
+  const all = new Map();
+  for (const row of rows) { const key = by.map((name) => row[name]).join(' · '); if (!all.has(key)) all.set(key, []); all.get(key).push(row); }
+  return all;
+}
+
+// Phases without jumps of a whole turn.
+function unwrapped(values) {
+  const all = Float64Array.from(values);
+  for (let k = 1; k < all.length; k++) if (Number.isFinite(all[k - 1])) all[k] -= 360 * Math.round((all[k] - all[k - 1]) / 360);
+  return all;
+}
+
+const line = (rows, x, y, name, more) => ({ name, x: rows.map((row) => row[x]), y: rows.map((row) => (typeof row[y] === 'number' ? row[y] : NaN)), ...more });
+
+// A mode over the speed, in pieces by how it whirls.
+function whirled(rows, y, name, style) {
+  const pieces = [];
+  rows.forEach((row, k) => {
+    const before = pieces[pieces.length - 1];
+    if (before && before.whirl === row.whirl) before.rows.push(row);
+    else pieces.push({ whirl: row.whirl, rows: k ? [rows[k - 1], row] : [row] });
+  });
+  const dashes = { forward: '', backward: '7 3', '-': '1.5 2.5' };
+  const words = rows.map((row) => (row.whirl === '-' ? '' : row.whirl));
+  return line(rows, 'speed_rpm', y, name, { style, dash: '', words, pieces: pieces.map((own) => ({ ...line(own.rows, 'speed_rpm', y), dash: dashes[own.whirl] })) });
+}
+
+// Modes without those so far above the rest that they would squeeze it: the five lowest and what is below five times the highest
+// order are always there.
+function withRoom(all, rpm) {
+  const top = ([, own]) => Math.max(...own.map((row) => row.frequency_hz));
+  const tops = all.map(top).sort((a, b) => a - b);
+  const ceiling = Math.max(tops[4] ?? Infinity, (5 * rpm) / 60);
+  if (0.5 * tops[tops.length - 1] <= ceiling) return { modes: all, above: 0 };
+  const modes = all.filter((own) => top(own) <= ceiling);
+  return { modes, above: all.length - modes.length };
+}
+
+// Charts of an analysis beside its figures, which they replace: names of those.
+const CHARTED = {
+  campbell(host, name, tables) {
+    const rows = tables.get(`${name}.csv`)?.rows;
+    if (!rows?.length) return [];
+    const critical = (tables.get(`${name}.critical.csv`)?.rows || []).filter((row) => row.what === 'critical speed');
+    const speeds = [...new Set(rows.map((row) => row.speed_rpm))];
+    if (speeds.length < 2) return [];
+    const ends = [Math.min(...speeds), Math.max(...speeds)];
+    const orders = [...new Set(critical.map((row) => row.order).concat(1))].sort((a, b) => a - b);
+    const all = [...grouped(rows, 'branch')].filter(([, own]) => own.length > 1);
+    const { modes, above } = withRoom(all, Math.max(...orders) * Math.max(...speeds.map(Math.abs)));
+    const top = 1.1 * Math.max(...modes.flatMap(([, own]) => own.map((row) => row.frequency_hz)));
+    const across = orders.map((order) => { const x = [ends[0], Math.min(ends[1], (60 * top) / order)]; return { name: `${order}X`, x, y: x.map((rpm) => (order * rpm) / 60), style: 6, dash: { 0.5: '6 2 1 2', 1: '2 3', 2: '1 4' }[order] || '4 4' }; }).filter((own) => own.x[1] > own.x[0]);
+    const x = { label: 'speed', unit: 'rpm' };
+    const kinds = [...new Set(modes.flatMap(([, own]) => own.map((row) => row.whirl)))];
+    const letter = (row) => ({ axial: 'A', torsional: 'T' })[row.motion] || { forward: 'F', backward: 'B' }[row.whirl] || '';
+    const letters = [['F', 'forward'], ['B', 'backward'], ['T', 'torsional'], ['A', 'axial']].filter(([one]) => critical.some((row) => letter(row) === one)).map((one) => one.join(' ')).join(', ');
+    const thresholds = (tables.get(`${name}.critical.csv`)?.rows || []).filter((row) => row.what !== 'critical speed').map((row) => ({ x: row.speed_rpm, name: `${row.what} ${shown(row.speed_rpm, 5)}` }));
+    const note = `${[['forward', 'solid: forward whirl'], ['backward', 'dashed: backward'], ['-', 'dotted: neither']].filter(([kind]) => kinds.includes(kind)).map(([, words]) => words).join(', ')}${letters ? `; ${letters}` : ''}${above ? `; ${above} more ${above === 1 ? 'mode' : 'modes'} above` : ''}`;
+    new Chart(host, {
+      id: `campbell-${slug(name)}`, title: 'Natural frequencies', zero: true, sync: `speed ${name}`, x, y: { label: 'frequency', unit: 'Hz' },
+      series: [...modes.map(([branch, own], k) => whirled(own, 'frequency_hz', `mode ${branch}`, k % 6)), ...across], note,
+      dots: critical.filter((row) => row.frequency_hz <= top).sort((a, b) => (b.whirl === 'forward') - (a.whirl === 'forward')).map((row) => ({ x: row.speed_rpm, y: row.frequency_hz, style: row.damping_ratio > 0.2 ? 6 : 1, name: critical.some((one) => one.damping_ratio > 0.2) ? 'critical speed (black: amplification 1/(2ζ) below 2.5)' : 'critical speed', label: `${shown(row.speed_rpm, 5)} ${letter(row)}`.trim() })),
+      marks: thresholds,
+    });
+    new Chart(host, {
+      id: `decrement-${slug(name)}`, title: 'Damping: unstable below zero', sync: `speed ${name}`, x, y: { label: 'log decrement', unit: '1' }, levels: [{ y: 0, name: '', framed: true }], marks: thresholds,
+      series: modes.map(([branch, own], k) => whirled(own, 'log_decrement', `mode ${branch}`, k % 6)),
+    });
+    return [`${name}.svg`];
+  },
+  response(host, name, tables) {
+    const rows = tables.get(`${name}.csv`)?.rows;
+    if (!rows?.length) return [];
+    const moves = (own) => own.some((row) => row.major_um > 1e-6);
+    const all = [...grouped(rows, 'body', 'point', 'order')].filter(([, own]) => own.length > 1 && moves(own)).sort(([, a], [, b]) => (a[0].order === 0) - (b[0].order === 0)).slice(0, 24);
+    const several = new Set(rows.map((row) => row.body)).size > 1;
+    const found = tables.get(`${name}.peaks.csv`)?.rows || [];
+    for (const [, own] of all) {
+      const [{ body, point, order }] = own;
+      const x = { label: several ? `speed of ${body}` : 'speed', unit: 'rpm' };
+      const title = order === 0 ? `${point}, mean position` : `${point}, ${order}X${several ? ` of ${body}` : ''}`;
+      const id = slug(`${name} ${body} ${point} ${order}`);
+      // Peaks lie between the speeds of the table.
+      const peaks = found.filter((row) => row.body === body && row.point === point && row.order === order && typeof row.major_um === 'number');
+      const beside = peaks.flatMap((row) => [[row.half_power_below_rpm, Math.SQRT1_2], [row.speed_rpm, 1], [row.half_power_above_rpm, Math.SQRT1_2]].filter(([rpm]) => typeof rpm === 'number').map(([rpm, part_]) => ({ speed_rpm: rpm, major_um: part_ * row.major_um })));
+      const whole = [...own, ...beside].sort((a, b) => a.speed_rpm - b.speed_rpm);
+      new Chart(host, {
+        id: `bode-${id}`, title, zero: true, sync: `speed ${name}`, x, y: { label: 'displacement', unit: 'µm', amplitude: order !== 0 },
+        series: order === 0
+          ? [line(own, 'speed_rpm', 'x_um', 'x'), line(own, 'speed_rpm', 'y_um', 'y')].map((one, k) => ({ ...one, y: one.y.map((value, at) => value * Math.cos((Math.PI * own[at][`${'xy'[k]}_phase_deg`]) / 180)) }))
+          : [line(own, 'speed_rpm', 'x_um', 'x'), line(own, 'speed_rpm', 'y_um', 'y'), line(whole, 'speed_rpm', 'major_um', 'major semi-axis of the orbit', { style: 6, dash: '2 3' })],
+        dots: peaks.map((row) => ({ x: row.speed_rpm, y: row.major_um, style: 1, name: 'peak', label: `${shown(row.speed_rpm, 5)} rpm` })),
+        note: peaks.length ? 'peaks and half powers between the speeds of the table are of the major semi-axis' : '',
+      });
+      if (order !== 0) new Chart(host, {
+        id: `bode-phase-${id}`, title: `${title}: phase`, sync: `speed ${name}`, x, y: { label: 'phase', unit: '°' },
+        series: ['x', 'y'].map((axis) => { const phase = line(own, 'speed_rpm', `${axis}_phase_deg`, axis); return { ...phase, y: unwrapped(phase.y) }; }),
+      });
+    }
+    return all.length ? [`${name}.svg`] : [];
+  },
+  stability(host, name, tables) {
+    const rows = tables.get(`${name}.csv`)?.rows;
+    if (!rows || rows.length < 2) return [];
+    const marks = (tables.get(`${name}.thresholds.csv`)?.rows || []).map((row) => ({ x: row.speed_rpm, name: `${row.what} ${shown(row.speed_rpm, 5)}` }));
+    new Chart(host, {
+      id: `stability-${slug(name)}`, title: 'The least stable mode: unstable below zero', x: { label: 'speed', unit: 'rpm' }, y: { label: 'log decrement', unit: '1' }, marks, levels: [{ y: 0, name: '', framed: true }],
+      series: [line(rows, 'speed_rpm', 'least_log_decrement', 'least log decrement')],
+    });
+    return [`${name}.svg`];
+  },
+};
+
+function swept() {
+  if (!sweep) return;
+  const own = part('sweep', 'The sweep');
+  for (const words of sweep.remarks) add(add(own, 'div', undefined, { class: 'verdict bad' }), 'p', words);
+  const list = add(own, 'ul', undefined, { class: 'plain' });
+  for (const words of sweep.lines) add(list, 'li', words);
+  const file = data.tables.find((one) => one.name === 'table.csv');
+  if (!file) { add(own, 'p', 'table.csv is too large to be shown here.', { class: 'soft' }); drawn(own, data.figures); return; }
+  const { names, rows } = parsed(file.csv);
+  const numeric = names.filter((name) => rows.some((row) => typeof row[name] === 'number'));
+  const across = [...sweep.varied.filter((name) => numeric.includes(name)), 'point'].filter((name) => numeric.includes(name));
+  const up = numeric.filter((name) => !across.includes(name));
+  if (across.length && up.length) {
+    add(own, 'h3', 'Any number of the table over what varies');
+    const choose = add(own, 'div', undefined, { class: 'choose screen' });
+    const host = add(own, 'div', undefined, { class: 'grid' });
+    const pick = (words, options) => { const box = add(add(choose, 'label', `${words} `), 'select'); for (const name of options) add(box, 'option', name, { value: name }); box.addEventListener('change', () => show()); return box; };
+    const [y, x] = [pick('show', up), pick('over', across)];
+    const by = pick('a line for each', ['–', ...sweep.varied.concat('direction').filter((name) => names.includes(name))]);
+    if (sweep.varied.length > 1) by.value = sweep.varied.find((name) => name !== x.value) || '–';
+    let chart = null;
+    const show = () => {
+      const lines = by.value === '–' || by.value === x.value ? new Map([[y.value, rows]]) : grouped(rows, by.value);
+      const few = [...lines].slice(0, 12);
+      const sorted = (all) => [...all].filter((row) => typeof row[y.value] === 'number' && typeof row[x.value] === 'number').sort((a, b) => a[x.value] - b[x.value]);
+      const series = few.map(([name, all], k) => ({ ...line(sorted(all), x.value, y.value, name, { style: k % 7 }) })).filter((one) => one.x.length);
+      const spec = { id: 'sweep-table', title: `${y.value} over ${x.value}`, x: { label: x.value, unit: '1' }, y: { label: y.value, unit: '1' }, series, note: lines.size > few.length ? `the first ${few.length} of ${lines.size} lines` : '' };
+      if (!series.length) return;
+      if (!chart) chart = new Chart(host, spec);
+      else { chart.spec = spec; chart.hidden.clear(); chart.view = null; chart.figure.querySelector('figcaption').textContent = spec.title; chart.render(); }
+    };
+    show();
+  }
+  drawn(own, data.figures);
+  const more = add(own, 'details', undefined, { class: 'screen' });
+  add(more, 'summary', `table.csv: ${rows.length} rows`);
+  more.addEventListener('toggle', () => {
+    if (!more.open || more.children.length > 1) return;
+    table(more, names, rows.slice(0, 500).map((row) => names.map((column) => (typeof row[column] === 'number' ? shown(row[column], 6) : row[column]))));
+    if (rows.length > 500) add(more, 'p', 'The first 500 rows; the file has all of them.', { class: 'soft' });
+  });
+}
+
+// Lines as the terminal has them; notes, which are sentences, wrap.
+function worded(parent, lines) {
+  let [kept, note] = [[], false];
+  const flush = () => { if (kept.some((line) => line.trim())) add(parent, note ? 'p' : 'pre', kept.join('\n').trimEnd(), note ? { class: 'note' } : {}); kept = []; };
+  for (const line of lines) {
+    const is = line.startsWith('note: ');
+    if (is || note !== is) flush();
+    note = is;
+    kept.push(line);
+  }
+  flush();
+}
+
+function analysed() {
+  if (!analyses) return;
+  const tables = new Map(data.tables.map((own) => [own.name, parsed(own.csv)]));
+  for (const { name, kind, heading, text, files, interrupted } of analyses.analyses) {
+    const own = part(`analysis-${slug(name)}`, heading);
+    const usual = name === kind ? '' : `Analysis \u201c${name}\u201d. `;
+    if (usual || interrupted) add(own, 'p', `${usual}${interrupted ? 'Interrupted: what was found up to then.' : ''}`, { class: 'soft' });
+    const lines = text.trimEnd().split('\n').filter((line, k) => k > 0 || !line.startsWith(`${about.name}: `));
+    while (lines.length && !lines[0].trim()) lines.shift();
+    const chaptered = kind === 'lateral' && lateral(own, name, tables, lines);
+    for (const figure of data.figures) if (chaptered && figure.name === `${name}.svg`) figure.shown = true;
+    const folds = lines.length > 24 || chaptered;
+    if (!folds) worded(own, lines);
+    // What must not be missed, however long the rest is.
+    const loud = lines.filter((words) => /UNSTABLE|NOT STABLE|becomes unstable|too large for a linear|critically damped/.test(words));
+    if (folds && !chaptered && loud.length) { worded(own, loud.slice(0, 6)); if (loud.length > 6) add(own, 'p', `${loud.length - 6} more of these lines are in the words below.`, { class: 'soft' }); }
+    const grid = add(own, 'div', undefined, { class: 'grid' });
+    const replaced = CHARTED[kind]?.(grid, name, tables) || [];
+    for (const figure of data.figures) if (replaced.includes(figure.name)) figure.shown = true;
+    drawn(own, data.figures.filter((figure) => files.includes(figure.name) && !figure.shown));
+    inSpace(own, name);
+    if (folds) { const more = add(own, 'details', undefined, { class: 'words-of' }); add(more, 'summary', `All that was found, in words (${lines.length} lines)`); worded(more, lines); }
+    for (const file of files) {
+      const table_ = tables.get(file);
+      if (!table_ || !table_.rows.length) continue;
+      const more = add(own, 'details', undefined, { class: 'screen' });
+      add(more, 'summary', `${file}: ${table_.rows.length} ${table_.rows.length === 1 ? 'row' : 'rows'}`);
+      // Made when it is opened: there may be many.
+      more.addEventListener('toggle', () => {
+        if (!more.open || more.children.length > 1) return;
+        table(more, table_.names, table_.rows.slice(0, 500).map((row) => table_.names.map((column) => (typeof row[column] === 'number' ? shown(row[column], 6) : row[column]))));
+        if (table_.rows.length > 500) add(more, 'p', 'The first 500 rows; the file has all of them.', { class: 'soft' });
+      });
+    }
+  }
+}

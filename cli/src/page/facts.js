@@ -1,0 +1,179 @@
+// What is asked first: the verdict, the largest values, the case in words, and the last cycle.
+
+function head() {
+  add(page, 'h1', about.title || about.name);
+  add(page, 'p', `${about.title ? about.name : ''}${about.source ? ` · ${about.source}` : ''}`, { class: 'soft' });
+  if (!summary) return;
+  if (analyses) add(page, 'p', 'The verdict is on the run; analyses say themselves what limits them.', { class: 'soft' });
+  const { verdict } = summary;
+  const box = add(page, 'div', undefined, { class: verdict.sound ? 'verdict' : 'verdict bad', id: 'verdict' });
+  add(box, 'strong', verdict.sound ? 'Numerically sound' : 'NOT SOUND: do not use these results');
+  if (verdict.sound) add(box, 'p', 'Every step of this run passed the checks of the program: the numbers can be used. What they say of the machine is for you to judge.');
+  else {
+    const list = add(box, 'ul');
+    for (const own of verdict.findings) {
+      const amount = (value) => (value === null ? 'no number' : own.unit === '1' ? `${shown(100 * value, 3)} %` : `${shown(value, 3)} ${own.unit}`);
+      add(list, 'li', `${own.what}: ${amount(own.value)}, limit ${amount(own.limit)}. Remedy: ${own.remedy}`);
+    }
+  }
+  if (summary.error) add(box, 'p', `The run ended early: ${summary.error}.`);
+  facts();
+}
+
+// What is asked first.
+function facts() {
+  const list = add(page, 'dl', undefined, { class: 'facts' });
+  const fact = (name, value, small) => {
+    const own = add(list, 'div');
+    add(own, 'dt', name);
+    const dd = add(own, 'dd');
+    const fill = () => { dd.textContent = Array.isArray(value) ? `${shown(value[0] * Units.of(value[1])[1], 4)} ${Units.of(value[1])[0]}` : value; if (small) add(dd, 'small', typeof small === 'function' ? small() : small); };
+    fill();
+    redraw.push(fill);
+  };
+  const { march, time } = summary;
+  fact('simulated', `${shown(time.simulated_s, 4)} s`, `${march.steps}${march.complete ? '' : ` of ${march.steps_asked}`} steps in ${shown(time.march_wall_s, 3)} s`);
+  const [first, ...rest] = about.steady.split(/[:,] /);
+  fact('steady state', first, rest.join(', '));
+  if (!run) return;
+  const largest = (names, of) => names.map((name) => [name, of(name)]).reduce((best, own) => (own[1] > best[1] ? own : best), ['', -Infinity]);
+  if (run.ratios.length) {
+    const [title, most] = largest(run.ratios, (name) => extremes(`ratio ${name}`)[1]);
+    fact('largest eccentricity', `${shown(100 * most, 3)} % of the clearance`, `${title}, in the whole run`);
+  }
+  const forces = about.groups.filter((own) => own.quantity === 'force' && own.lines.every(([name]) => columns.has(name)));
+  if (forces.length) {
+    const of = (own) => Math.max(...own.lines.map(([name]) => Math.max(...extremes(name).map(Math.abs))));
+    const group = forces.reduce((best, own) => (of(own) > of(best) ? own : best));
+    fact('largest force component', [of(group), group.unit], `${group.title}, in the whole run`);
+  }
+  const top = strongest();
+  if (top) fact('strongest motion', top.words, () => `${top.title}: ${shown(top.amplitude * Units.of(top.unit)[1] * Amplitudes.factor, 3)} ${Units.of(top.unit)[0]} ${Amplitudes.words} at ${shown(top.hertz, 4)} Hz`);
+  const orders = (summary.orders?.signals || []).filter((own) => own.signal.endsWith('_um'));
+  const last = Math.max(...orders.map((own) => own['1X'].amplitude), 0);
+  // Over a run-up the last revolutions are half a window behind the last point.
+  const passed = [largestOrder()].find((own) => own && own.amplitude >= last);
+  const slow = largestBelow();
+  if (slow) fact('largest part below 1X, 0-pk', [slow.amplitude, 'µm'], `${slow.title}: ${shown(slow.order, 3)} times the speed of ${shown(slow.rpm, 4)} rpm`);
+  if (passed) fact('largest 1X, 0-pk', [passed.amplitude, 'µm'], `${passed.title}, at ${shown(passed.rpm, 4)} rpm`);
+  else if (orders.length) {
+    const top = orders.reduce((best, own) => (own['1X'].amplitude > best['1X'].amplitude ? own : best));
+    const title = about.signals.find((own) => own.columns.some(([name]) => name === top.signal));
+    fact('largest 1X, 0-pk', [top['1X'].amplitude, 'µm'], `${title ? title.title : top.signal}, last ${top.revolutions === 1 ? 'revolution' : `${top.revolutions} revolutions`}`);
+  }
+}
+
+// Where 1X of displacements is largest over a run-up.
+function largestOrder() {
+  let top = null;
+  for (const all of run.tracked) {
+    const rpm = numbers(all.rpm);
+    for (const signal of all.signals.filter((own) => own.column.endsWith('_um'))) {
+      const title = about.signals.find((own) => own.columns.some(([name]) => name === signal.column))?.title || signal.column;
+      const overall = numbers(signal.overall);
+      // Where something else moves more, it leaks into the fit.
+      numbers(signal.first).forEach((amplitude, k) => { if (amplitude > 0.55 * overall[k] && (!top || amplitude > top.amplitude)) top = { amplitude, rpm: rpm[k], title }; });
+    }
+  }
+  return top;
+}
+
+// Where the largest part below 1X is largest over a run-up, if it is more than a fifth of all motion there.
+function largestBelow() {
+  let top = null;
+  for (const all of run.tracked) {
+    const rpm = numbers(all.rpm);
+    for (const signal of all.signals.filter((own) => own.column.endsWith('_um'))) {
+      const title = about.signals.find((own) => own.columns.some(([name]) => name === signal.column))?.title || signal.column;
+      const [overall, order] = [numbers(signal.overall), numbers(signal.below_order)];
+      numbers(signal.below).forEach((amplitude, k) => { if (amplitude > 0.2 * overall[k] && (!top || amplitude > top.amplitude)) top = { amplitude, rpm: rpm[k], order: order[k], title }; });
+    }
+  }
+  return top;
+}
+
+// The largest line of the spectra of displacements, as a multiple of the speed.
+function strongest() {
+  let top = null;
+  // Of what runs up a spectrum mixes speeds.
+  const varies = new Set(run.envelopes.flatMap((all) => all.signals.map((own) => own.column)));
+  run.spectra.forEach((spectrum, k) => {
+    const signal = about.signals[k];
+    if (signal.unit !== 'µm' || !(spectrum.turning_hz > 0) || signal.columns.some(([name]) => varies.has(name))) return;
+    for (const line of spectrum.lines) {
+      const [frequency, amplitude] = [numbers(line.frequency_hz), numbers(line.amplitude)];
+      for (let at = 0; at < frequency.length; at++) {
+        const order = frequency[at] / spectrum.turning_hz;
+        // Nearer to nothing it is a drift.
+        if (Math.abs(order) < 0.1) continue;
+        const body = /^theta_(.+)_rad$/.exec(signal.angle)?.[1];
+        // Circles run through both ways make an ellipse, whose semi-axes are their sum and difference.
+        const other = spectrum.two_sided ? mirrored(frequency, amplitude, -frequency[at]) : 0;
+        // The larger circle gives its sense.
+        if (other > amplitude[at] || (top && amplitude[at] + other <= top.amplitude)) continue;
+        const way = !spectrum.two_sided ? '' : other > 0.9 * amplitude[at] ? ', along a line' : order > 0 ? ' forward' : ' backward';
+        top = { amplitude: amplitude[at] + other, hertz: Math.abs(frequency[at]), unit: signal.unit, title: signal.title, words: `${shown(Math.abs(order), 3)} times the speed${body ? ` of ${body}` : ''}${way}` };
+      }
+    }
+  });
+  return top;
+}
+
+// The amplitude at the frequency that is nearest.
+function mirrored(frequency, amplitude, wanted) {
+  let best = 0;
+  for (let k = 1; k < frequency.length; k++) if (Math.abs(frequency[k] - wanted) < Math.abs(frequency[best] - wanted)) best = k;
+  const near = Math.abs(frequency[best] - wanted) <= 1e-3 * Math.abs(wanted) + 1e-12;
+  return near ? amplitude[best] : 0;
+}
+
+function theCase() {
+  if (!about.words.length) return;
+  const own = part('case', 'The case');
+  for (const { title, table: rows, lines } of about.words) {
+    add(own, 'h3', title);
+    if (rows) table(own, rows[0], rows.slice(1));
+    if (lines) { const list = add(own, 'ul', undefined, { class: 'plain' }); for (const line of lines) add(list, 'li', line); }
+  }
+}
+
+function results() {
+  if (!summary || !(summary.supports.length || summary.orders)) return;
+  const own = part('results', 'The last cycle');
+  add(own, 'p', `A cycle is ${shown(1e3 * summary.cycle_s, 5)} ms: ${about.cycle}. ${about.steady[0].toUpperCase()}${about.steady.slice(1)}.`);
+  const moving = summary.supports;
+  if (moving.length && about.words[0]?.title === 'The mass') {
+    table(own, ['', '', ['force', 'N'], ['displacement of the mass', 'mm']], moving.flatMap((support, k) => ['min', 'mean', 'max'].map((which) => [which === 'min' ? `Stop ${k + 1}` : '', which, [support.RX_N[which], 'N'], [1e-3 * support.X_um[which], 'mm']])), [1]);
+  } else if (moving.length) {
+    const heads = ['', '', ['force x', 'N'], ['force y', 'N'], ['eccentricity x', 'µm'], ['eccentricity y', 'µm'], ['clearance', 'µm']];
+    const pushes = (support) => ['RX_N', 'RY_N', 'EX_um', 'EY_um'].some((name) => ['min', 'max'].some((which) => support[name]?.[which] !== 0));
+    const named_ = moving.map((support, k) => [support.joint || supportName(k), support]);
+    const still = named_.filter(([, support]) => !pushes(support)).map(([name]) => name);
+    const rows = named_.filter(([, support]) => pushes(support)).flatMap(([name, support]) => ['min', 'mean', 'max'].map((which) => [
+      which === 'min' ? name : '', which, [support.RX_N[which], 'N'], [support.RY_N[which], 'N'], [support.EX_um[which], 'µm'], [support.EY_um[which], 'µm'],
+      which === 'min' && support.clearance_um > 0 ? [support.clearance_um, 'µm'] : '']));
+    table(own, heads, rows, [1]);
+    if (still.length) add(own, 'p', `Nothing moves or pushes across the axis in ${still.join(', ')}.`, { class: 'soft' });
+  }
+  if (summary.orders) {
+    add(own, 'h3', 'Orders');
+    const { signals } = summary.orders;
+    add(own, 'p', `x = A cos(nθ + φ), A from 0 to the peak, fitted over whole revolutions at the end of the run${new Set(signals.map((one) => one.angle)).size > 1 ? ', with once and twice the angles of the other bodies beside' : ''}. What is not a multiple of half the speed leaks into these numbers where the revolutions are few: see the spectra.`, { class: 'soft' });
+    const named = (name) => { const signal = about.signals.find((one) => one.columns.some(([column]) => column === name)); return signal ? `${signal.title}: ${signal.quantity} ${signal.columns.find(([column]) => column === name)[1]}` : name; };
+    const unit = (name) => about.signals.find((one) => one.columns.some(([column]) => column === name))?.unit || '';
+    const heads = ['', '1X, 0-pk', '', 'phase (°)', '2X, 0-pk', '', 'phase (°)', 'revolutions'];
+    const rows = () => signals.filter((one) => one['1X'].amplitude > 0 || one['2X'].amplitude > 0).map((one) => {
+      const u = unit(one.signal);
+      return [named(one.signal), [one['1X'].amplitude, u], Units.of(u)[0], shown(one['1X'].phase_deg, 4), [one['2X'].amplitude, u], Units.of(u)[0], shown(one['2X'].phase_deg, 4), String(one.revolutions)];
+    });
+    const host = add(own, 'div');
+    const fill = () => { host.replaceChildren(); table(host, heads, rows(), [2, 5]); };
+    fill();
+    redraw.push(fill);
+  }
+  const bodies = Object.entries(summary.stresses || {});
+  if (bodies.length) {
+    add(own, 'h3', 'Largest stresses in the frames of the cycle');
+    table(own, ['', ['von Mises', 'MPa'], 'node', 'at (mm)', 'time (s)'], bodies.map(([name, one]) => [name, [one.von_mises_MPa, 'MPa'], String(one.node), one.position_mm.map((x) => shown(x)).join(', '), shown(one.time_s, 6)]));
+  }
+}

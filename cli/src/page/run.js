@@ -1,0 +1,264 @@
+// Charts of a run: histories, orbits, spectra, orders, and the balance of its energy.
+
+const supportName = (k) => about.journals[k]?.title || `Support ${k + 1}`;
+
+function histories() {
+  if (!run) return;
+  const own = part('histories', 'Histories');
+  const every = run.histories.every;
+  add(own, 'p', every === 1
+    ? `All ${run.histories.rows} rows of history.csv, to seven digits.`
+    : `The ${run.histories.rows} rows of history.csv, of every ${every} the least and the largest value, so that no peak is lost; history.csv has all of them.`, { class: 'soft' });
+  add(own, 'p', 'Drag over a chart to zoom into all of them, double-click to see the whole run again; Shift and drag moves. By keys: arrows move the cursor, + and − zoom, 0 shows all. A click on a name in a legend hides its line.', { class: 'soft screen' });
+  const choose = add(own, 'div', undefined, { class: 'choose' });
+  const grid = add(own, 'div', undefined, { class: 'grid' });
+  const groups = [];
+  if (run.ratios.length) {
+    groups.push({ title: 'Eccentricity relative to the clearance', quantity: '|E| / c', unit: '1', shown: true, factor: 1, lines: run.ratios.map((title) => [`ratio ${title}`, title]), levels: [{ y: 1, name: 'clearance' }], zero: true });
+  }
+  groups.push(...about.groups);
+  const idle = (group) => group.lines.every(([name]) => extremes(name).every((value) => value === 0));
+  const varies = (group) => group.lines.some(([name]) => { const [least, most] = extremes(name); return most - least > 1e-3 * Math.max(Math.abs(least), Math.abs(most)); });
+  const make = (group) => new Chart(grid, {
+    id: `history-${slug(group.title)}`, title: group.title, sync: 'time', x: { label: 'time', unit: 's' }, y: { label: group.quantity, unit: group.unit },
+    range: [run.begins, run.ends], levels: group.levels, zero: group.zero,
+    series: group.lines.map(([name, label], k) => series(name, label, group.factor, k % 7)),
+  });
+  for (const group of groups) {
+    const box = add(add(choose, 'label'), 'input', undefined, { type: 'checkbox' });
+    box.after(` ${group.title}`);
+    box.checked = group.shown && !idle(group) && (group.unit !== 'rpm' || varies(group));
+    let chart = box.checked ? make(group) : null;
+    box.addEventListener('change', () => {
+      chart = chart || make(group);
+      chart.figure.hidden = !box.checked;
+    });
+  }
+  const still = groups.filter((group) => group.shown && idle(group)).map((group) => group.title);
+  if (still.length) add(own, 'p', `Zero all along: ${still.join('; ')}.`, { class: 'soft' });
+  const hidden = groups.length > 8;
+  if (hidden) { const more = add(own, 'details', undefined, { class: 'screen' }); add(more, 'summary', 'Choose what is shown'); more.append(choose); own.insertBefore(more, grid); }
+}
+
+function orbits() {
+  if (!run || !run.orbits.length) return;
+  const own = part('orbits', 'Orbits and forces');
+  const turns = run.orbits.some((orbit) => orbit.revolutions > 0);
+  const [isJournal, all] = [(orbit) => orbit.moved === 'the journal', run.orbits];
+  const whose = all.every(isJournal) ? 'Centre of each journal in its bore' : all.some(isJournal) ? 'Centre of each journal in its bore, and of the first side of bushings against the second' : 'The first side of each bushing against the second';
+  add(own, 'p', turns
+    ? `${whose}, seen along +z: x up, y to the right, so that positive rotation is clockwise. Arrows show the direction of motion, dots where the keyphasor is seen (θ a multiple of 360°).`
+    : `${whose} in the last cycle, seen along +z: x up, y to the right. Arrows show the direction of motion.`, { class: 'soft' });
+  const choose = add(own, 'div', undefined, { class: 'choose screen' });
+  const grid = add(own, 'div', undefined, { class: 'grid squares' });
+  const most = Math.max(...run.orbits.map((orbit) => orbit.revolutions));
+  let shownRevolutions = turns ? Math.min(2, most) : 0;
+  let framed = true;
+  const charts = run.orbits.map((orbit) => {
+    const [x, y, before] = [numbers(orbit.x_um), numbers(orbit.y_um), numbers(orbit.before)];
+    const spec = { id: `orbit-${slug(orbit.title)}`, equal: true, x: { label: 'y, lateral', unit: 'µm' }, y: { label: 'x, vertical', unit: 'µm' }, circles: [{ r: orbit.clearance_um, name: 'clearance' }], series: [], dots: [] };
+    spec.update = () => {
+      let from = 0;
+      if (orbit.revolutions > 0) while (from < before.length - 2 && before[from] > shownRevolutions * (1 + 1e-6)) from++;
+      const count = x.length - from;
+      spec.framed = framed;
+      spec.series = [{ name: isJournal(orbit) ? 'centre of the journal' : `centre of ${orbit.moved}`, path: true, x: y.subarray(from), y: x.subarray(from), style: 0, arrows: [Math.floor(0.35 * count), Math.floor(0.8 * count)].filter((at) => at > 0) }];
+      spec.dots = orbit.keyphasors.filter((own) => own[2] <= shownRevolutions * (1 + 1e-6)).map(([px, py]) => ({ x: py, y: px, style: 1, name: 'keyphasor' }));
+      const over = orbit.revolutions > 0 ? (shownRevolutions >= orbit.revolutions ? `last ${shown(orbit.revolutions, 3)} revolutions` : shownRevolutions === 1 ? 'last revolution' : `last ${shown(shownRevolutions, 3)} revolutions`) : 'last cycle';
+      spec.note = orbit.revolutions > 0 ? (orbit.sense > 0 ? `${over}, rotation ↻` : `${over}, rotation ↺`) : over;
+    };
+    spec.update();
+    spec.title = orbit.title;
+    return new Chart(grid, spec);
+  });
+  add(own, 'h3', all.every(isJournal) ? 'Forces on the journals, polar' : 'Forces, polar');
+  const polar = add(own, 'div', undefined, { class: 'grid squares' });
+  for (const orbit of run.orbits) {
+    const [fx, fy, before] = [numbers(orbit.fx_n), numbers(orbit.fy_n), numbers(orbit.before)];
+    if ([fx, fy].every((own_) => own_.every((value) => value === 0))) continue;
+    const spec = { id: `polar-${slug(orbit.title)}`, title: `${orbit.title}: force`, equal: true, origin: true, x: { label: 'force along y', unit: 'N' }, y: { label: 'force along x', unit: 'N' }, series: [], dots: [{ x: 0, y: 0, style: 6, name: 'no force' }] };
+    spec.update = () => {
+      let from = 0;
+      if (orbit.revolutions > 0) while (from < before.length - 2 && before[from] > shownRevolutions * (1 + 1e-6)) from++;
+      const count = fx.length - from;
+      spec.series = [{ name: `force on ${orbit.moved}`, path: true, x: fy.subarray(from), y: fx.subarray(from), style: 2, arrows: [Math.floor(0.35 * count), Math.floor(0.8 * count)].filter((at) => at > 0) }];
+    };
+    spec.update();
+    charts.push(new Chart(polar, spec));
+  }
+  const update = () => { for (const chart of charts) { chart.spec.update(); if (chart.over) chart.render(); } };
+  if (turns && most > 1) {
+    const label = add(choose, 'label', 'revolutions ');
+    const select = add(label, 'select');
+    for (const many of [1, 2, 4, 8]) if (many <= most || many === 1) add(select, 'option', String(many), { value: many });
+    select.value = String(shownRevolutions);
+    select.addEventListener('change', () => { shownRevolutions = Number(select.value); update(); });
+  }
+  const fit = add(add(choose, 'label'), 'input', undefined, { type: 'checkbox' });
+  fit.after(' fill the frame with the orbit');
+  fit.addEventListener('change', () => { framed = !fit.checked; update(); });
+}
+
+// Charts over the angle of the last revolutions, in which forces and films repeat themselves.
+function overAngle() {
+  if (!run || !run.turned.length) return;
+  const own = part('angle', 'Over the angle');
+  const most = Math.max(...run.turned.map((one) => one.revolutions));
+  add(own, 'p', `Every row of the last ${most > 1.05 ? `${shown(most, 3)} revolutions` : 'revolution'}, the angle counted from where the first of them begins.`, { class: 'soft' });
+  const grid = add(own, 'div', undefined, { class: 'grid' });
+  for (const { group, revolutions, before, columns: packed } of run.turned) {
+    const { title, quantity, unit, factor, lines } = about.groups[group];
+    if (packed.every((own_) => numbers(own_).every((value) => value === 0))) continue;
+    const x = numbers(before).map((degrees) => 360 * revolutions - degrees);
+    new Chart(grid, {
+      id: `angle-${slug(title)}`, title, sync: `angle ${revolutions.toFixed(3)}`, x: { label: 'angle', unit: '°' }, y: { label: quantity, unit }, range: [0, 360 * revolutions],
+      series: lines.map(([, label], k) => ({ name: label, x, y: factor === 1 ? numbers(packed[k]) : numbers(packed[k]).map((value) => value * factor), style: k % 7 })),
+    });
+  }
+}
+
+// The body of a column of an angle.
+const turningOf = (angle) => /^theta_(.+)_rad$/.exec(angle || '')?.[1] || about.groups.flatMap((own) => own.lines).find(([name]) => name === 'omega_rad_s')?.[1] || 'the first body that turns';
+
+function spectra() {
+  if (!run || !run.spectra.some((spectrum) => spectrum.lines.length)) return;
+  const own = part('spectra', 'Spectra');
+  const two = run.spectra.some((spectrum) => spectrum.two_sided);
+  // Angles of bodies whose speed varies.
+  const varies = new Set(about.signals.filter((one) => run.tracked.some((all) => all.signals.some((signal) => one.columns.some(([name]) => name === signal.column)))).map((one) => one.angle));
+  add(own, 'p', `Over the last ${shown(1e3 * run.spectrum_s, 4)} ms, Hann window.${two ? ' Where x and y are known, the motion is taken as circles: those that run with the rotation have positive frequencies, those against it negative ones. A circle shows its radius; what moves along a line shows half of its amplitude on both sides.' : ''}`, { class: 'soft' });
+  const grid = add(own, 'div', undefined, { class: 'grid' });
+  run.spectra.forEach((spectrum, k) => {
+    const signal = about.signals[k];
+    if (!spectrum.lines.length) return;
+    const orders = spectrum.turning_hz > 0 ? [1, 2, 0.5] : [];
+    const marks = orders.flatMap((order) => { const name = order === 0.5 ? '½X' : `${order}X`; const at = order * spectrum.turning_hz; return spectrum.two_sided ? [{ x: -at, name: `−${name}` }, { x: at, name }] : [{ x: at, name }]; });
+    const body = turningOf(signal.angle);
+    const note = spectrum.turning_hz > 0 ? `1X: ${body} at ${shown(60 * spectrum.turning_hz, 4)} rpm${varies.has(signal.angle) ? ' on average' : ''}` : '';
+    new Chart(grid, {
+      id: `spectrum-${slug(signal.title)}-${slug(signal.quantity)}`, title: `${signal.title}: ${signal.quantity}`, zero: true, sync: `frequency ${spectrum.two_sided}`,
+      x: { label: spectrum.two_sided ? 'frequency, backward < 0 < forward' : 'frequency', unit: 'Hz', short: 'frequency' }, y: { label: short(signal.quantity), unit: signal.unit, amplitude: true },
+      marks, note, series: spectrum.lines.map((line, place) => ({ name: line.name, x: numbers(line.frequency_hz), y: numbers(line.amplitude), style: place })),
+    });
+  });
+}
+
+// The abscissa of what is found over a run: speed if it rises or falls all along, time if not; and values in its order.
+function overSpeed(all) {
+  const [rpm, time] = [numbers(all.rpm), numbers(all.time)];
+  const rises = rpm.every((value, k) => k === 0 || value > rpm[k - 1]);
+  const falls = rpm.every((value, k) => k === 0 || value < rpm[k - 1]);
+  const turn = (values) => (falls ? Float32Array.from(values).reverse() : values);
+  return { turn, x: rises || falls ? { label: 'speed', unit: 'rpm', values: turn(rpm) } : { label: 'time', unit: 's', values: time } };
+}
+
+function tracked() {
+  if (!run || !run.tracked.length) return;
+  const own = part('orders', 'Orders over speed');
+  for (const all of run.tracked) {
+    const n = all.revolutions;
+    add(own, 'p', `Amplitudes and phases of x = A cos(nθ + φ), tracked by the angle: each point is a fit over ${shown(n)} revolutions with the weights of a Hann window. It tells an order from what differs from it by ${shown(2 / n, 3)} orders or more; nearer than that, both are in one. Overall is half of largest less least value in the same revolutions, of the direction in which it is larger: where it is far above 1X, something else moves: the largest part between ${shown(2 / n, 2)} and ${shown(1 - 2 / n, 2)} times the speed is shown with its order where it matters${run.tracked.length > 1 || new Set(about.signals.map((one) => one.angle)).size > 1 ? ', without once and twice the speeds of other bodies' : ''}. Curves begin and end half of ${shown(n)} revolutions inside the run.`, { class: 'soft' });
+    const { turn, x } = overSpeed(all);
+    const grid = add(own, 'div', undefined, { class: 'grid' });
+    for (const whole of about.signals) {
+      const own = whole.columns.map(([name, axis]) => [axis, all.signals.find((signal) => signal.column === name)]).filter(([, signal]) => signal);
+      if (!own.length) continue;
+      const title = `${whole.title}: ${whole.quantity}`;
+      const id = slug(own[0][1].column);
+      const draw = (values, name, style, more) => ({ name, x: x.values, y: values, style, ...more });
+      const one = (which, name, style, more) => own.map(([axis, signal], k) => draw(turn(numbers(signal[which])), `${name} ${axis}`, style + k, more));
+      const axis = { label: x.label, unit: x.unit };
+      // What is small beside all motion is no whirl but the rest of a fit.
+      const [overall, below] = ['overall', 'below'].map((which) => own.map(([, signal]) => numbers(signal[which])));
+      const moves = (k, place) => below[k][place] > 0.2 * overall[k][place];
+      const slow = below.some((all_, k) => all_.some((_, place) => moves(k, place)));
+      new Chart(grid, {
+        id: `order-${id}`, title, zero: true, sync: 'orders', x: axis, y: { label: short(whole.quantity), unit: whole.unit, amplitude: true },
+        series: [...one('first', '1X', 0), ...one('second', '2X', 2), ...(slow ? one('below', 'largest below 1X', 4) : []), draw(own.map(([, signal]) => turn(numbers(signal.overall))).reduce((most, values) => most.map((value, k) => Math.max(value, values[k]))), 'overall', 6, { dash: '2 3' })],
+      });
+      new Chart(grid, {
+        id: `phase-${id}`, title: `${title}, phase of 1X`, sync: 'orders', x: axis, y: { label: 'phase', unit: '°' },
+        series: own.map(([axis, signal], k) => draw(unwrapped(turn(numbers(signal.first_phase_deg))), `1X ${axis}`, k)),
+      });
+      if (slow) new Chart(grid, {
+        id: `below-${id}`, title: `${title}, order of the largest part below 1X`, sync: 'orders', x: axis, y: { label: 'order', unit: '1' }, note: 'where it is more than a fifth of overall',
+        series: own.map(([axis, signal], k) => draw(turn(Float32Array.from(numbers(signal.below_order), (order, place) => (moves(k, place) ? order : NaN))), axis, k)),
+      });
+    }
+  }
+}
+
+// Least and largest values of every revolution of a run-up or a run-down.
+function envelopes() {
+  if (!run || !run.envelopes.length) return;
+  const own = part('envelope', 'Envelope over speed');
+  for (const all of run.envelopes) {
+    add(own, 'p', all.revolutions > 1 ? `The least and the largest value of every ${shown(all.revolutions)} revolutions.` : 'The least and the largest value of every revolution.', { class: 'soft' });
+    const { turn, x } = overSpeed(all);
+    const grid = add(own, 'div', undefined, { class: 'grid' });
+    for (const whole of about.signals) {
+      const columns_ = whole.columns.map(([name, axis]) => [axis, all.signals.find((signal) => signal.column === name)]).filter(([, signal]) => signal);
+      if (!columns_.length) continue;
+      new Chart(grid, {
+        id: `envelope-${slug(columns_[0][1].column)}`, title: `${whole.title}: ${whole.quantity}`, sync: 'orders', x: { label: x.label, unit: x.unit }, y: { label: short(whole.quantity), unit: whole.unit },
+        series: columns_.flatMap(([axis, signal], k) => [{ name: `largest ${axis}`, x: x.values, y: turn(numbers(signal.most)), style: k, dash: '' }, { name: `least ${axis}`, x: x.values, y: turn(numbers(signal.least)), style: k, dash: '5 3' }]),
+      });
+    }
+  }
+}
+
+// Why a run whose speed varies has no orders over it.
+function reversed() {
+  if (!run || run.tracked.length) return;
+  const names = [...columns.keys()].filter((name) => /^omega_.*rad_s$/.test(name) && extremes(name)[0] < 0 && extremes(name)[1] > 0);
+  if (!names.length) return;
+  const own = part('orders', 'Orders over speed');
+  add(own, 'p', `There are none: ${names.map((name) => name.replace(/^omega_(?:(.*)_)?rad_s$/, (_, body) => body || 'the first body that turns')).join(', ')} turns in both directions in this run, and orders are tracked by an angle that goes on one way. Run each direction by itself for them.`, { class: 'soft' });
+}
+
+function waterfalls() {
+  if (!run || !run.waterfalls.length) return;
+  const own = part('waterfall', 'Spectra over the run');
+  add(own, 'p', `Spectra of ${run.waterfalls[0].time.length} overlapping parts of the run, each with a Hann window; every cell has the largest amplitude in it. Dashed lines are ½, 1 and 2 times the speed.`, { class: 'soft' });
+  const grid = add(own, 'div', undefined, { class: 'grid' });
+  for (const fall of run.waterfalls) {
+    const signal = about.signals[fall.signal];
+    const { cells, rpm, time } = fall;
+    const across = fall.two_sided ? 2 * cells - 1 : cells;
+    const values = numbers(fall.amplitude);
+    const rises = rpm.every((value, k) => k === 0 || value > rpm[k - 1]);
+    const heights = rises ? rpm : time;
+    const edge = fall.cell_hz * (cells - 0.5);
+    const view = { x0: fall.two_sided ? -edge : -0.5 * fall.cell_hz, x1: edge, y0: heights[0], y1: heights[heights.length - 1] };
+    const row = (y) => heights.reduce((best, own, k) => (Math.abs(own - y) < Math.abs(heights[best] - y) ? k : best), 0);
+    const value = (k, i) => (values[k * across + i] / 65535) * fall.largest;
+    const map = {
+      view, columns: across, largest: fall.largest, row, value,
+      at: (x, y) => { const i = Math.round((x - view.x0) / fall.cell_hz - 0.5); const k = row(y); return i >= 0 && i < across ? { x: view.x0 + (i + 0.5) * fall.cell_hz, y: heights[k], value: value(k, i) } : null; },
+    };
+    const orders = (fall.two_sided ? [-2, -1, -0.5, 0.5, 1, 2] : [0.5, 1, 2]).map((order) => ({ name: `${order}X`, path: true, silent: true, className: 'order', dash: '5 4', x: rpm.map((own) => (order * own) / 60), y: heights }));
+    new Chart(grid, {
+      id: `waterfall-${slug(signal.title)}-${slug(signal.quantity)}`, title: `${signal.title}: ${signal.quantity}${fall.two_sided ? '' : ` ${signal.columns[0][1]}`}`, height: 260, map, series: orders,
+      x: { label: fall.two_sided ? 'frequency, backward < 0 < forward' : 'frequency', unit: 'Hz' }, y: rises ? { label: 'speed', unit: 'rpm' } : { label: 'time', unit: 's' }, z: { label: short(signal.quantity), unit: signal.unit, amplitude: true },
+    });
+  }
+}
+
+function energy() {
+  if (!summary) return;
+  const own = part('quality', 'Energy and quality of the run');
+  const words = { work_in: 'work of loads, drives and gravity', kinetic: 'change of the kinetic energy', strain: 'change of the strain energy', spring_stored: 'change of the energy stored in joints', spring_dissipated: 'energy dissipated in joints', dissipated: 'energy dissipated in bodies', error: 'error of the balance' };
+  const names = [...new Set([...Object.keys(words), ...Object.keys(summary.energy_balance_j)])].filter((name) => name in summary.energy_balance_j);
+  const rows = names.map((name) => [words[name] || name.replaceAll('_', ' '), [summary.energy_balance_j[name], 'J']]);
+  add(own, 'p', 'Balance from the start to the end of the run. The error is what the program lost or made; it is part of the verdict.', { class: 'soft' });
+  table(own, ['', ['energy', 'J']], rows);
+  const { march, time, counts } = summary;
+  const list = add(own, 'ul', undefined, { class: 'plain' });
+  const step = march.time_step_s ? `time step ${shown(march.time_step_s)} s` : `steps of ${shown(march.automatic.shortest_step_s, 3)} to ${shown(march.automatic.longest_step_s, 3)} s, chosen by the program`;
+  add(list, 'li', `${march.integrator}, ${step}; ${march.steps} steps, ${march.iterations} iterations, ${march.factorisations} factorisations`);
+  add(list, 'li', `${counts.active} unknowns, ${counts.springs} springs`);
+  add(list, 'li', `${shown(time.total_wall_s, 3)} s in all, of which time integration took ${shown(time.march_wall_s, 3)} s and the reduction of the bodies ${shown(time.reduction_wall_s, 3)} s${time.reduction_cached ? ' (from the cache)' : ''}`);
+  const more = add(own, 'details');
+  add(more, 'summary', 'Measures behind the verdict');
+  table(more, ['', 'measured'], Object.entries(summary.verdict.measures).map(([name, value]) => [name.replaceAll('_', ' '), value === null ? '–' : shown(value, 3)]));
+}
