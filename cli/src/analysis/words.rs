@@ -149,7 +149,7 @@ pub(super) fn thresholds(all: &Campbell) -> String {
         }
         0 if all.lost.is_empty() => text.push_str("stable at all these speeds\n"),
         0 => text.push_str("stable at the speeds of the range at which it stands\n"),
-        some if some == all.speeds.len() => text.push_str("UNSTABLE at all these speeds\n"),
+        some if some == all.speeds.len() => text.insert_str(0, "UNSTABLE at all these speeds\n"),
         _ if all.interrupted => {
             text.push_str("interrupted: thresholds between these speeds may be missing\n");
         }

@@ -109,10 +109,11 @@ impl About {
             let own = signals.iter().find(|own| own.columns.iter().any(|own| own.0 == column));
             own.and_then(|own| own.angle.clone())
         };
-        // A coupling has no way in its plane, and stops are all around one mass.
+        // A coupling has no way in its plane, and a stop on one side no circle.
         let moving = case.machine.joints.iter().zip(&supports).zip(&built.clearances);
         let moving = moving.enumerate().filter(|(_, ((joint, _), _))| {
-            !case.machine.is_mass() && !matches!(joint.kind, JointKind::Coupling | JointKind::Gear)
+            let has_circle = !case.machine.is_mass() || joint.angle.is_none();
+            has_circle && !matches!(joint.kind, JointKind::Coupling | JointKind::Gear)
         });
         let journals = moving.map(|(place, ((_, own), clearance))| Journal {
             title: own.title.clone(),

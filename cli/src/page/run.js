@@ -45,7 +45,7 @@ function orbits() {
   const own = part('orbits', 'Orbits and forces');
   const turns = run.orbits.some((orbit) => orbit.revolutions > 0);
   const [isJournal, all] = [(orbit) => orbit.moved === 'the journal', run.orbits];
-  const whose = all.every(isJournal) ? 'Centre of each journal in its bore' : all.some(isJournal) ? 'Centre of each journal in its bore, and of the first side of bushings against the second' : 'The first side of each bushing against the second';
+  const whose = all.every((orbit) => orbit.moved === 'the mass') ? 'Centre of the mass within the stop' : all.every(isJournal) ? 'Centre of each journal in its bore' : all.some(isJournal) ? 'Centre of each journal in its bore, and of the first side of bushings against the second' : 'The first side of each bushing against the second';
   add(own, 'p', turns
     ? `${whose}, seen along +z: x up, y to the right, so that positive rotation is clockwise. Arrows show the direction of motion, dots where the keyphasor is seen (θ a multiple of 360°).`
     : `${whose} in the last cycle, seen along +z: x up, y to the right. Arrows show the direction of motion.`, { class: 'soft' });

@@ -278,7 +278,7 @@ steps = 100
 "#;
     let outcome = Workbench::new().file("case.toml", case).whirl(&["check", "case.toml"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-    let wanted = "bushing left: first beam, second ground, stiffness xx 1e7, yy 1e7 N/m, damping xx 0, yy 0 N s/m\n";
+    let wanted = "bushing left: first beam, second ground, stiffness xx 1e7, yy 1e7 N/m, damping xx 0, yy 0 N s/m, z = 50 mm\n";
     assert!(outcome.stdout.contains(wanted), "{}", outcome.stdout);
     assert!(outcome.stdout.contains(" about x, "), "{}", outcome.stdout);
     assert!(!outcome.stderr.contains("`left`"), "{}", outcome.stderr);
