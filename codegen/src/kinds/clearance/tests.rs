@@ -38,7 +38,7 @@ fn a_force_does_no_work_that_the_clearance_does_not_do() {
 fn forces_of_every_kind_of_law_do_the_work_of_their_measures() {
     // Σ (generalised force) · (rate) = Σ F_m ẋ_m, and no kind works on a uniform motion of shaft and bore.
     let spec = read(JOURNAL).expect("a clearance");
-    assert_eq!(spec.contacts.len(), 5);
+    assert_eq!(spec.contacts.len(), 6);
     for contact in &spec.contacts {
         let mut d = spec.derive(contact).expect("derivatives");
         let coordinates: Vec<Id> = spec.ring.iter().map(|c| c.symbol).collect();
@@ -70,11 +70,13 @@ fn forces_of_every_kind_of_law_do_the_work_of_their_measures() {
 #[test]
 fn kinds_of_laws_know_what_they_need() {
     let spec = read(JOURNAL).expect("a clearance");
-    let [normal, spring, ring, joint, gear] = spec.contacts.as_slice() else {
-        panic!("five kinds")
+    let [normal, spring, ring, joint, sensor, gear] = spec.contacts.as_slice() else {
+        panic!("six kinds")
     };
-    let places = [normal, spring, ring, joint, gear].map(|own| own.place);
-    assert_eq!(places, [Place::Spring, Place::Spring, Place::Ring, Place::Joint, Place::Joint]);
+    let places = [normal, spring, ring, joint, sensor, gear].map(|own| own.place);
+    let once = [Place::Joint; 3];
+    assert_eq!(places[..3], [Place::Spring, Place::Spring, Place::Ring]);
+    assert_eq!(places[3..], once);
     let motions = |contact: &Contact| contact.bore.iter().map(|(m, _)| *m).collect::<Vec<_>>();
     use BoreMotion::{MeanTurn, MeanX, MeanY, Radial, SectionTurn, Tangential};
     assert_eq!(motions(normal), [Radial]);
@@ -83,6 +85,7 @@ fn kinds_of_laws_know_what_they_need() {
     use BoreMotion::{MeanTiltX, MeanTiltY, MeanZ, SectionTiltX, SectionTiltY, SectionZ};
     let of_sections = [MeanZ, MeanTiltX, MeanTiltY, SectionZ, SectionTiltX, SectionTiltY];
     assert_eq!(motions(joint), [motions(ring), of_sections.to_vec()].concat());
+    assert_eq!(motions(sensor), [motions(ring), SENSOR.to_vec()].concat());
     use BoreMotion::{SecondFrame, SecondTurn};
     assert_eq!(motions(gear), [MeanX, MeanY, SectionTurn, SecondFrame, SecondTurn]);
     let units = |contact: &Contact| {
