@@ -56,8 +56,8 @@ pub(super) fn all(joined: &JoinedMachine, plan: &JoinedPlan) -> Vec<(String, Vec
         more.extend(joint.sensor.as_ref().map(|own| {
             let [seen, base] = &own.sides;
             let at = |side: &crate::case::JointSide| match (side.sets.first(), side.z) {
-                (Some(set), None) => set.text().to_owned(),
-                (_, z) => format!("z = {} mm", rounded(1e3 * z.unwrap_or(0.0), 6)),
+                (Some(set), _) => set.text().trim_start_matches("bore at ").to_owned(),
+                (None, z) => format!("z = {} mm", rounded(1e3 * z.unwrap_or(0.0), 6)),
             };
             let (first, second) = (seen.place.text(), base.place.text());
             match base.body {

@@ -22,7 +22,9 @@ const HALVES: [f64; 2] = [0.5, 1.5];
 /// Orders of every other angle that are fitted beside them.
 const BESIDE: [f64; 2] = [1.0, 2.0];
 /// Revolutions up to which more are taken than a cycle has, where orders of other angles are nearer than a revolution.
-const TOGETHER: f64 = 32.0;
+const TOGETHER: f64 = 64.0;
+/// Bodies that turn against each other by less than this (rad) all along are one.
+const LOCKED: f64 = 0.5;
 /// Rows for one unknown, at least.
 const ROWS: usize = 2;
 /// Rows a revolution, at least: four in a period of the highest order that is fitted. With N of them what oscillates m times
@@ -49,6 +51,9 @@ pub(crate) struct Signal {
     pub(crate) title: String,
     /// The column by which orders count.
     angle: String,
+    /// Columns of other angles of which once or twice is too near to its 1X or 2X to be told apart.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) mixed_with: Vec<String>,
     /// Whole revolutions that were fitted.
     pub(crate) revolutions: usize,
     /// On average.
@@ -119,9 +124,13 @@ pub(crate) fn orders(
             continue;
         }
         let Some(found) = fit.solve() else { continue };
+        let mixed = window.mixed();
+        let mixed: Vec<String> = mixed.into_iter().map(|own| others[own - 1].to_owned()).collect();
         for ((column, title), [first, second]) in columns.into_iter().zip(found) {
             let (signal, angle) = (column.to_string(), angle.clone());
+            let mixed_with = mixed.clone();
             signals.push(Signal {
+                mixed_with,
                 signal,
                 title,
                 angle,
@@ -142,6 +151,8 @@ struct Window {
     revolutions: usize,
     /// The angle, and the others, there and at the end.
     ends: Vec<[f64; 2]>,
+    /// Which of them turn as the first one does.
+    locked: Vec<bool>,
 }
 
 impl Window {
@@ -159,29 +170,36 @@ impl Window {
             Ok(found)
         };
         let last = at(history.place_of_time(end)?)?;
+        let begun = at(history.start())?;
+        let turned: Vec<f64> = last.iter().zip(&begun).map(|(last, begun)| last - begun).collect();
+        let locked: Vec<bool> = turned.iter().map(|own| (own - turned[0]).abs() < LOCKED).collect();
         let mut window = cycle;
         let mut best: Option<Self> = None;
         loop {
             let first = at(last_cycle(history, window)?)?;
             // Rows do not always meet the start of a revolution.
             let whole = ((last[0] - first[0]).abs() / TAU + 0.02).floor();
-            if whole > TOGETHER && best.is_some() {
-                return Ok(best);
-            }
+            let mut next = 2.0 * window;
             if whole >= 1.0 {
                 let from = last_cycle(history, 1.05 * window)?;
                 let ends = first.into_iter().zip(last.iter().copied()).map(<[f64; 2]>::from);
-                let own = Window { from, revolutions: whole as usize, ends: ends.collect() };
-                if own.near().is_empty() {
+                let (ends, locked) = (ends.collect(), locked.clone());
+                let own = Window { from, revolutions: whole as usize, ends, locked };
+                let needed = own.needed();
+                if needed <= whole {
                     return Ok(Some(own));
                 }
                 // Where no window tells them apart the shortest one is as good as any.
                 best = best.or(Some(own));
+                if needed > TOGETHER {
+                    return Ok(best);
+                }
+                next = window * f64::max(1.05, (needed + 0.2) / whole);
             }
             if window >= end {
                 return Ok(best);
             }
-            window *= 2.0;
+            window = if next > end { f64::min(next, 1.001 * end) } else { next };
         }
     }
 
@@ -201,16 +219,22 @@ impl Window {
         (a - b).abs() * self.revolutions as f64 >= 1.0 - 1e-3
     }
 
-    /// Those beside that are neither an order of its own nor a revolution away from all.
-    fn near(&self) -> Vec<f64> {
-        let same = |a: f64, b: f64| (a - b).abs() <= 1e-3 * b;
-        let all = self.beside().into_iter().map(|own| own.2);
-        let near = all.filter(|&order| {
-            order > 1e-3
-                && !ORDERS.iter().any(|own| same(order, *own))
-                && ORDERS.iter().chain([&0.0]).any(|own| !self.apart(order, *own))
-        });
-        near.collect()
+    /// Revolutions after which those beside are a revolution away from all of its own orders, but for those that are one of these.
+    fn needed(&self) -> f64 {
+        let all = self.beside().into_iter().filter(|own| !self.locked[own.0]);
+        let away = all.flat_map(|(.., order)| ORDERS.map(|own| (order - own).abs()));
+        // Gears and drives keep ratios to the digits of a history.
+        let revolutions = away.filter(|own| *own > 1e-6).map(|own| (1.0 / own - 1e-3).ceil());
+        revolutions.fold(1.0, f64::max)
+    }
+
+    /// The angles of which once or twice is nearer than a revolution to 1X or 2X.
+    fn mixed(&self) -> Vec<usize> {
+        let near = |order: f64| ORDERS[..2].iter().any(|own| !self.apart(order, *own));
+        let all = self.beside().into_iter().filter(|own| !self.locked[own.0] && near(own.2));
+        let mut places: Vec<usize> = all.map(|own| own.0).collect();
+        places.dedup();
+        places
     }
 
     /// What is fitted beside the constant: places of angles, and how often each goes in a revolution of its angle.
@@ -353,13 +377,15 @@ mod tests {
     /// at 1 : 2 what is 2X of one is 1X of the other.
     #[test]
     fn orders_of_two_spools_are_told_apart() {
-        for (ratio, cycle) in [(1.4, 0.2), (1.4, 1.0), (1.1, 0.2), (2.0, 0.2)] {
+        for (ratio, cycle) in
+            [(1.4, 0.2), (1.4, 1.0), (1.1, 0.2), (1.05, 0.4), (1.017, 0.2), (2.0, 0.2)]
+        {
             let folder = tempfile::tempdir().unwrap();
             let path = folder.path().join("history.csv");
             let names = ["t_s", "theta_rad", "theta_b_rad", "x_um", "y_um"].map(str::to_owned);
             let mut writer = HistoryWriter::create(&path, &names).unwrap();
-            for step in 0..=6000 {
-                let t = 1e-3 * f64::from(step);
+            for step in 0..=26000 {
+                let t = 5e-4 * f64::from(step);
                 let (a, b) = (TAU * 5.0 * t, TAU * 5.0 * ratio * t);
                 let x = 20.0 * (a + 0.4).cos() + 3.0 * (2.0 * a).cos() + 8.0 * (b - 1.0).cos();
                 let y = 11.0 * (b + 0.4).cos() + 30.0 * a.sin() + 2.0 * (2.0 * b).sin();
@@ -382,10 +408,42 @@ mod tests {
                 }
                 _ => [[20.0, 3.0], [11.0, 2.0]],
             };
+            // 1X of the second is 2X of the first, and ½X, which is not looked for, of it.
+            assert_eq!(found[0].mixed_with.is_empty(), ratio != 2.0, "{ratio} {:?}", found[0]);
             for (own, known) in found.iter().zip(known) {
                 let far = [own.first.amplitude - known[0], own.second.amplitude - known[1]];
                 assert!(far.iter().all(|far| far.abs() < 0.02), "{ratio} {cycle} {own:?}");
             }
+        }
+    }
+
+    /// Speeds that no window tells apart are said, and those of bodies that turn as one are not.
+    #[test]
+    fn orders_that_cannot_be_told_apart_are_said() {
+        for (ratio, said) in [(1.001, true), (-1.0, true), (1.0, false)] {
+            let folder = tempfile::tempdir().unwrap();
+            let path = folder.path().join("history.csv");
+            let names = ["t_s", "theta_rad", "theta_b_rad", "x_um", "y_um"].map(str::to_owned);
+            let mut writer = HistoryWriter::create(&path, &names).unwrap();
+            for step in 0..=100_000 {
+                let t = 5e-4 * f64::from(step);
+                let a = TAU * 5.0 * t;
+                writer.push(&[t, a, ratio * a, a.cos(), a.sin()]).unwrap();
+            }
+            writer.finish().unwrap();
+            let history = HistoryFile::open(&path).unwrap();
+            let of = |column: &str, angle: &str| Oscillation {
+                title: column.into(),
+                quantity: "displacement",
+                unit: "µm".to_owned(),
+                columns: vec![(column.into(), "x")],
+                angle: Some(angle.into()),
+            };
+            let all = [of("x_um", "theta_rad"), of("y_um", "theta_b_rad")];
+            let found = orders(&history, &all, 0.4).unwrap().expect("they turn");
+            assert_eq!(!found.signals[0].mixed_with.is_empty(), said, "{ratio}");
+            let text = super::super::of_orders(Some(&found));
+            assert_eq!(text.contains("cannot be told apart"), said, "{text}");
         }
     }
 

@@ -71,7 +71,16 @@ pub(crate) fn of_orders(facts: Option<&OrderFacts>) -> String {
         ),
         false => String::new(),
     };
-    format!("orders of {over}: A cos(nθ + φ), A zero to peak\n{}{few}", table(&rows))
+    let mixed = facts.signals.iter().filter(|own| !own.mixed_with.is_empty());
+    let mixed: Vec<&str> = mixed.map(|own| own.title.as_str()).collect();
+    let mixed = match mixed.is_empty() {
+        true => String::new(),
+        false => format!(
+            "1X or 2X of another body is at the same frequency as those of {}, or cannot be told apart from them in this run\n",
+            mixed.join(", ")
+        ),
+    };
+    format!("orders of {over}: A cos(nθ + φ), A zero to peak\n{}{few}{mixed}", table(&rows))
 }
 
 fn statistics(
