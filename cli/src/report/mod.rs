@@ -3,6 +3,7 @@
 mod below;
 mod envelope;
 mod films;
+mod fit;
 mod orders;
 mod oscillations;
 mod summary;

@@ -10,6 +10,7 @@ use std::io;
 
 use serde::Serialize;
 
+use super::fit::{Fit, Terms, polar};
 use super::{Oscillation, last_cycle};
 use crate::history::ReadHistory;
 
@@ -106,7 +107,9 @@ pub(crate) fn orders(
         let angles = std::iter::once(angle.as_str()).chain(others.iter().copied());
         let names: Vec<&str> = angles.chain(columns.iter().map(|own| own.0)).collect();
         let revolutions = window.revolutions;
-        let mut fit = Fit::new(window.terms(), columns.len());
+        let orders = window.terms();
+        let mut fit = Fit::new(orders.len(), columns.len());
+        let mut terms = Terms::new(orders);
         let whole = revolutions as f64 * TAU;
         let mut before: Option<f64> = None;
         history.scan(window.from, &names, &mut |row| {
@@ -115,7 +118,7 @@ pub(crate) fn orders(
             let inside = turned.min(whole - (window.ends[0][1] - row[0]).abs());
             if inside > 0.0 {
                 let (angles, values) = row.split_at(1 + others.len());
-                fit.add(inside, angles, values);
+                fit.add(inside, terms.at(angles), values);
             }
             before = Some(row[0]);
         })?;
@@ -123,10 +126,17 @@ pub(crate) fn orders(
         if rows_per_revolution < LEAST_ROWS {
             continue;
         }
-        let Some(found) = fit.solve() else { continue };
+        // Too few rows do not tell them.
+        let Some(found) = Some(fit).filter(|own| own.rows >= ROWS * own.terms) else { continue };
+        let Some(found) = found.solve() else { continue };
+        let order = |own: &[f64], place: usize| {
+            let [amplitude, phase_deg] = polar(own, place);
+            Order { amplitude, phase_deg }
+        };
         let mixed = window.mixed();
         let mixed: Vec<String> = mixed.into_iter().map(|own| others[own - 1].to_owned()).collect();
-        for ((column, title), [first, second]) in columns.into_iter().zip(found) {
+        for ((column, title), own) in columns.into_iter().zip(found) {
+            let [first, second] = [0, 1].map(|place| order(&own, place));
             let (signal, angle) = (column.to_string(), angle.clone());
             let mixed_with = mixed.clone();
             signals.push(Signal {
@@ -251,79 +261,6 @@ impl Window {
             }
         }
         all
-    }
-}
-
-/// Normal equations of a least-squares fit.
-struct Fit {
-    /// Places of angles, and how often each goes in a revolution of its angle.
-    orders: Vec<(usize, f64)>,
-    rows: usize,
-    /// A value a term.
-    terms: Vec<f64>,
-    /// Terms × terms.
-    matrix: Vec<f64>,
-    /// Signals × terms.
-    right: Vec<f64>,
-}
-
-impl Fit {
-    fn new(orders: Vec<(usize, f64)>, signals: usize) -> Fit {
-        let terms = 1 + 2 * orders.len();
-        let (matrix, right) = (vec![0.0; terms * terms], vec![0.0; signals * terms]);
-        Fit { orders, rows: 0, terms: vec![1.0; terms], matrix, right }
-    }
-
-    fn add(&mut self, weight: f64, angles: &[f64], values: &[f64]) {
-        for (k, (place, order)) in self.orders.iter().enumerate() {
-            let (sin, cos) = (order * angles[*place]).sin_cos();
-            (self.terms[1 + 2 * k], self.terms[2 + 2 * k]) = (cos, sin);
-        }
-        let n = self.terms.len();
-        for (row, a) in self.matrix.chunks_exact_mut(n).zip(&self.terms) {
-            row.iter_mut().zip(&self.terms).for_each(|(sum, b)| *sum += weight * a * b);
-        }
-        for (right, value) in self.right.chunks_exact_mut(n).zip(values) {
-            right.iter_mut().zip(&self.terms).for_each(|(sum, a)| *sum += weight * a * value);
-        }
-        self.rows += 1;
-    }
-
-    /// The first two orders of each signal; none where rows are too few to tell them.
-    fn solve(mut self) -> Option<Vec<[Order; 2]>> {
-        let n = self.terms.len();
-        if self.rows < ROWS * n {
-            return None;
-        }
-        let least = 1e-9 * self.matrix[0];
-        // Gauss without pivots: the matrix is positive definite.
-        for k in 0..n {
-            let pivot = self.matrix[k * n + k];
-            if !(pivot > least) {
-                return None;
-            }
-            for i in k + 1..n {
-                let factor = self.matrix[i * n + k] / pivot;
-                for j in k..n {
-                    self.matrix[i * n + j] -= factor * self.matrix[k * n + j];
-                }
-                for right in self.right.chunks_exact_mut(n) {
-                    right[i] -= factor * right[k];
-                }
-            }
-        }
-        for right in self.right.chunks_exact_mut(n) {
-            for k in (0..n).rev() {
-                let rest: f64 = (k + 1..n).map(|j| self.matrix[k * n + j] * right[j]).sum();
-                right[k] = (right[k] - rest) / self.matrix[k * n + k];
-            }
-        }
-        // a cos nθ + b sin nθ = A cos(nθ + φ) with a = A cos φ, b = −A sin φ.
-        let order = |own: &[f64], k: usize| {
-            let (a, b) = (own[1 + 2 * k], own[2 + 2 * k]);
-            Order { amplitude: a.hypot(b), phase_deg: (-b).atan2(a).to_degrees() }
-        };
-        Some(self.right.chunks_exact(n).map(|own| [order(own, 0), order(own, 1)]).collect())
     }
 }
 

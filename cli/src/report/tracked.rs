@@ -10,6 +10,7 @@ use std::collections::VecDeque;
 use std::f64::consts::TAU;
 
 use super::below::Below;
+use super::fit::{Fit, Terms, polar};
 
 /// Orders that are fitted, of which the first two are shown.
 const ORDERS: [f64; 3] = [1.0, 2.0, 3.0];
@@ -148,9 +149,10 @@ impl Tracker {
         if (within.len() as f64) < ROWS * self.half / (0.5 * TAU) {
             return None;
         }
-        let terms = self.terms(&within);
+        let orders = self.terms(&within);
         let values = 2 + self.others.len();
-        let mut fit = Fit::new(terms.len(), self.columns.len());
+        let mut fit = Fit::new(orders.len(), self.columns.len());
+        let mut terms = Terms::new(orders);
         let weights = within.iter().enumerate().map(|(k, row)| {
             let angles = [k.saturating_sub(1), (k + 1).min(within.len() - 1)];
             let [before, after] = angles.map(|at| within[at][1]);
@@ -159,7 +161,7 @@ impl Tracker {
         });
         let weights: Vec<f64> = weights.collect();
         for (row, weight) in within.iter().zip(&weights) {
-            fit.add(*weight, &self.at(&terms, row), &row[values..]);
+            fit.add(*weight, terms.at(&self.angles(row)), &row[values..]);
         }
         let at = within.partition_point(|own| own[1] < self.next).clamp(1, within.len() - 1);
         let [first, second] = [within[at - 1], within[at]];
@@ -174,15 +176,15 @@ impl Tracker {
         let mut below = Below::new(self.half / (0.5 * TAU), self.columns.len());
         let mut left = vec![0.0; self.columns.len()];
         for (row, weight) in within.iter().zip(&weights) {
-            let terms = self.at(&terms, row);
+            let terms = terms.at(&self.angles(row));
             for ((left, value), own) in left.iter_mut().zip(&row[values..]).zip(&fitted) {
-                *left = value - own.iter().zip(&terms).map(|(own, term)| own * term).sum::<f64>();
+                *left = value - own.iter().zip(terms).map(|(own, term)| own * term).sum::<f64>();
             }
             below.add(*weight, self.sense * row[1], &left);
         }
         let of_column = |(k, own): (usize, &Vec<f64>)| PlaceOfColumn {
             overall: overall(k),
-            orders: [1, 2].map(|n| order(own, n)),
+            orders: [0, 1].map(|place| polar(own, place)),
             below: below.largest(k),
         };
         Some(Place {
@@ -192,11 +194,11 @@ impl Tracker {
         })
     }
 
-    /// What is fitted beside the constant: the place of an angle in the rows of a window, and how often each goes in its revolution.
+    /// What is fitted beside the constant: the place of an angle, and how often each goes in its revolution.
     fn terms(&self, within: &[&Vec<f64>]) -> Vec<(usize, f64)> {
         let (first, last) = (within[0], within[within.len() - 1]);
         let mut orders: Vec<f64> = ORDERS.iter().copied().chain([0.0]).collect();
-        let mut all: Vec<(usize, f64)> = ORDERS.iter().map(|own| (1, *own)).collect();
+        let mut all: Vec<(usize, f64)> = ORDERS.iter().map(|own| (0, *own)).collect();
         for place in 2..2 + self.others.len() {
             let ratio = ((last[place] - first[place]) / (last[1] - first[1])).abs();
             for times in BESIDE {
@@ -204,23 +206,17 @@ impl Tracker {
                 let apart = APART / (self.half / (0.5 * TAU));
                 if orders.iter().all(|own| (own - order).abs() >= apart) {
                     orders.push(order);
-                    all.push((place, times));
+                    all.push((place - 1, times));
                 }
             }
         }
         all
     }
 
-    /// 1, and cos nθ and sin nθ of all terms.
-    fn at(&self, terms: &[(usize, f64)], row: &[f64]) -> Vec<f64> {
-        let mut all = vec![1.0];
-        for (place, times) in terms {
-            // Phases count by the angle as it is, whichever way that turns.
-            let angle = if *place == 1 { self.sense * row[1] } else { row[*place] };
-            let (sin, cos) = (times * angle).sin_cos();
-            all.extend([cos, sin]);
-        }
-        all
+    /// The angle as it is, whichever way that turns, so that phases count by it, and the others.
+    fn angles(&self, row: &[f64]) -> Vec<f64> {
+        let own = self.sense * row[1];
+        [own].into_iter().chain(row[2..2 + self.others.len()].iter().copied()).collect()
     }
 
     /// What was found, with names of columns; none where that is nothing.
@@ -250,61 +246,6 @@ impl Tracker {
             signals: self.columns.iter().enumerate().map(signal).collect(),
         })
     }
-}
-
-/// Normal equations of a weighted fit.
-struct Fit {
-    /// Terms × terms.
-    matrix: Vec<Vec<f64>>,
-    /// A column each.
-    right: Vec<Vec<f64>>,
-}
-
-impl Fit {
-    /// Of so many terms beside the constant.
-    fn new(orders: usize, columns: usize) -> Self {
-        let n = 1 + 2 * orders;
-        Fit { matrix: vec![vec![0.0; n]; n], right: vec![vec![0.0; n]; columns] }
-    }
-
-    fn add(&mut self, weight: f64, terms: &[f64], values: &[f64]) {
-        for (row, a) in self.matrix.iter_mut().zip(terms) {
-            row.iter_mut().zip(terms).for_each(|(sum, b)| *sum += weight * a * b);
-        }
-        for (right, value) in self.right.iter_mut().zip(values) {
-            right.iter_mut().zip(terms).for_each(|(sum, a)| *sum += weight * a * value);
-        }
-    }
-
-    /// The coefficients of the terms of each column; none of rows that do not tell them.
-    fn solve(mut self) -> Option<Vec<Vec<f64>>> {
-        let (n, least) = (self.matrix.len(), 1e-9 * self.matrix[0][0]);
-        // Gauss without pivots: the matrix is positive definite.
-        for k in 0..n {
-            let row = self.matrix[k].clone();
-            if !(row[k] > least) {
-                return None;
-            }
-            for i in k + 1..n {
-                let factor = self.matrix[i][k] / row[k];
-                (k..n).for_each(|j| self.matrix[i][j] -= factor * row[j]);
-                self.right.iter_mut().for_each(|own| own[i] -= factor * own[k]);
-            }
-        }
-        for own in &mut self.right {
-            for k in (0..n).rev() {
-                let rest: f64 = (k + 1..n).map(|j| self.matrix[k][j] * own[j]).sum();
-                own[k] = (own[k] - rest) / self.matrix[k][k];
-            }
-        }
-        Some(self.right)
-    }
-}
-
-/// Amplitude and phase (°) of an order, x = A cos(n θ + φ).
-fn order(own: &[f64], n: usize) -> [f64; 2] {
-    let (a, b) = (own[2 * n - 1], own[2 * n]);
-    [a.hypot(b), (-b).atan2(a).to_degrees()]
 }
 
 #[cfg(test)]
