@@ -167,7 +167,7 @@ function results() {
       return [named(one.signal), [one['1X'].amplitude, u], Units.of(u)[0], shown(one['1X'].phase_deg, 4), [one['2X'].amplitude, u], Units.of(u)[0], shown(one['2X'].phase_deg, 4), String(one.revolutions)];
     });
     const mixed = signals.filter((one) => one.mixed_with?.length);
-    if (mixed.length) add(own, 'p', `1X or 2X of another body is at the same frequency as those of ${[...new Set(mixed.map((one) => named(one.signal)))].join(', ')}, or cannot be told apart from them in this run.`, { class: 'soft' });
+    if (mixed.length) add(own, 'p', `1X or 2X of another body is at the same frequency as in ${mixed.length === signals.length ? 'all of these' : [...new Set(mixed.map((one) => named(one.signal)))].join(', ')}, or cannot be told apart from them in this run.`, { class: 'soft' });
     const host = add(own, 'div');
     const fill = () => { host.replaceChildren(); table(host, heads, rows(), [2, 5]); };
     fill();

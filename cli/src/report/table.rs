@@ -76,8 +76,12 @@ pub(crate) fn of_orders(facts: Option<&OrderFacts>) -> String {
     let mixed = match mixed.is_empty() {
         true => String::new(),
         false => format!(
-            "1X or 2X of another body is at the same frequency as those of {}, or cannot be told apart from them in this run\n",
-            mixed.join(", ")
+            "1X or 2X of another body is at the same frequency as in {}, or cannot be told apart from them in this run\n",
+            if mixed.len() == facts.signals.len() {
+                "all of these".to_owned()
+            } else {
+                mixed.join(", ")
+            }
         ),
     };
     format!("orders of {over}: A cos(nθ + φ), A zero to peak\n{}{few}{mixed}", table(&rows))
