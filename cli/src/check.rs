@@ -31,6 +31,7 @@ mod loads;
 mod marched;
 mod mass;
 mod meshes;
+mod outputs;
 mod picture;
 mod round;
 mod sets;

@@ -74,6 +74,14 @@ fn critical_speeds_of_a_rigid_rotor_are_those_of_closed_forms() {
         }
     }
     assert_eq!(compared, 20);
+    // Branches are the motions themselves, shifts crossing tilts: each goes as √k.
+    let branch = numbers(&workbench, "out/map.csv", "branch");
+    for own in [1.0, 2.0, 3.0, 4.0] {
+        let of = (0..20).filter(|&row| branch[row] == own);
+        let of: Vec<f64> = of.map(|row| speeds[row] / stiffness[row].sqrt()).collect();
+        assert!(of.len() == 5 && of.iter().all(|one| (one / of[0] - 1.0).abs() < 1e-9), "{of:?}");
+    }
+    assert!(column(&workbench, "out/map.csv", "motion").iter().all(|own| own == "lateral"));
 }
 
 #[test]

@@ -233,7 +233,7 @@ fn text(case: &Case, linear: &LinearMachine, of: usize, (all, ways): (&Campbell,
         }
     }
     text.push('\n');
-    text.push_str(&words::thresholds(all));
+    text.push_str(&words::thresholds(linear, all));
     if let Some(own) = &all.reduced {
         let error = whirl_text::shown(own.error, 1, 1e-3..1e4);
         let _ = writeln!(

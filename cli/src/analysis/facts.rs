@@ -110,9 +110,9 @@ impl Facts {
         }
         self.put("least_log_decrement", least.map(|own| own.0));
         self.put("least_log_decrement_rpm", least.map(|own| own.1));
-        let stable = all.stable.iter().all(|own| *own) && first.is_none();
+        let stable = all.growing.iter().all(Option::is_none) && first.is_none();
         self.put("stable", truth(stable));
-        if let (Some(false), Some(speed)) = (all.stable.first(), all.speeds.first()) {
+        if let (Some(Some(_)), Some(speed)) = (all.growing.first(), all.speeds.first()) {
             self.note(&format!("UNSTABLE at the first speed, {} rpm", words::speed(*speed)));
         }
         if let Some((_, error)) = all.lost.last() {
@@ -153,8 +153,8 @@ impl Facts {
     /// Of undamped critical speeds at a stiffness.
     pub(super) fn undamped(&mut self, all: &[Undamped], is_forward: impl Fn(&Undamped) -> bool) {
         self.numbers.clear();
-        self.each("critical_rpm.", all.iter().map(|own| words::rpm(own.speed)));
-        let forward = all.iter().filter(|own| is_forward(own)).map(|own| words::rpm(own.speed));
+        self.each("critical_rpm.", all.iter().map(|own| words::rpm(own.speed())));
+        let forward = all.iter().filter(|own| is_forward(own)).map(|own| words::rpm(own.speed()));
         self.each("forward_critical_rpm.", forward);
     }
 }

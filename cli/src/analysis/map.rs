@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use whirl_solver::linear::{LinearMachine, Undamped};
+use whirl_solver::linear::{LinearMachine, Undamped, Way};
 
 use super::facts::Facts;
 use super::found::{Found, drawn, nothing};
@@ -39,10 +39,9 @@ pub(super) fn found(
         own => own.to_vec(),
     };
     let machine = linear.unsupported(&linear.speeds(of, 1.0, &analysis.ratios));
-    let mut all: Vec<(f64, Vec<Undamped>)> = Vec::new();
-    for &value in stiffness.iter().take_while(|_| !interruption.asked()) {
-        all.push((value, linear.undamped(&machine, value, analysis.count)?));
-    }
+    let goes_on = || !interruption.asked();
+    let speeds = linear.undamped(&machine, &stiffness, analysis.count, &goes_on)?;
+    let all: Vec<(f64, Vec<Undamped>)> = stiffness.iter().copied().zip(speeds).collect();
     if all.is_empty() {
         return Err(nothing());
     }
@@ -55,7 +54,7 @@ pub(super) fn found(
     let mut text = format!("{}: {}\n", case.name, case.title);
     let _ = writeln!(
         text,
-        "undamped critical speeds of {body} (rpm), all joints springs of one stiffness along x and y; f forward, b backward\n"
+        "undamped critical speeds of {body} (rpm), all joints springs of one stiffness along x and y; f forward, b backward, a axial, t torsional\n"
     );
     text.push_str(&shown(&all));
     let mut facts = Facts::default();
@@ -73,7 +72,7 @@ pub(super) fn found(
 
 /// How a motion goes round, seen by a body that turns from x to y.
 fn whirl(own: &Undamped) -> &'static str {
-    match own.sense {
+    match own.mode.sense {
         sense if sense > CIRCULAR => "forward",
         sense if sense < -CIRCULAR => "backward",
         _ => "-",
@@ -81,11 +80,13 @@ fn whirl(own: &Undamped) -> &'static str {
 }
 
 fn rows(all: &[(f64, Vec<Undamped>)]) -> String {
-    let mut text = String::from("stiffness_N_m,number,speed_rpm,whirl,sense\n");
+    let mut text = String::from("stiffness_N_m,number,speed_rpm,whirl,sense,branch,motion\n");
     for (stiffness, speeds) in all {
         for (place, own) in speeds.iter().enumerate() {
-            let (rpm, whirl) = (words::rpm(own.speed), whirl(own));
-            writeln!(text, "{stiffness},{},{rpm},{whirl},{}", place + 1, own.sense)
+            let (rpm, whirl) = (words::rpm(own.speed()), whirl(own));
+            let (number, sense, branch) = (place + 1, own.mode.sense, own.branch + 1);
+            let way = words::way(own.way);
+            writeln!(text, "{stiffness},{number},{rpm},{whirl},{sense},{branch},{way}")
                 .expect("text can be written");
         }
     }
@@ -100,12 +101,14 @@ fn shown(all: &[(f64, Vec<Undamped>)]) -> String {
     let step = (all.len() - 1).div_ceil(SHOWN - 1).max(1);
     for (stiffness, speeds) in all.iter().step_by(step) {
         let cell = |own: &Undamped| {
-            let sense = match whirl(own) {
-                "forward" => " f",
-                "backward" => " b",
+            let sense = match (whirl(own), own.way) {
+                (_, Way::Axial) => " a",
+                (_, Way::Torsional) => " t",
+                ("forward", _) => " f",
+                ("backward", _) => " b",
                 _ => "",
             };
-            words::speed(own.speed) + sense
+            words::speed(own.speed()) + sense
         };
         let mut cells = vec![format!("{stiffness:.3e}")];
         cells.extend(speeds.iter().map(cell));
@@ -116,27 +119,41 @@ fn shown(all: &[(f64, Vec<Undamped>)]) -> String {
 }
 
 fn figure(case: &Case, linear: &LinearMachine, of: usize, all: &[(f64, Vec<Undamped>)]) -> Figure {
-    let kinds = [("forward", Style::First), ("backward", Style::Second), ("-", Style::Third)];
-    let most = all.iter().map(|own| own.1.len()).max().unwrap_or(0);
-    let lines = kinds.into_iter().flat_map(|(kind, style)| {
-        (0..most).map(move |place| {
-            let points = all.iter().filter_map(|(stiffness, speeds)| {
-                let own = speeds.iter().filter(|own| whirl(own) == kind).nth(place)?;
-                Some((*stiffness, words::rpm(own.speed)))
-            });
-            let name = match kind {
-                "-" => "axial or torsional".to_owned(),
-                own => format!("{own} whirl"),
-            };
-            Line { points: points.collect(), style, name }
-        })
-    });
+    let kind = |own: &Undamped| match (own.way, whirl(own)) {
+        (Way::Axial | Way::Torsional, _) => ("axial or torsional", Style::Third),
+        (Way::Lateral, "forward") => ("forward whirl", Style::First),
+        (Way::Lateral, "backward") => ("backward whirl", Style::Second),
+        (Way::Lateral, _) => ("along a line", Style::Fourth),
+    };
+    let branches = all.iter().flat_map(|own| &own.1).map(|own| own.branch + 1).max().unwrap_or(0);
+    let mut lines: Vec<Line> = Vec::new();
+    for branch in 0..branches {
+        let on = all.iter().filter_map(|(stiffness, speeds)| {
+            Some((*stiffness, speeds.iter().find(|own| own.branch == branch)?))
+        });
+        // A piece for each way in which it goes round, from where the one before ends.
+        let mut before: Option<(&str, (f64, f64))> = None;
+        for (stiffness, own) in on {
+            let ((name, style), at) = (kind(own), (stiffness, words::rpm(own.speed())));
+            match before {
+                Some((same, _)) if same == name => {
+                    lines.last_mut().expect("that of the point before").points.push(at);
+                }
+                _ => {
+                    let from = before.map(|own| own.1).into_iter();
+                    let points = from.chain([at]).collect();
+                    lines.push(Line { points, style, name: name.to_owned() });
+                }
+            }
+            before = Some((name, at));
+        }
+    }
     let body = linear.machine().bodies[of].name();
     let panel = Panel {
         title: "undamped critical speeds".to_owned(),
         x: "stiffness of every joint (N/m)".to_owned(),
         y: format!("speed of {body} (rpm)"),
-        lines: lines.filter(|own| own.points.len() > 1).collect(),
+        lines: lines.into_iter().filter(|own| own.points.len() > 1).collect(),
         x_log: true,
         ..Panel::default()
     };

@@ -79,11 +79,8 @@ pub(super) fn found(
         }
         text.push('\n');
         text.push_str(&table(&rows));
-        for rate in &modes.growing {
-            line(&mut text, &format!("a motion that does not oscillate grows by {rate:.4e} 1/s"));
-        }
-        if !modes.is_stable() {
-            line(&mut text, "the machine is NOT STABLE in this state: a motion grows");
+        if let Some(words) = words::not_stable(linear, &modes) {
+            line(&mut text, &words);
         }
         let doubts = linear.doubts(at, &equations, &modes.oscillating)?;
         text.push_str(&words::doubts(&doubts));

@@ -1,15 +1,16 @@
 //! What modes are called, and in which units they are shown.
 
+use std::f64::consts::TAU;
 use std::fmt::Write;
 
-use whirl_solver::linear::{Campbell, Doubt, LinearMachine, Mode, Way, Whirl};
+use whirl_solver::linear::{Campbell, Doubt, Growing, LinearMachine, Mode, Modes, Way, Whirl};
 use whirl_text::{as_given, rounded, shown};
 
 use crate::case::Case;
 
 /// rad/s in rpm.
 pub(super) fn rpm(speed: f64) -> f64 {
-    as_given(speed * 60.0 / std::f64::consts::TAU)
+    as_given(speed * 60.0 / TAU)
 }
 
 /// A speed for people (rpm).
@@ -68,6 +69,27 @@ pub(super) fn movers(linear: &LinearMachine, mode: &Mode) -> String {
     most(linear, &mode.shares)
 }
 
+/// A motion that grows, with its bodies.
+pub(super) fn growing(linear: &LinearMachine, own: &Growing) -> String {
+    let (rate, bodies) = (plain(own.value.re), most(linear, &own.shares));
+    let what = match own.value.im {
+        0.0 => "a motion without oscillation".to_owned(),
+        frequency => format!("a motion of {} Hz", rounded(frequency / TAU, 6)),
+    };
+    format!("{what} grows by {rate} 1/s ({bodies})")
+}
+
+/// That a machine is not stable, and the motion that grows fastest, if one does.
+pub(super) fn not_stable(linear: &LinearMachine, modes: &Modes) -> Option<String> {
+    let fastest = growing(linear, modes.growing.first()?);
+    let more = match modes.growing.len() - 1 {
+        0 => String::new(),
+        1 => ", and another one grows".to_owned(),
+        more => format!(", and {more} others grow"),
+    };
+    Some(format!("the machine is NOT STABLE in this state: {fastest}{more}"))
+}
+
 /// The bodies with the largest shares.
 pub(super) fn most(linear: &LinearMachine, shares: &[f64]) -> String {
     let bodies = &linear.machine().bodies;
@@ -87,7 +109,7 @@ pub(super) fn beside(mode: &Mode) -> String {
     let mut parts: Vec<(f64, f64)> =
         mode.beside.iter().copied().filter(|own| own.1 > NAMED).collect();
     parts.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let hertz = parts.iter().map(|own| (own.0 / std::f64::consts::TAU).to_string());
+    let hertz = parts.iter().map(|own| (own.0 / TAU).to_string());
     hertz.collect::<Vec<_>>().join(" ")
 }
 
@@ -124,14 +146,18 @@ pub(super) fn sensed(case: &Case) -> String {
 
 /// Where modes begin or end to grow, whether the machine is stable, and speeds at which it does not stand; of a range that was
 /// interrupted, as far as it was reached.
-pub(super) fn thresholds(all: &Campbell) -> String {
+pub(super) fn thresholds(linear: &LinearMachine, all: &Campbell) -> String {
     let mut text = String::new();
     for own in &all.thresholds {
-        let how = own.mode.as_ref().map_or("without oscillation".to_owned(), |mode| {
-            let share = rounded(mode.value.im / own.speed.abs(), 4);
-            let whirl = whirl(mode, own.speed);
-            format!("{} Hz, {share} of the rotation, {whirl}", hertz(mode))
-        });
+        let how = match (&own.mode, &own.other) {
+            (Some(mode), _) => {
+                let share = rounded(mode.value.im / own.speed.abs(), 4);
+                let whirl = whirl(mode, own.speed);
+                format!("{} Hz, {share} of the rotation, {whirl}", hertz(mode))
+            }
+            (None, Some(other)) => growing(linear, other),
+            (None, None) => "without oscillation".to_owned(),
+        };
         let what = match (own.grows, own.others) {
             (true, false) => "UNSTABLE",
             (true, true) => "a further motion becomes unstable",
@@ -140,7 +166,8 @@ pub(super) fn thresholds(all: &Campbell) -> String {
         };
         let _ = writeln!(text, "{what} above {} rpm: {how}", speed(own.speed));
     }
-    match all.stable.iter().filter(|stable| !**stable).count() {
+    let fastest = all.growing.iter().flatten().max_by(|a, b| a.value.re.total_cmp(&b.value.re));
+    match all.growing.iter().flatten().count() {
         0 if !all.thresholds.is_empty() => {}
         0 if all.interrupted => {
             let ends = [all.speeds.first(), all.speeds.last()];
@@ -149,7 +176,10 @@ pub(super) fn thresholds(all: &Campbell) -> String {
         }
         0 if all.lost.is_empty() => text.push_str("stable at all these speeds\n"),
         0 => text.push_str("stable at the speeds of the range at which it stands\n"),
-        some if some == all.speeds.len() => text.insert_str(0, "UNSTABLE at all these speeds\n"),
+        some if some == all.speeds.len() => {
+            let fastest = fastest.map_or(String::new(), |own| growing(linear, own));
+            text.insert_str(0, &format!("UNSTABLE at all these speeds: {fastest}\n"));
+        }
         _ if all.interrupted => {
             text.push_str("interrupted: thresholds between these speeds may be missing\n");
         }
@@ -167,10 +197,11 @@ pub(super) fn thresholds_file(all: &Campbell) -> String {
     let mut text = String::from("what,speed_rpm,frequency_hz,whirl\n");
     for own in &all.thresholds {
         let what = if own.grows { "unstable above" } else { "stable above" };
-        let how = own
-            .mode
-            .as_ref()
-            .map_or(",".to_owned(), |mode| format!("{},{}", mode.hertz(), whirl(mode, own.speed)));
+        let how = match (&own.mode, &own.other) {
+            (Some(mode), _) => format!("{},{}", mode.hertz(), whirl(mode, own.speed)),
+            (None, Some(other)) if other.value.im > 0.0 => format!("{},", other.value.im / TAU),
+            _ => ",".to_owned(),
+        };
         writeln!(text, "{what},{},{how}", rpm(own.speed)).expect("text can be written");
     }
     text

@@ -1,12 +1,12 @@
 //! What `whirl check` says of a case, as parts of a page.
 
-use super::{bodies, joints, loads, marched, mass};
+use super::{bodies, joints, loads, marched, mass, outputs};
 use crate::case::Case;
 use crate::errors::Failure;
 use crate::machine::JoinedPlan;
 use crate::page::Section;
 
-/// Bodies, speeds, joints, loads and time; those that there are.
+/// Bodies, speeds, joints, loads, outputs and time; those that there are.
 ///
 /// # Errors
 /// Of linear algebra.
@@ -31,6 +31,7 @@ pub(crate) fn words(case: &Case, plan: &JoinedPlan) -> Result<Vec<Section>, Fail
         let joints = joints.map(|(first, more)| [vec![first], more].concat().join("; "));
         all.push(of_lines("Joints", joints.collect()));
         all.push(of_lines("Loads", loads::all(machine)));
+        all.push(of_lines("Outputs", outputs::all(case)));
     }
     all.extend(case.march.as_ref().map(|own| of_lines("Time", marched::lines(own))));
     all.retain(|own| !own.table.is_empty() || !own.lines.is_empty());

@@ -107,7 +107,8 @@ const CHARTED = {
     for (const [, own] of all) {
       const [{ body, point, order }] = own;
       const x = { label: several ? `speed of ${body}` : 'speed', unit: 'rpm' };
-      const title = order === 0 ? `${point}, mean position` : `${point}, ${order}X${several ? ` of ${body}` : ''}`;
+      const where = point.replace(/^(joint|output)\./, '$1 ');
+      const title = order === 0 ? `${where}, mean position` : `${where}, ${order}X${several ? ` of ${body}` : ''}`;
       const id = slug(`${name} ${body} ${point} ${order}`);
       // Peaks lie between the speeds of the table.
       const peaks = found.filter((row) => row.body === body && row.point === point && row.order === order && typeof row.major_um === 'number');
@@ -134,11 +135,76 @@ const CHARTED = {
     const marks = (tables.get(`${name}.thresholds.csv`)?.rows || []).map((row) => ({ x: row.speed_rpm, name: `${row.what} ${shown(row.speed_rpm, 5)}` }));
     new Chart(host, {
       id: `stability-${slug(name)}`, title: 'The least stable mode: unstable below zero', x: { label: 'speed', unit: 'rpm' }, y: { label: 'log decrement', unit: '1' }, marks, levels: [{ y: 0, name: '', framed: true }],
-      series: [line(rows, 'speed_rpm', 'least_log_decrement', 'least log decrement')],
+      series: [line(rows, 'speed_rpm', 'least_log_decrement', 'least of all modes'), ...(rows.some((row) => row.body_log_decrement !== row.least_log_decrement) ? [line(rows, 'speed_rpm', 'body_log_decrement', 'least that moves the body whose speed it is')] : [])],
     });
     return [`${name}.svg`];
   },
 };
+
+// The same with what is not of speeds.
+Object.assign(CHARTED, {
+  coefficients(host, name, tables) {
+    const rows = tables.get(`${name}.csv`)?.rows;
+    if (!rows?.length) return [];
+    const all = [...grouped(rows, 'joint')].filter(([, own]) => own.length > 1).slice(0, 12);
+    const x = { label: 'speed', unit: 'rpm' };
+    for (const [joint, own] of all) {
+      const some = (letter, unit) => ['xx', 'xy', 'yx', 'yy'].map((way, k) => line(own, 'speed_rpm', `${letter.toLowerCase()}_${way}_${unit}`, `${letter}${way}`, { style: k }));
+      new Chart(host, { id: `stiffness-${slug(`${name} ${joint}`)}`, title: `${joint}: stiffness`, sync: `speed ${name}`, x, y: { label: 'stiffness', unit: 'N/m' }, levels: [{ y: 0, name: '' }], series: some('K', 'N_m') });
+      new Chart(host, { id: `damping-${slug(`${name} ${joint}`)}`, title: `${joint}: damping`, sync: `speed ${name}`, x, y: { label: 'damping', unit: 'N·s/m' }, levels: [{ y: 0, name: '' }], series: some('C', 'Ns_m') });
+    }
+    return all.length ? [`${name}.svg`] : [];
+  },
+  map(host, name, tables) {
+    const rows = tables.get(`${name}.csv`)?.rows;
+    if (!rows?.length || new Set(rows.map((row) => row.stiffness_N_m)).size < 2) return [];
+    const kinds = [['forward', 'forward whirl', 0, ''], ['backward', 'backward whirl', 1, '7 3'], ['axial', 'axial', 2, '3 2'], ['torsional', 'torsional', 3, '9 3 2 3'], ['-', 'along a line', 4, '1.5 2.5']];
+    const kind = (row) => (row.motion === 'lateral' ? row.whirl : row.motion);
+    const series = [];
+    const had = new Set();
+    for (const [, own] of grouped(rows, 'branch')) {
+      let piece = [];
+      own.forEach((row, k) => {
+        piece.push(row);
+        if (own[k + 1] && kind(own[k + 1]) === kind(row)) return;
+        const [, words, style, dash] = kinds.find(([one]) => one === kind(row));
+        if (piece.length > 1) series.push({ name: words, x: piece.map((one) => Math.log10(one.stiffness_N_m)), y: piece.map((one) => one.speed_rpm), style, dash, silent: had.has(words) });
+        if (piece.length > 1) had.add(words);
+        // The next piece begins where this one ends.
+        piece = [row];
+      });
+    }
+    new Chart(host, { id: `map-${slug(name)}`, title: 'Undamped critical speeds over the stiffness of all joints', zero: true, x: { label: 'stiffness of every joint', unit: 'N/m', log: true }, y: { label: 'speed', unit: 'rpm' }, series });
+    return [`${name}.svg`];
+  },
+  torsion(host, name, tables) {
+    const rows = tables.get(`${name}.csv`)?.rows;
+    const met = tables.get(`${name}.interference.csv`)?.rows;
+    if (!rows?.length || !met || new Set(rows.map((row) => row.speed_rpm)).size < 2) return [];
+    const speeds = rows.map((row) => row.speed_rpm);
+    const ends = [Math.min(...speeds), Math.max(...speeds)];
+    const excited = [...grouped(met, 'excitation')].map(([called, [{ order }]]) => ({ called, order }));
+    const reach = 1.05 * Math.max(0, ...excited.map(({ order }) => (order * ends[1]) / 60));
+    const modes = [...grouped(rows, 'mode')].filter(([, own], k) => k < 3 || Math.min(...own.map((row) => row.frequency_hz)) <= reach);
+    const top = 1.1 * Math.max(...modes.flatMap(([, own]) => own.map((row) => row.frequency_hz)));
+    const across = excited.map(({ called, order }, k) => { const x = [ends[0], Math.min(ends[1], (60 * top) / order)]; return { name: called, x, y: x.map((rpm) => (order * Math.abs(rpm)) / 60), style: 1 + (k % 5), dash: ['2 3', '7 3', '9 3 2 3', '1 4'][k % 4] }; }).filter((own) => own.x[1] > own.x[0]);
+    const critical = met.filter((row) => row.what === 'critical speed');
+    new Chart(host, {
+      id: `torsion-${slug(name)}`, title: 'Interference diagram', zero: true, x: { label: 'speed', unit: 'rpm' }, y: { label: 'frequency', unit: 'Hz' },
+      series: [...modes.map(([mode, own]) => line(own, 'speed_rpm', 'frequency_hz', `mode ${mode}`, { style: 0, dash: '' })), ...across],
+      dots: critical.map((row) => ({ x: row.speed_rpm, y: row.frequency_hz, style: 1, name: 'critical speeds of torsion', label: shown(row.speed_rpm, 4) })),
+    });
+    const shapes = [...grouped(tables.get(`${name}.modes.csv`)?.rows || [], 'mode')].map(([mode, own]) => [mode, own.filter((row) => typeof row.twist === 'number')]).filter(([, own]) => own.length > 1).slice(0, 6);
+    if (shapes.length) {
+      const names = shapes[0][1].map((row) => row.body);
+      new Chart(host, {
+        id: `twists-${slug(name)}`, title: 'Shapes: turns in the speed of the first body', x: { label: 'body', unit: '1', names }, y: { label: 'turn', unit: '1' }, levels: [{ y: 0, name: '' }],
+        series: shapes.map(([mode, own], k) => ({ name: `mode ${mode}, ${shown(own[0].frequency_hz, 4)} Hz`, x: own.map((row) => 1 + names.indexOf(row.body)), y: own.map((row) => row.twist), style: k })),
+      });
+    }
+    return [`${name}.svg`];
+  },
+});
 
 function swept() {
   if (!sweep) return;
@@ -210,11 +276,14 @@ function analysed() {
     const folds = lines.length > 24 || chaptered;
     if (!folds) worded(own, lines);
     // What must not be missed, however long the rest is.
-    const loud = lines.filter((words) => /UNSTABLE|NOT STABLE|becomes unstable|too large for a linear|critically damped/.test(words));
+    const loud = lines.filter((words) => /UNSTABLE|NOT STABLE|becomes unstable|too large for a linear|critically damped|joints are linear, within/.test(words));
     if (folds && !chaptered && loud.length) { worded(own, loud.slice(0, 6)); if (loud.length > 6) add(own, 'p', `${loud.length - 6} more of these lines are in the words below.`, { class: 'soft' }); }
     const grid = add(own, 'div', undefined, { class: 'grid' });
     const replaced = CHARTED[kind]?.(grid, name, tables) || [];
     for (const figure of data.figures) if (replaced.includes(figure.name)) figure.shown = true;
+    // The same roots as those of a Campbell diagram before it.
+    const twice = kind === 'stability' && analyses.analyses.some((other) => other.kind === 'campbell');
+    for (const figure of data.figures) if (twice && figure.name === `${name}.roots.svg`) figure.shown = true;
     drawn(own, data.figures.filter((figure) => files.includes(figure.name) && !figure.shown));
     inSpace(own, name);
     if (folds) { const more = add(own, 'details', undefined, { class: 'words-of' }); add(more, 'summary', `All that was found, in words (${lines.length} lines)`); worded(more, lines); }

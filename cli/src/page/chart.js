@@ -45,6 +45,7 @@ const MARGIN = { left: 64, right: 14, top: 8, bottom: 44 };
 class Chart {
   // `spec`: id, title, x: {label, unit}, y: {label, unit, amplitude}, series: [{name, x, y | least and most, style, path, words,
   // pieces: [{x, y, dash}]}], marks, levels, dots: [{x, y, style, label}], circles, arrows, equal, height, sync, map, zero, origin, note.
+  // With x.log the abscissae are logarithms to the base of 10; with x.names they are 1, 2, … and stand for these.
   constructor(host, spec) {
     Object.assign(this, { spec, view: null, cursor: null, hidden: new Set() });
     this.figure = document.createElement('figure');
@@ -60,6 +61,14 @@ class Chart {
     this.listen();
     Chart.all.push(this);
     Chart.seen.observe(this.figure);
+  }
+
+  // An abscissa in words.
+  told(value, digits) {
+    const { log, names } = this.spec.x;
+    if (names) return escaped(names[Math.round(value) - 1] ?? '');
+    if (log && digits === undefined) return `10${[...String(value)].map((digit) => ({ '-': '⁻' })[digit] || '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit]).join('')}`;
+    return shown(log ? 10 ** value : value, digits);
   }
 
   get zoomable() { return !this.spec.map; }
@@ -155,9 +164,11 @@ class Chart {
     out.push(`<defs><clipPath id="${clip}"><rect x="${inner.left}" y="${inner.top}" width="${inner.width}" height="${inner.height}"/></clipPath></defs>`);
     const right = inner.left + inner.width;
     const bottom = inner.top + inner.height;
-    for (const tick of ticks(v.x0 * ax.factor, v.x1 * ax.factor, inner.width / 80, ax.unit)) {
+    const { names, log } = spec.x;
+    const whole = ticks(v.x0 * ax.factor, v.x1 * ax.factor, names || log ? Math.min(inner.width / 60, v.x1 - v.x0) : inner.width / 80, ax.unit);
+    for (const tick of whole.filter((own) => !(names || log) || Number.isInteger(own))) {
       const x = px(tick / ax.factor).toFixed(1);
-      const [text, edge] = [shown(tick), width - 3];
+      const [text, edge] = [this.told(tick), width - 3];
       const end = Number(x) + 3.3 * text.length > edge;
       out.push(`<line class="grid-line" x1="${x}" x2="${x}" y1="${inner.top}" y2="${bottom}"/><text x="${end ? edge : x}" y="${bottom + 15}" text-anchor="${end ? 'end' : 'middle'}">${text}</text>`);
     }
@@ -319,7 +330,7 @@ class Chart {
       const z = this.axis('z');
       if (own) parts.push(`<span><b>${shown(own.x * ax.factor)}</b> ${escaped(ax.unit)}, <b>${shown(own.y * ay.factor)}</b> ${escaped(ay.unit)}: <b>${shown(own.value * z.factor, 4)}</b> ${escaped(z.unit)} ${Amplitudes.words}</span>`);
     } else if (this.cursor !== null) {
-      parts.push(`<span>${escaped(spec.x.short || spec.x.label)} <b>${shown(this.cursor * ax.factor, 6)}</b> ${escaped(ax.unit === '1' ? '' : ax.unit)}</span>`);
+      parts.push(`<span>${escaped(spec.x.short || spec.x.label)} <b>${this.told(this.cursor * ax.factor, 6)}</b> ${escaped(ax.unit === '1' ? '' : ax.unit)}</span>`);
     }
     if (spec.map && this.cursor === null) parts.push(`<span>colour: ${escaped(this.axis('z').label)}</span>`);
     spec.series.forEach((own, k) => {

@@ -39,7 +39,7 @@ function facts() {
   const largest = (names, of) => names.map((name) => [name, of(name)]).reduce((best, own) => (own[1] > best[1] ? own : best), ['', -Infinity]);
   if (run.ratios.length) {
     const [title, most] = largest(run.ratios, (name) => extremes(`ratio ${name}`)[1]);
-    fact('largest eccentricity', `${shown(100 * most, 3)} % of the clearance`, `${title}, in the whole run`);
+    fact('largest eccentricity', `${shown(100 * most, 3)} % of the clearance`, `${title}, in the whole run${most > 1 ? '; beyond 100 % the parts are pressed together' : ''}`);
   }
   const forces = about.groups.filter((own) => own.quantity === 'force' && own.lines.every(([name]) => columns.has(name)));
   if (forces.length) {

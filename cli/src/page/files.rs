@@ -168,13 +168,41 @@ fn what(name: &str) -> Option<String> {
         _ => match name.rsplit_once('.')?.1 {
             "svg" => "a figure",
             "png" => "the same figure as an image",
-            "csv" => "a table",
+            "csv" => return Some(of_table(name)),
             "parquet" => "the table for programs that read columns",
             "mat" => "the table for MATLAB",
             _ => return None,
         },
     };
     Some(own.to_owned())
+}
+
+/// What tables of analyses have, by what follows the name of the analysis.
+const TABLES_OF: [(&str, &str); 13] = [
+    ("critical", "critical speeds, and where modes begin or end to grow"),
+    ("thresholds", "speeds at which modes begin or end to grow"),
+    ("peaks", "peaks of the response, with their amplification"),
+    ("probes", "what probes read, over the speed"),
+    ("response", "the response to each unbalance, over the speed"),
+    ("stability", "the least damped forward mode over stiffness across"),
+    ("unbalance", "the unbalances that were used"),
+    ("modes", "shapes of the modes"),
+    ("interference", "where excitations meet modes"),
+    ("torques", "what couplings and gears carry"),
+    ("multipliers", "multipliers of the motion"),
+    ("names", "what rows and columns of the matrices are"),
+    ("events", "where something changes on a branch"),
+];
+
+fn of_table(name: &str) -> String {
+    let stem = name.strip_suffix(".csv").unwrap_or(name);
+    match stem.split_once('.') {
+        None => format!("the main table of the analysis `{stem}`"),
+        Some((of, what)) => match TABLES_OF.iter().find(|own| own.0 == what) {
+            Some((_, words)) => format!("{words}, of `{of}`"),
+            None => format!("the part `{what}` of the analysis `{of}`, as a table"),
+        },
+    }
 }
 
 /// The first words of a drawing, or its name.

@@ -219,7 +219,7 @@ function reversed() {
 function waterfalls() {
   if (!run || !run.waterfalls.length) return;
   const own = part('waterfall', 'Spectra over the run');
-  add(own, 'p', `Spectra of ${run.waterfalls[0].time.length} overlapping parts of the run, each with a Hann window; every cell has the largest amplitude in it. Dashed lines are ½, 1 and 2 times the speed.`, { class: 'soft' });
+  add(own, 'p', `Spectra of ${run.waterfalls[0].time.length} overlapping parts of the run, each ${shown(1e3 * run.waterfalls[0].slice_s, 3)} ms long with a Hann window, which tells lines apart that differ by ${shown(2 / run.waterfalls[0].slice_s, 2)} Hz or more; every cell has the largest amplitude in it. Dashed lines are ½, 1 and 2 times the speed.`, { class: 'soft' });
   const grid = add(own, 'div', undefined, { class: 'grid' });
   for (const fall of run.waterfalls) {
     const signal = about.signals[fall.signal];

@@ -200,6 +200,8 @@ pub(super) struct Waterfall {
     /// Middles of the slices (s), and the speeds there (rpm).
     time: Vec<f64>,
     rpm: Vec<f64>,
+    /// Length of a slice (s).
+    slice_s: f64,
     /// Width of a cell (Hz); cells of one side, the first one about 0 Hz.
     cell_hz: f64,
     cells: usize,
@@ -280,6 +282,7 @@ impl Slices {
                 signal: *signal,
                 time: self.found.iter().map(|own| rounded(own.0)).collect(),
                 rpm: all.iter().map(|own| rounded(60.0 * own.0)).collect(),
+                slice_s: span,
                 cell_hz,
                 cells: CELLS,
                 two_sided,

@@ -338,7 +338,7 @@ impl Summary {
                 whirl_text::shown(100.0 * left, 2, 1e-3..1e6)
             ),
             _ if left.is_finite() => format!(
-                "about {} times what varies in a cycle is left to change",
+                "what is left to change is about {} times what varies in a cycle",
                 whirl_text::shown(left, 2, 1e-3..1e6)
             ),
             _ => "the change from cycle to cycle does not decrease".to_owned(),

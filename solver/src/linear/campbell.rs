@@ -4,6 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::beside::beside;
 use super::doubts::Doubt;
+use super::growing::Growing;
 use super::modes::Mode;
 use super::points::{Along, Point};
 use super::range::Range;
@@ -56,8 +57,8 @@ pub struct Campbell {
     pub speeds: Vec<f64>,
     /// The modes, each over all speeds, by the frequency with which they begin.
     pub branches: Vec<Branch>,
-    /// By speed whether nothing grows, listed or not.
-    pub stable: Vec<bool>,
+    /// By speed what grows fastest, listed or not; none where nothing does.
+    pub growing: Vec<Option<Growing>>,
     /// Critical speeds, by orders and speeds.
     pub criticals: Vec<Critical>,
     /// Thresholds by speeds.
@@ -142,7 +143,7 @@ impl LinearMachine {
         Ok(Campbell {
             speeds: points.iter().map(|own| own.speed).collect(),
             branches: kept.iter().map(take).collect(),
-            stable: points.iter().map(|own| own.modes.is_stable()).collect(),
+            growing: points.iter().map(|own| own.modes.growing.first().cloned()).collect(),
             criticals: (criticals.into_iter())
                 .filter_map(|own| Some(Critical { branch: of(own.branch)?, ..own }))
                 .collect(),
@@ -444,7 +445,7 @@ impl Followed<'_> {
         }
         let threshold = |Root { speed, mode, rises }| {
             let mode = Some(mode);
-            Threshold { speed, mode, branch: None, grows: rises, others: false }
+            Threshold { speed, mode, other: None, branch: None, grows: rises, others: false }
         };
         Ok(found.into_iter().map(threshold).collect())
     }
@@ -459,7 +460,8 @@ impl Followed<'_> {
             let (grows, rate) = (|_, mode: &Mode| mode.growth(), |_, mode: &Mode| mode.value.re);
             for Root { speed, mode, rises } in self.roots.of_branch(places, &grows, &rate)? {
                 let (mode, branch) = (Some(mode), Some(branch));
-                found.push(Threshold { speed, mode, branch, grows: rises, others: false });
+                let other = None;
+                found.push(Threshold { speed, mode, other, branch, grows: rises, others: false });
             }
         }
         // Motions that do not oscillate, and those that no branch shows.
@@ -478,7 +480,7 @@ impl Followed<'_> {
         for pair in self.roots.points.windows(2) {
             let inside = rest.iter().take_while(|own| own.speed <= pair[1].speed).count();
             let (own, next) = rest.split_at_mut(inside);
-            let mut grow = pair[0].modes.unstable.len() + pair[0].modes.growing.len();
+            let mut grow = pair[0].modes.growing.len();
             for own in own {
                 let fewer = grow.saturating_sub(usize::from(!own.grows));
                 own.others = fewer > 0;

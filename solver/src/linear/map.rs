@@ -7,20 +7,32 @@
 use num_complex::Complex64;
 
 use super::frame::Seen;
+use super::modes::Mode;
 use super::round::LinearMachine;
 use super::shapes::{apply, inner};
+use super::torsion::Way;
+use super::track::matched;
 use crate::bodies::Body;
 use crate::equations::{Equations, State, Tangents, Weights};
 use crate::error::Error;
 use crate::linalg::{Cholesky, Matrix, congruence, hermitian_eigen};
 
 /// A speed at which an undamped motion goes round with the rotation.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Undamped {
-    /// rad/s, of the body whose speeds they are.
-    pub speed: f64,
-    /// As [`super::Mode::sense`].
-    pub sense: f64,
+    /// The motion; Im λ is the speed of the body whose speeds they are (rad/s).
+    pub mode: Mode,
+    /// Which way it moves.
+    pub way: Way,
+    /// Its number among the motions that are followed from stiffness to stiffness, from 0.
+    pub branch: usize,
+}
+
+impl Undamped {
+    /// rad/s.
+    pub fn speed(&self) -> f64 {
+        self.mode.value.im
+    }
 }
 
 /// The machine without its joints and without damping.
@@ -122,16 +134,51 @@ impl LinearMachine {
         Unsupported { stiffness: stiffness.symmetric_part(), inertia, rows: rows.collect(), mass }
     }
 
-    /// The slowest undamped critical speeds with all joints springs of a stiffness (N/m) along x and y.
+    /// The slowest undamped critical speeds with all joints springs of a stiffness (N/m) along x and y, for each of several that
+    /// follow each other, up to the first before which it was asked to end.
     ///
     /// # Errors
     /// Joints that do not hold the machine.
     pub fn undamped(
         &self,
         machine: &Unsupported,
+        stiffness: &[f64],
+        count: usize,
+        goes_on: &dyn Fn() -> bool,
+    ) -> Result<Vec<Vec<Undamped>>, Error> {
+        let mut all: Vec<Vec<Undamped>> = Vec::with_capacity(stiffness.len());
+        let mut branches = 0;
+        for &value in stiffness.iter().take_while(|_| goes_on()) {
+            let modes = self.undamped_at(machine, value, count)?;
+            let mut of = vec![None; modes.len()];
+            if let Some(before) = all.last() {
+                let from: Vec<Mode> = before.iter().map(|own| own.mode.clone()).collect();
+                let to = matched(&machine.mass, &from, &modes).to;
+                for (own, place) in before.iter().zip(to) {
+                    if let Some(place) = place {
+                        of[place] = Some(own.branch);
+                    }
+                }
+            }
+            let own = modes.into_iter().zip(of).map(|(mode, branch)| {
+                let branch = branch.unwrap_or_else(|| {
+                    branches += 1;
+                    branches - 1
+                });
+                Ok(Undamped { way: self.way(&[], &machine.mass, &mode)?, mode, branch })
+            });
+            all.push(own.collect::<Result<_, Error>>()?);
+        }
+        Ok(all)
+    }
+
+    /// Those at one stiffness, slowest first.
+    fn undamped_at(
+        &self,
+        machine: &Unsupported,
         stiffness: f64,
         count: usize,
-    ) -> Result<Vec<Undamped>, Error> {
+    ) -> Result<Vec<Mode>, Error> {
         let n = machine.mass.rows;
         let mut whole = machine.stiffness.clone();
         for row in &machine.rows {
@@ -154,10 +201,12 @@ impl LinearMachine {
         let entries = re.data.iter().zip(&im.data).map(|(re, im)| Complex64::new(*re, *im));
         let (values, vectors) = hermitian_eigen(n, &entries.collect::<Vec<_>>())?;
         let found = (0..n).rev().filter(|&k| values[k] > 0.0).take(count).map(|k| {
-            let shape = apply(&back, &vectors[k * n..(k + 1) * n]);
-            let moved = apply(&machine.mass, &shape);
-            let sense = inner(&moved, &self.turned(0, &shape)).re / inner(&shape, &moved).re;
-            Undamped { speed: 1.0 / values[k].sqrt(), sense }
+            let mut shape = apply(&back, &vectors[k * n..(k + 1) * n]);
+            let size = inner(&shape, &apply(&machine.mass, &shape)).re.sqrt();
+            shape.iter_mut().for_each(|own| *own /= size);
+            let sense = inner(&apply(&machine.mass, &shape), &self.turned(0, &shape)).re;
+            let value = Complex64::new(0.0, 1.0 / values[k].sqrt());
+            Mode { value, shape, sense, shares: Vec::new(), beside: Vec::new() }
         });
         Ok(found.collect())
     }

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
+use super::growing::{Growing, growth};
 use super::linearised::Linearised;
 use super::motions::{Motion, is_listed};
 use super::round::LinearMachine;
@@ -15,9 +16,6 @@ use crate::linalg::{Matrix, hermitian_eigen};
 const EQUAL: f64 = 1e-7;
 /// Share of a motion that must be circular for its sense to be named.
 const CIRCULAR: f64 = 0.1;
-
-/// Share of |λ| below which Re λ is rounding.
-const NEUTRAL: f64 = 1e-8;
 
 /// The sense in which a motion goes round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -84,11 +82,6 @@ impl Mode {
     }
 }
 
-/// Re λ less what may be rounding of it.
-fn growth(value: Complex64) -> f64 {
-    value.re - NEUTRAL * value.norm()
-}
-
 /// The ellipse of a point that moves as Re(w e^{iωt}).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Orbit {
@@ -126,16 +119,14 @@ impl Orbit {
 pub struct Modes {
     /// Those that oscillate, by their frequency: the slowest ones, as many as were asked for.
     pub oscillating: Vec<Mode>,
-    /// Those that do not and grow, fastest first (1/s).
-    pub growing: Vec<f64>,
-    /// λ of all that oscillate and grow, whether listed or not (1/s).
-    pub unstable: Vec<Complex64>,
+    /// All that grow, fastest first, whether they oscillate and are listed or not.
+    pub growing: Vec<Growing>,
 }
 
 impl Modes {
     /// Whether every motion dies out, or neither dies out nor grows.
     pub fn is_stable(&self) -> bool {
-        self.growing.is_empty() && self.unstable.is_empty()
+        self.growing.is_empty()
     }
 }
 
@@ -179,18 +170,10 @@ impl LinearMachine {
         motions: Vec<Motion>,
         count: usize,
     ) -> Result<Modes, Error> {
-        let Linearised { turning, mass, .. } = equations;
-        let (mut moving, still): (Vec<_>, Vec<_>) =
-            motions.into_iter().partition(|own| is_listed(own.value));
-        let mut growing: Vec<f64> = still
-            .iter()
-            .filter(|own| own.value.im == 0.0 && own.value.re > 0.0)
-            .map(|own| own.value.re)
-            .collect();
-        growing.sort_by(|a, b| b.total_cmp(a));
+        let growing = self.growing(equations, &motions);
+        let mut moving: Vec<Motion> =
+            motions.into_iter().filter(|own| is_listed(own.value)).collect();
         moving.sort_by(|a, b| a.value.im.total_cmp(&b.value.im));
-        let unstable = moving.iter().map(|own| own.value);
-        let unstable = unstable.filter(|value| growth(*value) > 0.0).collect();
         let mut oscillating: Vec<Mode> = Vec::with_capacity(moving.len());
         let mut rest = moving.as_slice();
         while let (Some(first), true) = (rest.first(), oscillating.len() < count) {
@@ -198,20 +181,17 @@ impl LinearMachine {
                 |own: &Motion| (own.value - first.value).norm() <= EQUAL * first.value.norm();
             let alike = rest.iter().take_while(|own| same(own)).count();
             let (cluster, other) = rest.split_at(alike);
-            oscillating.extend(self.separated((turning, mass), cluster)?);
+            oscillating.extend(self.separated(equations, cluster)?);
             rest = other;
         }
         oscillating.truncate(count);
-        Ok(Modes { oscillating, growing, unstable })
+        Ok(Modes { oscillating, growing })
     }
 
     /// Modes of one eigenvalue: those that circle, where there are several.
-    fn separated(
-        &self,
-        (turning, mass): (&[usize], &Matrix),
-        cluster: &[Motion],
-    ) -> Result<Vec<Mode>, Error> {
-        let angles = turning.len();
+    fn separated(&self, equations: &Linearised, cluster: &[Motion]) -> Result<Vec<Mode>, Error> {
+        let mass = &equations.mass;
+        let angles = equations.turning.len();
         let mut shapes: Vec<Vec<Complex64>> = Vec::with_capacity(cluster.len());
         let mut moved: Vec<Vec<Complex64>> = Vec::with_capacity(cluster.len());
         for pair in cluster {
@@ -248,13 +228,7 @@ impl LinearMachine {
         let modes = shapes.into_iter().zip(&moved).zip(cluster).map(|((shape, moved), pair)| {
             let whole = inner(&shape, moved).re;
             let sense = inner(moved, &self.turned(angles, &shape)).re / whole;
-            let share = |body: usize| {
-                let block = self.block(angles, body);
-                let angle = turning.iter().position(|own| *own == body);
-                let angle = angle.map_or(0.0, |place| (shape[place].conj() * moved[place]).re);
-                (angle + inner(&shape[block.clone()], &moved[block]).re) / whole
-            };
-            let shares = (0..self.machine.bodies.len()).map(share).collect();
+            let shares = self.shares(equations, &shape);
             let value = if single { pair.value } else { value };
             Mode { value, shape, sense, shares, beside: pair.beside.clone() }
         });

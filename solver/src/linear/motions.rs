@@ -2,6 +2,7 @@
 
 use num_complex::Complex64;
 
+use super::growing::growth;
 use super::linearised::Linearised;
 use super::own_frequency;
 use super::round::LinearMachine;
@@ -27,7 +28,7 @@ const TIE: f64 = 1e-6;
 pub(super) struct Motion {
     /// λ: its growth, and the frequency with which it is seen from space (1/s).
     pub(super) value: Complex64,
-    /// x over all coordinates, of any length; empty, where it was looked for in a basis and is not listed.
+    /// x over all coordinates, of any length; empty, where it was looked for in a basis, is not listed and does not grow.
     pub(super) shape: Vec<Complex64>,
     /// Frequencies (rad/s) with which it moves besides, with their shares of the largest part.
     pub(super) beside: Vec<(f64, f64)>,
@@ -80,8 +81,8 @@ impl LinearMachine {
                 )?;
                 let last = last_listed(&pairs, count);
                 for own in &mut pairs {
-                    // Shapes of motions that are not listed are not looked at.
-                    own.vector = match own.value.im <= last {
+                    // Shapes of motions that neither are listed nor grow are not looked at.
+                    own.vector = match own.value.im <= last || growth(own.value) > 0.0 {
                         true => apply(basis, &own.vector),
                         false => Vec::new(),
                     };

@@ -76,12 +76,7 @@ impl Roots<'_> {
 
     /// A speed between two at which something grows where nothing does: the least growth of all, by golden sections.
     fn stable_between(&self, [a, b]: [&Point; 2]) -> Result<Option<Point>, Error> {
-        let most = |own: &Point| {
-            let modes = &own.modes;
-            let rates =
-                modes.growing.iter().copied().chain(modes.unstable.iter().map(|own| own.re));
-            rates.reduce(f64::max)
-        };
+        let most = |own: &Point| own.modes.growing.first().map(|own| own.value.re);
         if most(a).is_none() || most(b).is_none() {
             return Ok(None);
         }

@@ -1,5 +1,6 @@
 //! Speeds at which something of the modes changes its sign.
 
+use super::growing::Growing;
 use super::modes::Mode;
 use super::points::{LOCKED, Point};
 use super::range::Range;
@@ -41,8 +42,10 @@ pub(super) struct Root {
 pub struct Threshold {
     /// rad/s.
     pub speed: f64,
-    /// The mode there; none of a motion that does not oscillate.
+    /// The mode there; none of a motion that does not oscillate, or of one beyond those that are looked for.
     pub mode: Option<Mode>,
+    /// Such a motion, as it is beside the threshold.
+    pub other: Option<Growing>,
     /// Its branch, if it is one of those.
     pub branch: Option<usize>,
     /// Whether it grows beyond.
@@ -210,6 +213,7 @@ impl Roots<'_> {
             let modes = point.modes.oscillating.iter().filter(|own| own.grows());
             modes.max_by(|x, y| x.growth().total_cmp(&y.growth())).cloned()
         };
+        let mut grown = if before { b } else { a }.modes.growing.first().cloned();
         let mut mode = growing(if before { b } else { a });
         for _ in 0..tries(a) {
             let speed = 0.5 * (ends[0] + ends[1]);
@@ -220,10 +224,13 @@ impl Roots<'_> {
             let is_stable = point.modes.is_stable();
             if !is_stable {
                 mode = growing(&point);
+                grown = point.modes.growing.into_iter().next();
             }
             ends[usize::from(is_stable != before)] = speed;
         }
-        Ok(Some(Threshold { speed: ends[1], mode, branch: None, grows: before, others: false }))
+        let other = if mode.is_none() { grown } else { None };
+        let speed = ends[1];
+        Ok(Some(Threshold { speed, mode, other, branch: None, grows: before, others: false }))
     }
 }
 

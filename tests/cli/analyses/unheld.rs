@@ -131,3 +131,41 @@ fn a_count_below_zero_says_what_to_write() {
         assert!(!outcome.stderr.contains("'-- -1'"), "{}", outcome.stderr);
     }
 }
+
+/// What grows is said with its rate and the body that moves, whether it oscillates or is listed or not.
+#[test]
+fn what_grows_is_named_though_it_is_not_listed() {
+    let body = |name: &str, x: &str, y: &str, damping: &str| {
+        format!(
+            "[body.{name}]\nturns = \"prescribed\"\nspeed = \"3000 rpm\"\nmass = \"2 kg\"\npolar_inertia = \"0.01 kg*m^2\"\n\
+             [joint.{name}]\nkind = \"bushing\"\nfirst = {{ body = \"{name}\" }}\nstiffness = {{ xx = \"{x} N/m\", yy = \"{y} N/m\" }}\n\
+             damping = {{ xx = \"{damping} N*s/m\", yy = \"{damping} N*s/m\" }}\n"
+        )
+    };
+    let case = |second: &str| {
+        format!("title = \"two masses\"\n{}{second}", body("slow", "1e4", "1e4", "10"))
+    };
+    // d/2m beside √(k/m − (d/2m)²), twice, as both directions are alike.
+    let (rate, hertz) = (3.0_f64, (5e5_f64 - 9.0).sqrt() / TAU);
+    let hertz_of = format!("{hertz:.3}");
+    let fast = Workbench::new().file("case.toml", &case(&body("fast", "1e6", "1e6", "-12")));
+    let said = ran(&fast, &["modes", "case.toml", "--count", "2", "--out", "out"]).stdout;
+    let words = format!("NOT STABLE in this state: a motion of {} Hz", hertz_of);
+    assert!(said.contains(&words), "{words}: {said}");
+    let words = format!("grows by {rate} 1/s (fast 100 %), and another one grows");
+    assert!(said.contains(&words), "{words}: {said}");
+    let speeds = "1000 rpm .. 3000 rpm, 3";
+    let all = ["stability", "case.toml", "--count", "2", "--speeds", speeds, "--out", "out"];
+    let said = ran(&fast, &all).stdout;
+    let words = format!("UNSTABLE at all these speeds: a motion of {} Hz", hertz_of);
+    assert!(said.contains(&words), "{said}");
+    assert_eq!(said.matches("UNSTABLE: a motion of").count(), 3, "{said}");
+    // −k in one direction: e^{λt} with λ = √(k/m) and no damping.
+    let falls = body("falls", "1e6", "-5e3", "0");
+    let falls = Workbench::new().file("case.toml", &case(&falls));
+    let said = ran(&falls, &["modes", "case.toml", "--out", "out"]).stdout;
+    assert!(said.contains("a motion without oscillation grows by 50 1/s (falls 100 %)"), "{said}");
+    let said = ran(&falls, &["campbell", "case.toml", "--speeds", speeds, "--out", "out"]).stdout;
+    let words = "UNSTABLE at all these speeds: a motion without oscillation grows by 50 1/s";
+    assert!(said.contains(words), "{said}");
+}

@@ -95,15 +95,15 @@ pub(super) fn found(
         if let Some(density) = lateral.gas_density {
             let machine =
                 bare.linear.unsupported(&bare.linear.speeds(bare.of, bare.sense, &analysis.ratios));
-            let rigid = bare.linear.undamped(&machine, RIGID, analysis.count)?;
-            let first = rigid.iter().find(|own| own.sense * bare.sense > 0.1);
+            let rigid = bare.linear.undamped(&machine, &[RIGID], analysis.count, &|| true)?;
+            let first = rigid.iter().flatten().find(|own| own.mode.sense * bare.sense > 0.1);
             if let Some(first) = first {
-                let csr = lateral.maximum / first.speed;
+                let csr = lateral.maximum / first.speed();
                 let boundary = standard::region_boundary(density);
                 let is_safe = csr <= boundary || ratio >= standard::RATIOS[1];
                 let pass = if is_safe { Pass::Yes } else { Pass::LevelTwo };
                 let quantity = "level I critical speed ratio (region A up to)";
-                add(quantity, "", Some(words::rpm(first.speed)), csr, Some(boundary), "1", pass);
+                add(quantity, "", Some(words::rpm(first.speed())), csr, Some(boundary), "1", pass);
             }
         } else {
             all.notes += "note: no `gas_density`: regions A and B of the critical speed ratio are left out\n";

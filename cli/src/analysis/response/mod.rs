@@ -116,8 +116,9 @@ pub(super) fn found(
         let goes_on = || !interruption.asked();
         match linear.modes_while(&linear.linearised(&here)?, 1, &goes_on) {
             Ok(modes) if modes.is_stable() => {}
-            Ok(_) => {
-                notes += "the machine is NOT STABLE in this state: a motion grows, and this response is not reached\n";
+            Ok(modes) => {
+                let words = words::not_stable(linear, &modes).unwrap_or_default();
+                notes += &format!("{words}; this response is not reached\n");
             }
             Err(Error::Interrupted) => {
                 notes += "note: whether the machine is stable in this state was not looked at\n";

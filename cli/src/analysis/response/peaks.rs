@@ -50,8 +50,8 @@ pub(super) fn find(
     };
     let campbell = linear.resonating(&range, &|| !interruption.asked())?;
     let mut text = String::new();
-    if campbell.stable.contains(&false) {
-        text += &words::thresholds(&campbell);
+    if campbell.growing.iter().any(Option::is_some) {
+        text += &words::thresholds(linear, &campbell);
         text += "where the machine is not stable this response is not reached: something grows\n";
     }
     // What can be compared: motions of journals in their bores, and motions in space.
