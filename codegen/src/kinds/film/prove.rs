@@ -75,8 +75,8 @@ fn works(spec: &FilmSpec, errors: &mut Diagnostics) {
         if !MEASURES.contains(&on) {
             let message = format!("a film's force does not work on `{on}`");
             let error = force.on.error_here(Code::UNKNOWN_NAME, message);
-            let help = "it works on `h`, the gap, `s`, the slip of the journal over the bore, or `s_mean`, half the \
-                        sum of both surfaces' motions";
+            let help = "it works on `h`, the gap, `s`, the slip of the journal over the bore, or `s_mean`, by which \
+                        oil shears both surfaces alike";
             errors.push(error.help(help));
         }
         if spec.forces[..place].iter().any(|before| before.on.text() == on) {
@@ -130,15 +130,21 @@ fn holds(spec: &FilmSpec, errors: &mut Diagnostics) {
 }
 
 /// The pressure acts at the journal's centre on the journal, at the bore's on the bore: the moment that is left is that
-/// of p ∂h/∂x on the mean motion of the surfaces.
+/// of −h ∂p/∂x, by which its slope shears both surfaces.
 fn moments(spec: &FilmSpec, errors: &mut Diagnostics) {
     let mut graph = spec.graph.clone();
     let on = |measure: &str| spec.forces.iter().find(|force| force.on.text() == measure);
     let Some(normal) = on(MEASURES[0]) else { return };
-    let slope = graph.scalar(&named("ddx", &spec.gap.name));
-    let wanted = graph.mul(normal.value, slope);
-    let shown =
-        format!("`({})*ddx({})` on `{}`", normal.formula.text.text(), spec.gap.name, MEASURES[2]);
+    let pressure = &spec.unknowns[0];
+    let slope = graph.scalar(&named("ddx", &pressure.name));
+    let Ok(by) = graph.differentiate(normal.value, pressure.symbol) else { return };
+    let slope = graph.mul(by, slope);
+    let sheared = graph.mul(spec.gap.symbol, slope);
+    let wanted = graph.neg(sheared);
+    let shown = format!(
+        "`-{}*ddx({})` on `{}`, by which the slope of the pressure shears both surfaces",
+        spec.gap.name, pressure.name, MEASURES[2]
+    );
     let (place, fine) = match on(MEASURES[2]) {
         Some(mean) => (&mean.formula.text, normal::equal(&mut graph, mean.value, wanted)),
         None => (&normal.formula.text, false),

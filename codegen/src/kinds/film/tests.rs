@@ -60,9 +60,9 @@ fn slips_of_the_pen_are_named() {
             "value = 'theta*sigma^2/H'",
             "what a node holds shrinks as the gap grows",
         ),
-        ("value = 'p*ddx(h)'", "value = '-p*ddx(h)'", "moments on journal and bore do not balance"),
+        ("value = '-h*ddx(p)'", "value = 'h*ddx(p)'", "moments on journal and bore do not balance"),
         (
-            "T_m = { on = \"s_mean\", value = 'p*ddx(h)' }\n",
+            "T_m = { on = \"s_mean\", value = '-h*ddx(p)' }\n",
             "",
             "moments on journal and bore do not balance",
         ),

@@ -155,3 +155,37 @@ fn a_film_that_is_written_and_read_is_the_same() {
     again.read(&kept);
     assert_eq!(again, bench.oil);
 }
+
+/// A pressure that is the same everywhere pushes on a closed journal from all sides alike, wherever it stands; on a whole film it
+/// adds nothing.
+#[test]
+fn a_pressure_from_all_sides_does_not_push() {
+    let flooded = |name: &str, pressure: f64, omega: f64| -> (Reaction, usize) {
+        let mut film = film(name, [48, 7], LENGTH, 0.02);
+        film.flood(0, pressure).unwrap();
+        film.flood(1, pressure).unwrap();
+        let mut bench = Bench::with(film, CLEARANCE);
+        bench.balance.tolerance = 0.0;
+        let reaction = bench.react(&JournalMotion { omega, ..motion(None) });
+        (reaction, bench.oil.second.iter().filter(|second| **second).count())
+    };
+    let area = 2.0 * RADIUS * LENGTH;
+    for name in ["jfo", "reynolds"] {
+        let (Reaction { forces, slopes }, _) = flooded(name, 2e6, 0.0);
+        assert!(forces.iter().all(|own| own.abs() < 1e-13 * 2e6 * area), "{name}: {forces:?}");
+        // A turn aside, which makes pressures of its own: displacements and tilts.
+        let sizes = [1.0, 1.0, LENGTH, LENGTH].map(|arm| 2e6 * area / CLEARANCE * arm);
+        for (n, slopes) in slopes.iter().enumerate().take(2) {
+            for (slope, size) in slopes.iter().zip(sizes) {
+                assert!(slope.abs() < 1e-12 * size, "{name}: slope of {n} {slope} of {size}");
+            }
+        }
+        let [(a, empty), (b, also)] = [1e8, 1.5e8].map(|own| flooded(name, own, OMEGA));
+        assert_eq!([empty, also], [0, 0], "{name}: a cavity");
+        let load = a.forces[0].hypot(a.forces[1]);
+        assert!(load > 1e3, "{load}");
+        for (a, b) in a.forces.iter().zip(b.forces) {
+            assert!((a - b).abs() < 1e-8 * load, "{name}: {a} {b} of {load}");
+        }
+    }
+}
