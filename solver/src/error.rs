@@ -301,6 +301,16 @@ pub enum Error {
         /// The largest share of the loads for which a balance was found.
         share: f64,
     },
+    /// Forces that are in balance only as far away as rounding lets them be.
+    #[error(
+        "there is no equilibrium: nothing holds the {} against the loads, and where forces seem to be in balance it has run away. \
+         Add what holds it, such as a joint that takes up the couple or the force",
+        .coordinates.join(", the ")
+    )]
+    RunsAway {
+        /// The coordinates that run farthest.
+        coordinates: Vec<String>,
+    },
     /// Constant speeds at which no state was found in which the machine stands.
     #[error("no equilibrium was found with {at}: {}. {}", out_of_balance(.rows, .journals, *.share), remedy(.journals))]
     NotStanding {
@@ -409,6 +419,7 @@ impl Error {
         matches!(
             self,
             Error::NotStanding { .. }
+                | Error::RunsAway { .. }
                 | Error::NoForce { .. }
                 | Error::Jumps { .. }
                 | Error::StiffJoint { .. }

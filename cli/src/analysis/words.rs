@@ -153,7 +153,13 @@ pub(super) fn thresholds(linear: &LinearMachine, all: &Campbell) -> String {
             (Some(mode), _) => {
                 let share = rounded(mode.value.im / own.speed.abs(), 4);
                 let whirl = whirl(mode, own.speed);
-                format!("{} Hz, {share} of the rotation, {whirl}", hertz(mode))
+                let jump = own.before.as_ref().map_or(String::new(), |before| {
+                    let (from, to) = (decrement(before), decrement(mode));
+                    format!(
+                        "; its log decrement jumps between {from} and {to} there, as a film or a contact changes at once"
+                    )
+                });
+                format!("{} Hz, {share} of the rotation, {whirl}{jump}", hertz(mode))
             }
             (None, Some(other)) => growing(linear, other),
             (None, None) => "without oscillation".to_owned(),
@@ -182,6 +188,11 @@ pub(super) fn thresholds(linear: &LinearMachine, all: &Campbell) -> String {
         }
         _ if all.interrupted => {
             text.push_str("interrupted: thresholds between these speeds may be missing\n");
+        }
+        some if all.thresholds.is_empty() => {
+            let fastest = fastest.map_or(String::new(), |own| growing(linear, own));
+            let of = all.speeds.len();
+            let _ = writeln!(text, "UNSTABLE at {some} of these {of} speeds: {fastest}");
         }
         _ => {}
     }

@@ -39,31 +39,6 @@ impl FirstOrder {
         let forces = transpose_multiply(basis.view(), self.forces.view());
         FirstOrder { rates: self.rates.clone(), by_position, by_rate, forces }
     }
-
-    /// By s in units in which what goes in is as large as what goes out.
-    fn balanced(mut self) -> FirstOrder {
-        let (m, n) = (self.rates.rows, self.forces.rows);
-        let size = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(0.0, f64::max);
-        for k in 0..m {
-            let of = [&self.by_position, &self.by_rate];
-            let inward = size(&mut of.into_iter().flat_map(|own| (0..n).map(move |j| own[(k, j)])));
-            let outward = size(&mut self.forces.col(k).iter().copied());
-            let unit = (inward / outward).sqrt();
-            if !(unit > 0.0 && unit.is_finite()) {
-                continue;
-            }
-            for j in 0..n {
-                self.by_position[(k, j)] /= unit;
-                self.by_rate[(k, j)] /= unit;
-            }
-            for j in 0..m {
-                self.rates[(k, j)] /= unit;
-                self.rates[(j, k)] *= unit;
-            }
-            self.forces.col_mut(k).iter_mut().for_each(|own| *own *= unit);
-        }
-        self
-    }
 }
 
 /// All pairs with Im λ ≥ 0, real ones as they come, of M symmetric and positive definite, C and K of any kind; the largest
@@ -109,10 +84,10 @@ pub(crate) fn quadratic_eigen_with(
         for (j, speed) in speeds.iter().enumerate() {
             own.by_position.col_mut(j).iter_mut().for_each(|entry| *entry /= speed);
         }
-        own.balanced()
+        own
     });
     let m = beside.as_ref().map_or(0, |own| own.rates.rows);
-    let rates = Matrix::from_fn(2 * n + m, 2 * n + m, |i, j| {
+    let mut rates = Matrix::from_fn(2 * n + m, 2 * n + m, |i, j| {
         if let (Some(own), true) = (&beside, i >= 2 * n || j >= 2 * n) {
             let entry = match (i.checked_sub(2 * n), j.checked_sub(2 * n)) {
                 (Some(k), Some(l)) => own.rates[(k, l)],
@@ -137,6 +112,8 @@ pub(crate) fn quadratic_eigen_with(
     }
     on_one_thread();
     let size = 2 * n + m;
+    // States may have any units.
+    let units = if m > 0 { balance(&mut rates) } else { vec![1.0; size] };
     let found = view(size, size, &rates.data).eigen().map_err(|_| failure)?;
     let (values, vectors) = (found.S().column_vector(), found.U());
     let upper: Vec<usize> = (0..size).filter(|&k| values[k].im >= 0.0).collect();
@@ -148,10 +125,10 @@ pub(crate) fn quadratic_eigen_with(
             .iter()
             .flat_map(|&k| [false, true].map(|imaginary| (k, imaginary)))
             .flat_map(|(k, imaginary)| {
-                let speeds = &speeds;
+                let (speeds, units) = (&speeds, &units);
                 (0..n).map(move |i| {
                     let y = vectors[(n + i, k)];
-                    (if imaginary { y.im } else { y.re }) / speeds[i]
+                    (if imaginary { y.im } else { y.re }) * units[n + i] / speeds[i]
                 })
             })
             .collect(),
@@ -167,9 +144,84 @@ pub(crate) fn quadratic_eigen_with(
     Ok((pairs.collect(), largest))
 }
 
+/// Times that all rows are balanced at most, and how much a factor must bring.
+const BALANCINGS: usize = 20;
+const BRINGS: f64 = 0.95;
+
+/// D⁻¹ A D in the place of A, with powers of two as make rows as large as columns, and D (Osborne, J. ACM 7 (1960) 338-345): what
+/// is similar has the same eigenvalues, and rounding goes by the sizes of entries.
+fn balance(matrix: &mut Matrix) -> Vec<f64> {
+    let n = matrix.rows;
+    let mut units = vec![1.0; n];
+    for _ in 0..BALANCINGS {
+        let mut is_balanced = true;
+        for k in 0..n {
+            let others =
+                |all: &mut dyn Iterator<Item = f64>| all.map(|own| own * own).sum::<f64>().sqrt();
+            let row = others(&mut (0..n).filter(|&j| j != k).map(|j| matrix[(k, j)]));
+            let column = others(&mut (0..n).filter(|&i| i != k).map(|i| matrix[(i, k)]));
+            if !(row > 0.0 && column > 0.0) {
+                continue;
+            }
+            let factor = (0.5 * (row / column).log2()).round().exp2();
+            if factor == 1.0 || row / factor + column * factor >= BRINGS * (row + column) {
+                continue;
+            }
+            is_balanced = false;
+            units[k] *= factor;
+            for j in 0..n {
+                matrix[(k, j)] /= factor;
+            }
+            matrix.col_mut(k).iter_mut().for_each(|own| *own *= factor);
+        }
+        if is_balanced {
+            break;
+        }
+    }
+    units
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A mass with a controller whose states have units far from those of the mass: λ(λ + a) λ² m + … of a chain is solved to
+    /// rounding, whatever the units of the chain.
+    #[test]
+    fn states_may_have_any_units() {
+        let one = |value: f64| Matrix { rows: 1, cols: 1, data: vec![value] };
+        let (mass, stiffness) = (one(60.0), one(-1.6e6));
+        // An integral of x, and a current that follows P x + I ∫x at a rate.
+        let (proportional, integral, rate, force) = (3000.0, 1e6, 5e3, 1e3);
+        for unit in [1e-12, 1e-3, 1.0, 1e9] {
+            let states = FirstOrder {
+                rates: Matrix {
+                    rows: 2,
+                    cols: 2,
+                    data: vec![0.0, rate * integral / unit, 0.0, -rate],
+                },
+                by_position: Matrix { rows: 2, cols: 1, data: vec![unit, rate * proportional] },
+                by_rate: Matrix::zeros(2, 1),
+                forces: Matrix { rows: 1, cols: 2, data: vec![0.0, -force] },
+            };
+            let (pairs, _) =
+                quadratic_eigen_with(&mass, &one(0.0), &stiffness, Some(&states)).unwrap();
+            assert_eq!(
+                pairs.iter().map(|own| 1 + usize::from(own.value.im > 0.0)).sum::<usize>(),
+                4
+            );
+            for QuadraticPair { value: s, .. } in pairs {
+                // λ (λ + rate) (m λ² + k) + force rate (P λ + I) = 0.
+                let terms = [
+                    s * (s + rate) * (60.0 * s * s - 1.6e6),
+                    force * rate * (proportional * s + integral),
+                ];
+                let left = (terms[0] + terms[1]).norm();
+                let size = terms[0].norm() + s.norm() * (s.norm() + rate) * 1.6e6 + terms[1].norm();
+                assert!(left < 1e-10 * size, "{unit:e}: {s}: {left:e} of {size:e}");
+            }
+        }
+    }
 
     /// A chain with damping and a skew stiffness: every pair solves the equations, and slow ones keep their digits beside fast
     /// ones.

@@ -8,7 +8,7 @@ use super::growing::Growing;
 use super::modes::Mode;
 use super::points::{Along, Point};
 use super::range::Range;
-use super::roots::{Root, Roots, Threshold};
+use super::roots::{APPEARS, Root, Roots, Threshold};
 use super::round::LinearMachine;
 use super::shapes::{apply, inner};
 use super::state_doubts::StateDoubts;
@@ -24,8 +24,6 @@ const FEW_HALVINGS: u32 = 3;
 const NEXT: f64 = 1e-4;
 /// Share by which two critical speeds may differ that are one.
 const SAME: f64 = 1e-6;
-/// Share of |λ| from which Re λ does not go through zero where a motion is first seen to grow.
-const APPEARS: f64 = 1e-3;
 
 /// A mode over the speeds; none where it is not among those that were listed.
 pub type Branch = Vec<Option<Mode>>;
@@ -46,7 +44,8 @@ pub struct Critical {
 impl Threshold {
     /// Whether nothing changes its sign there: what grows is no longer told from a motion that nothing holds, as slow as it is.
     fn is_of_sight(&self) -> bool {
-        self.mode.as_ref().is_some_and(|own| own.value.re > APPEARS * own.value.norm())
+        let appears = |own: &Mode| own.value.re > APPEARS * own.value.norm();
+        self.before.is_none() && self.mode.as_ref().is_some_and(appears)
     }
 }
 
@@ -445,7 +444,15 @@ impl Followed<'_> {
         }
         let threshold = |Root { speed, mode, rises }| {
             let mode = Some(mode);
-            Threshold { speed, mode, other: None, branch: None, grows: rises, others: false }
+            Threshold {
+                speed,
+                mode,
+                other: None,
+                before: None,
+                branch: None,
+                grows: rises,
+                others: false,
+            }
         };
         Ok(found.into_iter().map(threshold).collect())
     }
@@ -460,8 +467,16 @@ impl Followed<'_> {
             let (grows, rate) = (|_, mode: &Mode| mode.growth(), |_, mode: &Mode| mode.value.re);
             for Root { speed, mode, rises } in self.roots.of_branch(places, &grows, &rate)? {
                 let (mode, branch) = (Some(mode), Some(branch));
-                let other = None;
-                found.push(Threshold { speed, mode, other, branch, grows: rises, others: false });
+                let (other, before) = (None, None);
+                found.push(Threshold {
+                    speed,
+                    mode,
+                    other,
+                    before,
+                    branch,
+                    grows: rises,
+                    others: false,
+                });
             }
         }
         // Motions that do not oscillate, and those that no branch shows.

@@ -16,6 +16,8 @@ use crate::linalg::{
 /// Motions with a larger damping ratio are not listed: those that creep in the frame of a body that turns are seen from space
 /// at its speed.
 const MOST_DAMPED: f64 = 0.9;
+/// Share of |λ| below which Im λ is rounding of a real one.
+const REAL: f64 = 1e-7;
 /// Share of the largest part from which another one is more than rounding.
 const PART: f64 = 1e-9;
 /// Share of Im λ by which motions of one λ may differ in it.
@@ -121,7 +123,7 @@ impl LinearMachine {
 
 /// Whether a motion is listed.
 pub(super) fn is_listed(value: Complex64) -> bool {
-    value.im > 0.0 && -value.re < MOST_DAMPED * value.norm()
+    value.im > REAL * value.norm() && -value.re < MOST_DAMPED * value.norm()
 }
 
 /// Im λ up to which motions are among the `count` slowest that are listed, or equal one of these.

@@ -17,6 +17,10 @@ const EDGE: f64 = 1e-8;
 const ONE: f64 = 1e-6;
 /// Share of |λ| that may be left there.
 const ROOT: f64 = 1e-6;
+/// Share of |λ| from which Re λ does not go through zero where a motion is first seen to grow, and MAC from which on another one
+/// is the same.
+pub(super) const APPEARS: f64 = 1e-3;
+const ALIKE: f64 = 0.5;
 /// Evaluations until then at most, and where each takes a second.
 const TRIES: usize = 60;
 const FEW_TRIES: usize = 12;
@@ -46,6 +50,8 @@ pub struct Threshold {
     pub mode: Option<Mode>,
     /// Such a motion, as it is beside the threshold.
     pub other: Option<Growing>,
+    /// Where what grows does so at once, as a cavity or a contact comes or goes: its mode just where it does not grow.
+    pub before: Option<Mode>,
     /// Its branch, if it is one of those.
     pub branch: Option<usize>,
     /// Whether it grows beyond.
@@ -208,13 +214,15 @@ impl Roots<'_> {
             return Ok(None);
         }
         let mut ends = [a.speed, b.speed];
-        let before = a.modes.is_stable();
+        let stable_below = a.modes.is_stable();
         let growing = |point: &Point| {
             let modes = point.modes.oscillating.iter().filter(|own| own.grows());
             modes.max_by(|x, y| x.growth().total_cmp(&y.growth())).cloned()
         };
-        let mut grown = if before { b } else { a }.modes.growing.first().cloned();
-        let mut mode = growing(if before { b } else { a });
+        let [quiet, loud] = if stable_below { [a, b] } else { [b, a] };
+        let mut grown = loud.modes.growing.first().cloned();
+        let mut mode = growing(loud);
+        let (mut mass, mut quiet) = (quiet.mass.clone(), quiet.modes.oscillating.clone());
         for _ in 0..tries(a) {
             let speed = 0.5 * (ends[0] + ends[1]);
             if (ends[1] - ends[0]).abs() <= FOUND * speed.abs() {
@@ -222,15 +230,27 @@ impl Roots<'_> {
             }
             let Some(point) = self.point(speed, a)? else { return Ok(None) };
             let is_stable = point.modes.is_stable();
-            if !is_stable {
-                mode = growing(&point);
-                grown = point.modes.growing.into_iter().next();
+            match is_stable {
+                true => (mass, quiet) = (point.mass, point.modes.oscillating),
+                false => {
+                    mode = growing(&point);
+                    grown = point.modes.growing.into_iter().next();
+                }
             }
-            ends[usize::from(is_stable != before)] = speed;
+            ends[usize::from(is_stable != stable_below)] = speed;
         }
         let other = if mode.is_none() { grown } else { None };
-        let speed = ends[1];
-        Ok(Some(Threshold { speed, mode, other, branch: None, grows: before, others: false }))
+        let before = mode.as_ref().filter(|own| own.value.re > APPEARS * own.value.norm());
+        let before = before.and_then(|own| {
+            let moved = apply(&mass, &own.shape);
+            let alike = |other: &Mode| mac(&moved, &other.shape);
+            quiet.into_iter().filter(|other| alike(other) > ALIKE).min_by(|a, b| {
+                let apart = |other: &Mode| (other.value - own.value).norm();
+                apart(a).total_cmp(&apart(b))
+            })
+        });
+        let (speed, grows) = (ends[1], stable_below);
+        Ok(Some(Threshold { speed, mode, other, before, branch: None, grows, others: false }))
     }
 }
 

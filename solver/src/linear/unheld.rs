@@ -9,6 +9,8 @@ use crate::linalg::{Matrix, dot, generalised_symmetric_eigen, multiply, transpos
 const BESIDE: f64 = 4.0;
 /// Share of a motion's inertia from which on a body takes part in it.
 const TAKES_PART: f64 = 0.2;
+/// A frequency that is slower than another one, as a share of it.
+const SLOWER: f64 = 1e-4;
 /// Share of that of a body by which it moves across.
 const ACROSS: f64 = 0.5;
 
@@ -34,26 +36,39 @@ impl LinearMachine {
         let mass = &equations.mass;
         let eigen = generalised_symmetric_eigen(&equations.stiffness.symmetric_part(), mass)?;
         let largest = eigen.values.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+        // With states that have come to rest: what creeps holds nothing.
+        let eigen = match equations.remembered.is_some() {
+            true => {
+                let standing = equations.at_frequency(0.0).stiffness.symmetric_part();
+                generalised_symmetric_eigen(&standing, mass)?
+            }
+            false => eigen,
+        };
         let least = self.unheld_below(mass.rows, largest);
         let slow: Vec<usize> = (0..mass.rows).filter(|&k| eigen.values[k].abs() <= least).collect();
         if slow.is_empty() {
             return Ok(Vec::new());
         }
-        // What acts without being symmetric, and by states of laws as slowly as rounding lets be seen.
+        // What acts without being symmetric, and by states of laws as slowly as rounding lets be seen: those that integrate hold,
+        // the more the slower; those that creep only brake.
         let frequency = least.sqrt();
-        let held = equations.at_frequency(frequency);
-        let states = equations.remembered.is_some().then_some(&held.damping);
         let all: Vec<Vec<f64>> = slow.iter().map(|&k| eigen.vectors.col(k).to_vec()).collect();
         let shapes = Matrix { rows: mass.rows, cols: all.len(), data: all.concat() };
         let acting = |matrix: &Matrix| {
             transpose_multiply(shapes.view(), multiply(matrix.view(), shapes.view()).view())
         };
-        let stiffness = acting(&held.stiffness);
-        let by_states = states.map(acting);
+        let by_states = |frequency: f64| -> Matrix {
+            let all = equations.at_frequency(frequency);
+            let data = all.damping.data.iter().zip(&equations.damping.data);
+            let data = data.map(|(all, own)| frequency * (all - own)).collect();
+            acting(&Matrix { data, ..all.damping.clone() })
+        };
+        let stiffness = acting(&equations.at_frequency(SLOWER * frequency).stiffness);
+        let states = [frequency, SLOWER * frequency].map(by_states);
         let is_held = |k: usize| {
             (0..all.len()).any(|j| {
-                let own = by_states.as_ref().map_or(0.0, |own| frequency * own[(j, k)]);
-                stiffness[(j, k)].abs() > least || own.abs() > least
+                let [own, slower] = states.each_ref().map(|own| own[(j, k)].abs());
+                stiffness[(j, k)].abs() > least || own > least && slower > own
             })
         };
         let mut words = Vec::new();

@@ -13,6 +13,8 @@ const DIVISIONS: usize = 40;
 const LOCATED: f64 = 1e-10;
 /// How near to the unit circle a multiplier is where it passes; where none is, they have jumped.
 const PASSES: f64 = 0.01;
+/// sin² of the angle between the tangents on both sides of a place where the branch goes straight on.
+const ALONG: f64 = 0.01;
 /// How often a corner is approached, and by how much of the way each time.
 const APPROACHES: usize = 12;
 const MOST: f64 = 0.9;
@@ -33,6 +35,9 @@ pub struct BranchEvent {
     pub multiplier: Complex64,
     /// The place of the point before it.
     pub after: usize,
+    /// Whether the multiplier jumps over the circle though the branch goes straight on, as a contact comes to another step: it is
+    /// located to the nearest of such places.
+    pub jumps: bool,
 }
 
 /// What happens to a branch.
@@ -130,6 +135,7 @@ fn located(
     let normal: Vec<f64> = way.iter().map(|own| own / length).collect();
     let (mut low, mut high) = ((0.0, measure(kind, a)?), (1.0, measure(kind, b)?));
     let mut best: Option<Node> = None;
+    let mut sides = [a.clone(), b.clone()];
     if low.1 * high.1 > 0.0 {
         return Ok(None);
     }
@@ -139,6 +145,7 @@ fn located(
         let at: Vec<f64> = from.iter().zip(&way).map(|(from, way)| from + share * way).collect();
         let Some(node) = path.correct(&at, &normal)? else { break };
         let value = measure(kind, &node)?;
+        sides[usize::from(value * low.1 <= 0.0)] = node.clone();
         best = Some(node);
         if value == 0.0 || high.0 - low.0 < LOCATED {
             break;
@@ -162,19 +169,27 @@ fn located(
             false => f64::INFINITY,
         },
     };
-    let located = match best {
-        Some(node) => {
-            let all = values(&node.monodromy)?;
-            let nearest = all.into_iter().min_by(|a, b| off(&a).total_cmp(&off(&b)));
-            nearest.filter(|own| off(&own) < PASSES).map(|multiplier| (node, multiplier))
+    let nearest = |node: &Node| -> Result<Option<Complex64>, Error> {
+        let all = values(&node.monodromy)?;
+        Ok(all.into_iter().min_by(|a, b| off(&a).total_cmp(&off(&b))))
+    };
+    let Some(mut node) = best else { return corner(path, [a, b], after).map(Some) };
+    let Some(mut multiplier) = nearest(&node)? else { return Ok(None) };
+    let jumps = off(&&multiplier) >= PASSES;
+    if jumps {
+        let alike = dot(&sides[0].tangent, &sides[1].tangent);
+        let goes_on = kind != EventKind::Fold && alike > 0.0 && 1.0 - alike * alike < ALONG;
+        if !goes_on {
+            return corner(path, [a, b], after).map(Some);
         }
-        None => None,
-    };
-    let Some((node, multiplier)) = located else {
-        return corner(path, [a, b], after).map(Some);
-    };
+        for side in sides {
+            if let Some(own) = nearest(&side)?.filter(|own| off(&own) < off(&&multiplier)) {
+                (node, multiplier) = (side, own);
+            }
+        }
+    }
     let (value, state) = (node.value, path.family.state(&node.y));
-    Ok(Some(BranchEvent { kind, value, state, multiplier, after }))
+    Ok(Some(BranchEvent { kind, value, state, multiplier, after, jumps }))
 }
 
 /// The corner between two points: where the tangents of both meet, again from points that are nearer to it.
@@ -215,6 +230,7 @@ pub(super) fn corner(
         state: path.family.state(&a.y),
         multiplier: values(&a.monodromy)?.first().copied().unwrap_or_default(),
         after,
+        jumps: false,
     })
 }
 

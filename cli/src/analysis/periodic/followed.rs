@@ -107,6 +107,15 @@ impl Followed<'_> {
             if let Some(note) = own.note() {
                 let _ = writeln!(text, "note: {note}");
             }
+            for event in own.branch.events.iter().filter(|event| event.jumps) {
+                let _ = writeln!(
+                    text,
+                    "note: at {} the multiplier jumps over the unit circle, to {}, as a contact begins or ends in another step: more \
+                     `steps` locate this change better",
+                    self.shown(event.value),
+                    shown(event.multiplier.norm(), 4, 1e-3..1e6)
+                );
+            }
         }
         text
     }

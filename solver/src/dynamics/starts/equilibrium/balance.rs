@@ -25,6 +25,8 @@ const OF_TERM: f64 = 1e-6;
 const OF_FORCE: f64 = 1e-9;
 /// Forces that are not asked for better than to a share of [`OF_FORCE`], where there are none larger (N).
 const LEAST_FORCE: f64 = 1.0;
+/// Rounding of a row over the loads from which on it stands nowhere: its forces cancel only as it has moved far away.
+const GONE: f64 = 1e-4;
 /// Multiples of eps · Σ |terms| that rounding may leave, where terms are also those of the measures of springs.
 const ROUNDING: f64 = 32.0;
 
@@ -63,6 +65,8 @@ pub(super) struct Balance<'m> {
     /// f, a row each, and what it may be.
     pub(super) force: Vec<f64>,
     bound: Vec<f64>,
+    /// Rows with forces so large that their rounding comes near the loads.
+    pub(super) gone: Vec<usize>,
     /// What a force anywhere on its body comes to in each row.
     shares: Vec<f64>,
     tangent: SpringTangent,
@@ -148,6 +152,7 @@ impl<'m> Balance<'m> {
             load_sizes: vec![0.0; size],
             force: vec![0.0; rows],
             bound: vec![0.0; rows],
+            gone: Vec::new(),
             shares: vec![0.0; rows],
             tangent,
             memory: Memory::default(),
@@ -278,6 +283,8 @@ impl<'m> Balance<'m> {
         let rates = [&self.state.q[..], &self.state.v[..]];
         equations.spring_rounding.take(&machine.springs, &mut equations.springs, rates);
         let equations = &self.equations;
+        let loads = self.load_sizes.iter().fold(LEAST_FORCE, |most, own| most.max(*own));
+        self.gone.clear();
         for (row, place) in self.places.clone().into_iter().enumerate() {
             let terms = [
                 equations.load[place],
@@ -298,6 +305,12 @@ impl<'m> Balance<'m> {
             }
             self.force[row] = terms.iter().sum();
             let size = |f: fn(f64, f64) -> f64| terms.iter().map(|x| x.abs()).fold(0.0, f);
+            let rounding = f64::EPSILON * (size(|a, b| a + b) + products[row]);
+            // Of rotations nothing is projected.
+            let share = self.shares[row];
+            if share > 0.0 && rounding > GONE * loads * share {
+                self.gone.push(row);
+            }
             let projected = springs * machine.springs.reach[place];
             let projected = projected.max(LEAST_FORCE * self.shares[row]);
             // Of a law without slopes nothing is known.

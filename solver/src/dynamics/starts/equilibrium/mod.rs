@@ -205,10 +205,20 @@ fn unbalanced(balance: &mut Balance, nearest: &Nearest) -> Error {
     {
         return Error::NoForce { step: 0, time: 0.0, law, bearing: bearing + 1 };
     }
+    if !balance.gone.is_empty() {
+        let mut rows = balance.gone.clone();
+        let size = |row: &usize| balance.state.q[balance.places[*row]].abs();
+        rows.sort_by(|a, b| size(b).total_cmp(&size(a)));
+        rows.truncate(NAMED);
+        let coordinates = rows.iter().map(|&row| coordinate(balance, row)).collect();
+        return Error::RunsAway { coordinates };
+    }
     let mut rows: Vec<usize> = (0..balance.force.len()).collect();
     let share = |row: &usize| balance.share_of(*row);
     rows.sort_by(|a, b| share(b).total_cmp(&share(a)));
-    let out = rows.iter().filter(|row| share(row) > 1.0).take(NAMED);
+    // Where all are balanced to what was asked for, the search could not tell a balance from what is near it.
+    let least = rows.first().map_or(1.0, |row| share(row).min(1.0));
+    let out = rows.iter().filter(|row| share(row) >= least).take(NAMED);
     let out = out.map(|&row| (coordinate(balance, row), balance.force[row]));
     let mut journals: Vec<(String, f64)> = balance
         .ratios()

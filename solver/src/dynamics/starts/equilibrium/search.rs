@@ -46,6 +46,15 @@ pub(super) fn search(
     balance: &mut Balance,
     from: Option<&[f64]>,
 ) -> Result<Result<Found, Nearest>, Error> {
+    let found = searched(balance, from)?;
+    if found.is_ok() && !balance.gone.is_empty() {
+        let (z, worst) = (balance.unknowns(), balance.worst());
+        return Ok(Err(Nearest { z, worst, share: 1.0 }));
+    }
+    Ok(found)
+}
+
+fn searched(balance: &mut Balance, from: Option<&[f64]>) -> Result<Result<Found, Nearest>, Error> {
     let mut search = Search::new(balance)?;
     let middle = balance.unknowns();
     let mut nearest = Nearest { z: middle.clone(), worst: f64::INFINITY, share: 0.0 };
