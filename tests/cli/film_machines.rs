@@ -2,13 +2,16 @@
 
 use std::fs;
 
+use crate::analyses::{numbers, ran};
 use crate::workbench::Workbench;
 
-/// The rotor under its weight, in bearings of this length (mm).
+/// The rotor under its weight, in bearings of this length (mm) with a clearance of a thousandth of the radius: tables have the limit of
+/// none, in which shear does not carry.
 fn weight(length: f64, law: &str) -> String {
     let case = include_str!("../../specs/cases/weight.toml");
     let short = "law = \"ocvirk\"\nparameters = { mu = \"20 mPa*s\" }";
     assert_eq!((case.matches(short).count(), case.matches("length = \"30 mm\"").count()), (2, 2));
+    let case = case.replace("\"150 um\"", "\"30 um\"");
     case.replace(short, law).replace("length = \"30 mm\"", &format!("length = \"{length} mm\""))
 }
 
@@ -26,7 +29,7 @@ fn the_rotor_under_its_weight_sinks_deeper_into_films_than_into_short_bearings()
     for [length, eps, s] in RAIMONDI_BOYD {
         // S = μ N D L/W (R/c)².
         let load = 30.0 * 9.81;
-        let turns = s * load / (0.02 * 0.06 * 1e-3 * length) * (150e-6_f64 / 0.03).powi(2);
+        let turns = s * load / (0.02 * 0.06 * 1e-3 * length) * (30e-6_f64 / 0.03).powi(2);
         let ratio = |law: &str| -> f64 {
             let bench = Workbench::new().file("case.toml", &weight(length, law));
             let speed = format!("{} rpm", 60.0 * turns);
@@ -172,4 +175,60 @@ fn a_film_that_nothing_cools_is_not_sound() {
     let outcome = bench.whirl(&["modes", "case.toml"]);
     let said = outcome.stdout + &outcome.stderr;
     assert!(said.contains("the temperature of the film") && said.contains("700 K"), "{said}");
+}
+
+/// Beyond the rows of its viscosity nothing is known of an oil: a run says so, and an analysis.
+#[test]
+fn a_film_beyond_the_rows_of_its_viscosity_is_told() {
+    let start = "[start]\nkind = \"equilibrium\"\n";
+    let case = warming("5e-4 s", 4, start)
+        .replace("vogel = [\"178 K\", \"800 K\"]", "viscosity = \"oil.csv\"")
+        .replace("mu_0 = \"30 mPa*s\", ", "");
+    let rows = |last: &str| format!("temperature [K], viscosity [mPa*s]\n300, 40\n{last}\n");
+    for (oil, words) in [(rows("310, 30"), true), (rows("700, 0.1"), false)] {
+        let bench = Workbench::new().file("case.toml", &case).file("oil.csv", &oil);
+        let outcome = bench.whirl(&["run", "case.toml", "--out", "out", "--no-figures"]);
+        let said = outcome.stdout + &outcome.stderr;
+        let what = "temperature of a film beyond the rows of its viscosity";
+        assert_eq!(said.contains(what), words, "{oil}: {said}");
+        let outcome = bench.whirl(&["modes", "case.toml"]);
+        let said = outcome.stdout + &outcome.stderr;
+        let what = "the temperature of the film, beyond the rows of its viscosity, ";
+        assert_eq!(said.contains(what), words, "{oil}: {said}");
+    }
+}
+
+/// A whole film pushes nothing aside by its pressure alone: K_xx + K_yy = 0, and the rotor whirls at half its speed at once. As the
+/// last of a cavity fills, what was stable is not: a threshold over which the decrement jumps.
+#[test]
+fn a_film_that_fills_makes_the_rotor_unstable_at_once() {
+    let case = |pressure: &str| {
+        format!(
+            "title = \"a rotor in a film under pressure\"\n[body.rotor]\nturns = \"prescribed\"\nspeed = \"3000 rpm\"\n\
+             mass = \"60 kg\"\npolar_inertia = \"0.3 kg*m^2\"\n[joint.b]\nkind = \"bearing\"\njournal = {{ body = \"rotor\" }}\n\
+             law = \"reynolds\"\nparameters = {{ mu_0 = \"20 mPa*s\", sigma = \"0.001 um\" }}\nradial_clearance = \"75 um\"\n\
+             journal_radius = \"30 mm\"\nlength = \"30 mm\"\n[joint.b.film]\ngrid = [72, 7]\nleft = \"{pressure}\"\n\
+             right = \"{pressure}\"\n[loads.w]\nbody = \"rotor\"\nforce = [\"-600 N\", \"0 N\", \"0 N\"]\n"
+        )
+    };
+    let whole = Workbench::new().file("case.toml", &case("100 bar"));
+    let speeds = ["--speeds", "1000 rpm .. 3000 rpm, 3", "--out", "out"];
+    ran(&whole, &[&["coefficients", "case.toml"][..], &speeds].concat());
+    let of = |name: &str| numbers(&whole, "out/coefficients.csv", name);
+    for ((xx, yy), xy) in of("k_xx_N_m").iter().zip(of("k_yy_N_m")).zip(of("k_xy_N_m")) {
+        assert!((xx + yy).abs() < 1e-5 * xy.abs(), "{xx} {yy} beside {xy}");
+    }
+    for attitude in of("attitude_deg") {
+        assert!((attitude - 90.0).abs() < 1e-4, "{attitude} degrees");
+    }
+    let said = ran(&whole, &[&["stability", "case.toml"][..], &speeds].concat()).stdout;
+    assert!(said.contains("UNSTABLE at all these speeds"), "{said}");
+    let fills = Workbench::new().file("case.toml", &case("5 bar"));
+    for kind in ["stability", "campbell"] {
+        let speeds = ["--speeds", "1200 rpm .. 3000 rpm, 4", "--out", "out", "--no-figures"];
+        let said = ran(&fills, &[&[kind, "case.toml"][..], &speeds].concat()).stdout;
+        assert!(said.contains("UNSTABLE above "), "{said}");
+        assert!(said.contains("its log decrement jumps between"), "{said}");
+        assert!(!said.contains("too slow"), "{said}");
+    }
 }

@@ -417,4 +417,13 @@ impl Springs {
         let with_film = |plane: &&Plane| self.laws[plane.law].bound.law.film().is_some();
         self.planes.iter().filter(with_film)
     }
+
+    /// Of each of them the temperatures (K) between which its viscosity is known.
+    pub(crate) fn known_viscosities(&self) -> impl Iterator<Item = [f64; 2]> {
+        self.planes_of_films().map(|plane| {
+            let film = self.laws[plane.law].bound.law.film();
+            let heat = film.and_then(|own| own.heat());
+            heat.map_or([0.0, f64::INFINITY], |own| own.viscosity.known())
+        })
+    }
 }

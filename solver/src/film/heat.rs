@@ -19,6 +19,17 @@ pub enum Viscosity {
 }
 
 impl Viscosity {
+    /// Temperatures (K) from and to which it is known.
+    pub fn known(&self) -> [f64; 2] {
+        match self {
+            Viscosity::Vogel([.., without_bound, _]) => [*without_bound, f64::INFINITY],
+            Viscosity::Table(rows) => {
+                let [first, last] = [rows.first(), rows.last()].map(|own| own.map(|own| own[0]));
+                [first.unwrap_or(0.0), last.unwrap_or(f64::INFINITY)]
+            }
+        }
+    }
+
     /// At a temperature (K), in Pa·s.
     pub fn at(&self, temperature: f64) -> f64 {
         match self {
@@ -115,6 +126,7 @@ mod tests {
         let half = (0.027_f64 * 0.012).sqrt();
         assert!((table.at(323.0) / half - 1.0).abs() < 1e-14);
         assert_eq!([table.at(200.0), table.at(500.0)], [0.027, 0.0044]);
+        assert_eq!(table.known(), [313.0, 373.0]);
         // 27 mPa s at 40 °C and 4.4 mPa s at 100 °C.
         let vogel = Viscosity::Vogel([0.027, 313.15, 178.15, 797.7]);
         assert_eq!(vogel.at(313.15), 0.027);

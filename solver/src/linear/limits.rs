@@ -66,6 +66,17 @@ fn oil_lasts() -> Validity {
     }
 }
 
+/// The rows of a film's viscosity, as a limit of its temperature.
+fn within_rows(limits: [f64; 2]) -> Validity {
+    Validity {
+        title: "the temperature of the film, beyond the rows of its viscosity,".to_owned(),
+        help: "give the table of the viscosity rows as far as the film warms up or cools down"
+            .to_owned(),
+        limits,
+        ..oil_lasts()
+    }
+}
+
 impl LinearMachine {
     /// How far small motions about a state may go at each joint, in the order of the joints.
     pub fn limits(&self, at: &Standstill) -> Vec<Limit> {
@@ -94,7 +105,16 @@ impl LinearMachine {
             let measure = Measure { bearing: plane.bearing, law, validity: oil_lasts() };
             (machine.monitors[plane.bearing].name.clone(), measure, temperature)
         });
-        beyond.chain(hot).collect()
+        let films = machine.springs.planes_of_films().zip(state.film_temperatures());
+        let films = films.zip(machine.springs.known_viscosities());
+        let unknown =
+            films.filter(|((_, own), [least, most])| *own > 0.0 && (own < least || own > most));
+        let unknown = unknown.map(|((plane, temperature), known)| {
+            let law = machine.springs.laws[plane.law].bound.law.name().to_owned();
+            let measure = Measure { bearing: plane.bearing, law, validity: within_rows(known) };
+            (machine.monitors[plane.bearing].name.clone(), measure, temperature)
+        });
+        beyond.chain(hot).chain(unknown).collect()
     }
 
     /// Whether every force has a derivative at a state with bodies at these speeds.

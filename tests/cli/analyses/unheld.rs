@@ -169,3 +169,57 @@ fn what_grows_is_named_though_it_is_not_listed() {
     let words = "UNSTABLE at all these speeds: a motion without oscillation grows by 50 1/s";
     assert!(said.contains(words), "{said}");
 }
+
+/// Laws with states elsewhere change nothing of what holds a body; a mount that creeps holds none.
+#[test]
+fn what_creeps_holds_nothing() {
+    let case = |law: &str| {
+        format!(
+            "title = \"a cage in a full film\"\n[body.rotor]\nturns = \"prescribed\"\nspeed = \"3000 rpm\"\nmass = \"10 kg\"\n\
+             polar_inertia = \"0.3 kg*m^2\"\n[joint.mount]\nkind = \"bearing\"\njournal = {{ body = \"rotor\" }}\n{law}\n\
+             radial_clearance = \"500 um\"\n[body.cage]\nturns = \"no\"\nmass = \"2 kg\"\n[joint.damper]\nkind = \"bearing\"\n\
+             journal = {{ body = \"cage\" }}\nlaw = \"squeeze-film-damper-full\"\nradial_clearance = \"75 um\"\n\
+             journal_radius = \"60 mm\"\nlength = \"30 mm\"\n"
+        )
+    };
+    for (law, held) in [
+        ("law = \"zener-mount\"", "nothing holds cage where"),
+        ("law = \"magnetic-bearing-linear\"", "nothing holds cage where"),
+        (
+            "law = \"zener-mount\"\nparameters = { k = \"0 N/m\" }",
+            "nothing holds rotor, cage where",
+        ),
+    ] {
+        let bench = Workbench::new().file("case.toml", &case(law));
+        let said = ran(&bench, &["modes", "case.toml", "--out", "out"]).stdout;
+        assert!(said.contains(held), "{law}: {said}");
+    }
+}
+
+/// A body on one pivot has no equilibrium under a couple: it is not looked for until rounding balances what is a thousand
+/// kilometres away.
+#[test]
+fn what_runs_away_has_no_equilibrium() {
+    let case = "title = \"a housing on one pivot\"\n[body.rotor]\nturns = \"prescribed\"\nspeed = \"3000 rpm\"\nmass = \"60 kg\"\n\
+                polar_inertia = \"0.3 kg*m^2\"\n[body.pad]\nturns = \"no\"\nrocks = true\nmass = \"1 kg\"\n\
+                polar_inertia = \"1e-3 kg*m^2\"\n[joint.pivot]\nkind = \"bushing\"\nfirst = { body = \"pad\", at = [\"40 mm\", \"0 mm\"] }\n\
+                stiffness = { xx = \"1e8 N/m\", yy = \"1e8 N/m\" }\n[joint.left]\nkind = \"bearing\"\njournal = { body = \"rotor\" }\n\
+                bore = { body = \"pad\" }\nlaw = \"ocvirk\"\nradial_clearance = \"75 um\"\njournal_radius = \"30 mm\"\n\
+                length = \"30 mm\"\n[loads.w]\nbody = \"rotor\"\nforce = \"-600 N\"\n";
+    let bench = Workbench::new().file("case.toml", case);
+    let mut refused = 0;
+    for (kind, speeds) in [
+        ("coefficients", "1000 rpm .. 12000 rpm, 12"),
+        ("stability", "1000 rpm .. 12000 rpm, 12"),
+        ("modes", "3000 rpm"),
+    ] {
+        let key = if kind == "modes" { "--speed" } else { "--speeds" };
+        let outcome = bench.whirl(&[kind, "case.toml", key, speeds, "--out", "out"]);
+        assert!(outcome.status == 2, "{kind}: {}{}", outcome.stdout, outcome.stderr);
+        let words = ["run away", "no equilibrium was found"];
+        let said = words.into_iter().any(|own| outcome.stderr.contains(own));
+        assert!(said && !outcome.stderr.contains("are  (N"), "{kind}: {}", outcome.stderr);
+        refused += 1;
+    }
+    assert_eq!(refused, 3);
+}

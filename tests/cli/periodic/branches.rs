@@ -155,3 +155,21 @@ fn a_duffing_oscillator_folds_where_others_find_it() {
         assert!((limit - exact).abs() < 2e-6, "{limit} for {exact}: {coarse}, {fine}");
     }
 }
+
+/// A mass on a spring that meets a stop in every turn: its multipliers come together at −0.895 and one of them passes −1 at
+/// 229.812 rad/s, by shooting with the exact instants at which it meets and leaves. In steps the multiplier jumps as these come to
+/// other steps, though the branch goes straight on: no corner.
+#[test]
+fn a_doubling_is_none_the_less_one_as_contact_moves_from_step_to_step() {
+    let case = "title = \"a mass at a stop\"\n[mass]\nmass = \"1 kg\"\nstiffness = \"1e4 N/m\"\ndamping = \"8 N*s/m\"\n\
+                [mass.unbalance]\neccentricity = \"0.3 mm\"\nspeed = \"200 rad/s\"\n[[stop]]\nside = \"above\"\ngap = \"0.05 mm\"\n\
+                law = \"gap-linear\"\nparameters = { k = \"8e4 N/m\" }\n[analysis.cycle]\nkind = \"periodic\"\npoints = 400\n\
+                vary = \"mass.unbalance.speed = 200 rad/s .. 250 rad/s\"\n";
+    for steps in [240, 480] {
+        let (_, events) = followed(&format!("{case}steps = {steps}\n"), &[]);
+        assert_eq!(events.len(), 1, "{steps}: {events:?}");
+        let (kind, value) = &events[0];
+        assert_eq!(kind, "period doubling", "{steps}");
+        assert!((value - 229.812).abs() < 0.3, "{steps}: {value}");
+    }
+}

@@ -16,6 +16,8 @@ pub struct FilmQuality {
     pub bearing: usize,
     /// The highest temperature of a film (K), and its bearing; none where no film has a temperature.
     pub hottest: Option<(f64, usize)>,
+    /// The temperature (K) that is farthest beyond the rows of its film's viscosity, their end, and the bearing.
+    pub unknown: Option<([f64; 2], usize)>,
 }
 
 /// What is carried from step to step.
@@ -24,14 +26,17 @@ pub(super) struct FilmSums {
     steps: u64,
     /// By films the steps in which a node was too fast.
     fast: Vec<u64>,
-    /// Their highest temperatures (K).
+    /// Their highest and lowest temperatures (K).
     hottest: Vec<f64>,
+    coldest: Vec<f64>,
 }
 
 /// Counts the steps of all films.
 pub(super) struct FilmMeter {
     pub(super) sums: FilmSums,
     bearings: Vec<usize>,
+    /// Temperatures (K) between which their viscosities are known.
+    known: Vec<[f64; 2]>,
 }
 
 impl FilmMeter {
@@ -42,7 +47,9 @@ impl FilmMeter {
                 steps: 0,
                 fast: vec![0; bearings.len()],
                 hottest: vec![0.0; bearings.len()],
+                coldest: vec![f64::MAX; bearings.len()],
             },
+            known: springs.known_viscosities().collect(),
             bearings,
         }
     }
@@ -54,6 +61,8 @@ impl FilmMeter {
         films.for_each(|(steps, nodes)| *steps += u64::from(nodes > 0));
         let films = self.sums.hottest.iter_mut().zip(springs.film_temperatures());
         films.for_each(|(most, own)| *most = most.max(own));
+        let films = self.sums.coldest.iter_mut().zip(springs.film_temperatures());
+        films.filter(|own| own.1 > 0.0).for_each(|(least, own)| *least = least.min(own));
     }
 
     /// The worst of them; none without films.
@@ -65,6 +74,18 @@ impl FilmMeter {
         let steps = self.sums.steps.max(1) as f64;
         let (share, bearing) = most(&mut self.sums.fast.iter().map(|fast| *fast as f64 / steps))?;
         let hottest = most(&mut self.sums.hottest.iter().copied()).filter(|own| own.0 > 0.0);
-        Some(FilmQuality { share, bearing, hottest })
+        Some(FilmQuality { share, bearing, hottest, unknown: self.unknown() })
+    }
+
+    /// The temperature that is farthest beyond what is known of its film's viscosity, with the end of that, and its bearing.
+    fn unknown(&self) -> Option<([f64; 2], usize)> {
+        let films = self.known.iter().zip(self.sums.hottest.iter().zip(&self.sums.coldest));
+        let beyond = films.zip(&self.bearings).flat_map(|((known, (hot, cold)), bearing)| {
+            [(*hot, known[1], hot - known[1]), (*cold, known[0], known[0] - cold)]
+                .into_iter()
+                .filter(move |own| *hot > 0.0 && own.2 > 0.0)
+                .map(|(value, limit, by)| (by, ([value, limit], *bearing)))
+        });
+        beyond.reduce(|worst, own| if own.0 > worst.0 { own } else { worst }).map(|own| own.1)
     }
 }

@@ -137,8 +137,10 @@ pub fn findings(
     let rings = rings(quality, time_step, automatic);
     let squeezed = quality.films.and_then(|own| squeezed(&own, time_step, automatic));
     let heated = quality.films.and_then(|own| heated(&own));
+    let unknown = quality.films.and_then(|own| unknown_viscosity(&own));
     let forgets = quality.states.and_then(|own| missed(&own, time_step, automatic));
-    let of_steps = found.map(finding).chain(unjudged).chain(forgets).chain(squeezed).chain(heated);
+    let of_films = squeezed.into_iter().chain(heated).chain(unknown);
+    let of_steps = found.map(finding).chain(unjudged).chain(forgets).chain(of_films);
     too_far.chain(too_fast).chain(of_steps).chain(rings).chain(often).collect()
 }
 
@@ -201,6 +203,15 @@ fn heated(films: &FilmQuality) -> Option<Finding> {
     let remedy = "cool the film: let more oil pass, through openings with a pressure or ends that are fed, give `housing` in its \
                   [heat], or a lower `share`; or say its `temperature` there";
     let own = beyond("temperature of a film", (value, OIL_LASTS, "K"), remedy.to_owned());
+    Some(Finding { bearing: Some(bearing), ..own })
+}
+
+/// Whether a film is hotter or colder than its viscosity is known.
+fn unknown_viscosity(films: &FilmQuality) -> Option<Finding> {
+    let ([value, limit], bearing) = films.unknown?;
+    let remedy = "give the table of the viscosity rows as far as the film warms up or cools down: beyond its last row it is taken as there";
+    let what = "temperature of a film beyond the rows of its viscosity";
+    let own = beyond(what, (value, limit, "K"), remedy.to_owned());
     Some(Finding { bearing: Some(bearing), ..own })
 }
 

@@ -305,17 +305,18 @@ impl<'m> Balance<'m> {
             }
             self.force[row] = terms.iter().sum();
             let size = |f: fn(f64, f64) -> f64| terms.iter().map(|x| x.abs()).fold(0.0, f);
-            let rounding = f64::EPSILON * (size(|a, b| a + b) + products[row]);
-            // Of rotations nothing is projected.
-            let share = self.shares[row];
-            if share > 0.0 && rounding > GONE * loads * share {
-                self.gone.push(row);
-            }
             let projected = springs * machine.springs.reach[place];
             let projected = projected.max(LEAST_FORCE * self.shares[row]);
             // Of a law without slopes nothing is known.
             let measured =
                 Some(equations.spring_rounding.forces[place]).filter(|own| own.is_finite());
+            let rounding =
+                f64::EPSILON * (size(|a, b| a + b) + products[row] + measured.unwrap_or(0.0));
+            // Of rotations nothing is projected.
+            let share = self.shares[row];
+            if share > 0.0 && rounding > GONE * loads * share {
+                self.gone.push(row);
+            }
             self.bound[row] = OF_TERM * size(f64::max)
                 + OF_FORCE * projected
                 + ROUNDING
