@@ -245,7 +245,7 @@ class Thresholds:
 
     @classmethod
     def _of(cls, table: Table) -> Thresholds:
-        above = table["what"] == "unstable above"
+        above = np.isin(table["what"], ["unstable above", "one more grows above"])
         return cls(table["speed_rpm"], table["frequency_hz"], above, table["whirl"])
 
     def __len__(self) -> int:

@@ -1,5 +1,7 @@
 //! Curves through the rows of a table: straight lines, or monotone cubics with a continuous slope; periodic or not.
 
+use num_complex::Complex64;
+
 use crate::error::Error;
 
 /// Rows of a table, and what lies between them. Beyond the first and the last row a curve stays at their values, unless it
@@ -140,6 +142,48 @@ impl Curve {
             Piece::End(_) => 0.0,
             Piece::Between(row, x) => self.between(row, x)[1],
         }
+    }
+
+    /// The mean over the rows.
+    pub(crate) fn mean(&self) -> f64 {
+        let whole: f64 = (0..self.x.len() - 1)
+            .map(|row| {
+                let width = self.x[row + 1] - self.x[row];
+                let bent = self.slopes.as_ref().map_or(0.0, |own| own[row] - own[row + 1]);
+                width * (0.5 * (self.y[row] + self.y[row + 1]) + width * bent / 12.0)
+            })
+            .sum();
+        whole / (self.x[self.x.len() - 1] - self.x[0])
+    }
+
+    /// (1/P) ∫ y e^{−iωx} dx over the period P, of which ω > 0 is a multiple: exact. By parts what is left of it are the jumps of the
+    /// derivatives at the rows, each over a power of iω.
+    pub(crate) fn harmonic(&self, omega: f64) -> Complex64 {
+        let last = self.x.len() - 1;
+        let by = Complex64::new(0.0, omega).inv();
+        let mut sum = Complex64::ZERO;
+        for row in 0..last {
+            // The first row is the last one, a period later.
+            let before = self.derivatives(if row == 0 { last } else { row } - 1)[1];
+            let behind = self.derivatives(row)[0];
+            let mut jumps = Complex64::ZERO;
+            for order in (0..3).rev() {
+                jumps = (jumps + (behind[order] - before[order])) * by;
+            }
+            sum += jumps * by * Complex64::from_polar(1.0, -omega * self.x[row]);
+        }
+        sum / (self.x[last] - self.x[0])
+    }
+
+    /// First, second and third derivative of the piece behind a row, at both of its ends.
+    fn derivatives(&self, row: usize) -> [[f64; 3]; 2] {
+        let width = self.x[row + 1] - self.x[row];
+        let secant = (self.y[row + 1] - self.y[row]) / width;
+        let Some(slopes) = &self.slopes else { return [[secant, 0.0, 0.0]; 2] };
+        let (m0, m1) = (slopes[row], slopes[row + 1]);
+        let b = (3.0 * secant - 2.0 * m0 - m1) / width;
+        let c = (m0 + m1 - 2.0 * secant) / (width * width);
+        [[m0, 2.0 * b, 6.0 * c], [m1, 2.0 * b + 6.0 * c * width, 6.0 * c]]
     }
 
     fn piece(&self, x: f64) -> Piece {

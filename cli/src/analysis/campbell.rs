@@ -174,7 +174,7 @@ fn criticals(all: &Campbell, ways: &Ways) -> String {
         add("critical speed", order, own.speed, Some(own.branch), Some((&own.mode, *way)));
     }
     for (own, way) in all.thresholds.iter().zip(&ways.thresholds) {
-        let what = if own.grows { "unstable above" } else { "stable above" };
+        let what = words::threshold(own);
         add(what, String::new(), own.speed, own.branch, own.mode.as_ref().zip(*way));
     }
     text

@@ -54,7 +54,7 @@ pub(super) fn found(
     let mut text = format!("{}: {}\n", case.name, case.title);
     let _ = writeln!(
         text,
-        "undamped critical speeds of {body} (rpm), all joints springs of one stiffness along x and y; f forward, b backward, a axial, t torsional\n"
+        "undamped critical speeds of {body} (rpm), all joints springs of one stiffness along x and y; f forward, b backward, - along a line, a axial, t torsional\n"
     );
     text.push_str(&shown(&all));
     let mut facts = Facts::default();
@@ -106,7 +106,7 @@ fn shown(all: &[(f64, Vec<Undamped>)]) -> String {
                 (_, Way::Torsional) => " t",
                 ("forward", _) => " f",
                 ("backward", _) => " b",
-                _ => "",
+                _ => " -",
             };
             words::speed(own.speed()) + sense
         };

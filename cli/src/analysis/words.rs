@@ -3,7 +3,9 @@
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
-use whirl_solver::linear::{Campbell, Doubt, Growing, LinearMachine, Mode, Modes, Way, Whirl};
+use whirl_solver::linear::{
+    Campbell, Doubt, Growing, LinearMachine, Mode, Modes, Threshold, Way, Whirl,
+};
 use whirl_text::{as_given, rounded, shown};
 
 use crate::case::Case;
@@ -172,7 +174,12 @@ pub(super) fn thresholds(linear: &LinearMachine, all: &Campbell) -> String {
         };
         let _ = writeln!(text, "{what} above {} rpm: {how}", speed(own.speed));
     }
-    let fastest = all.growing.iter().flatten().max_by(|a, b| a.value.re.total_cmp(&b.value.re));
+    let grow = all.growing.iter().zip(&all.speeds);
+    let grow = grow.filter_map(|(own, speed)| Some((own.as_ref()?, *speed)));
+    let fastest = grow.max_by(|a, b| a.0.value.re.total_cmp(&b.0.value.re));
+    let fastest = fastest.map_or(String::new(), |(own, at)| {
+        format!("at {} rpm {}", speed(at), growing(linear, own))
+    });
     match all.growing.iter().flatten().count() {
         0 if !all.thresholds.is_empty() => {}
         0 if all.interrupted => {
@@ -183,14 +190,12 @@ pub(super) fn thresholds(linear: &LinearMachine, all: &Campbell) -> String {
         0 if all.lost.is_empty() => text.push_str("stable at all these speeds\n"),
         0 => text.push_str("stable at the speeds of the range at which it stands\n"),
         some if some == all.speeds.len() => {
-            let fastest = fastest.map_or(String::new(), |own| growing(linear, own));
             text.insert_str(0, &format!("UNSTABLE at all these speeds: {fastest}\n"));
         }
         _ if all.interrupted => {
             text.push_str("interrupted: thresholds between these speeds may be missing\n");
         }
         some if all.thresholds.is_empty() => {
-            let fastest = fastest.map_or(String::new(), |own| growing(linear, own));
             let of = all.speeds.len();
             let _ = writeln!(text, "UNSTABLE at {some} of these {of} speeds: {fastest}");
         }
@@ -203,11 +208,21 @@ pub(super) fn thresholds(linear: &LinearMachine, all: &Campbell) -> String {
     text
 }
 
+/// What a threshold is, as files say it.
+pub(super) fn threshold(own: &Threshold) -> &'static str {
+    match (own.grows, own.others) {
+        (true, false) => "unstable above",
+        (false, false) => "stable above",
+        (true, true) => "one more grows above",
+        (false, true) => "one less grows above",
+    }
+}
+
 /// The same as rows of a file.
 pub(super) fn thresholds_file(all: &Campbell) -> String {
     let mut text = String::from("what,speed_rpm,frequency_hz,whirl\n");
     for own in &all.thresholds {
-        let what = if own.grows { "unstable above" } else { "stable above" };
+        let what = threshold(own);
         let how = match (&own.mode, &own.other) {
             (Some(mode), _) => format!("{},{}", mode.hertz(), whirl(mode, own.speed)),
             (None, Some(other)) if other.value.im > 0.0 => format!("{},", other.value.im / TAU),

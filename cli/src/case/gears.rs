@@ -74,7 +74,8 @@ impl Gears {
         };
         let alpha = self.pressure_angle;
         match self.backlash {
-            true => vec![flank(alpha, 1.0), flank(-alpha, -1.0)],
+            // Both flanks push, whichever of them the case names.
+            true => vec![flank(alpha.abs(), 1.0), flank(-alpha.abs(), -1.0)],
             false => vec![flank(alpha, 1.0)],
         }
     }
@@ -134,9 +135,16 @@ mod tests {
         for (sizes, internal, outwards) in
             [([20.0, 30.0], false, 1.0), ([20.0, 60.0], true, -1.0), ([60.0, 20.0], true, -1.0)]
         {
-            for flank in gears(sizes, internal).flanks([0.1, 0.0]) {
-                let expected = outwards * 20_f64.to_radians().sin();
-                assert!((flank.direction.cos() - expected).abs() < 1e-15, "{sizes:?} {flank:?}");
+            for sign in [1.0, -1.0] {
+                let alpha = sign * 20_f64.to_radians();
+                let own = Gears { pressure_angle: alpha, ..gears(sizes, internal) };
+                for flank in own.flanks([0.1, 0.0]) {
+                    let expected = outwards * alpha.abs().sin();
+                    assert!(
+                        (flank.direction.cos() - expected).abs() < 1e-15,
+                        "{sizes:?} {flank:?}"
+                    );
+                }
             }
         }
     }

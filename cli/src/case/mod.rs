@@ -61,6 +61,7 @@ pub(crate) use cycle::TWO_REVOLUTIONS;
 pub(crate) use dimensions::Dimensions;
 pub(crate) use embedded::{embedded_case, embedded_cases};
 pub(crate) use fields::Fields;
+pub(crate) use gears::Gears;
 pub(crate) use gravity::Gravity;
 pub(crate) use ground::GroundMotion;
 pub(crate) use joined::axes_apart;

@@ -8,7 +8,7 @@ function drawn(parent, figures) {
     figure.shown = true;
     const frame = add(grid, 'figure', undefined, { class: 'drawing' });
     add(frame, 'img', undefined, { src: `data:image/svg+xml;base64,${figure.base64}`, alt: figure.title });
-    add(frame, 'figcaption', figure.name, { class: 'soft' });
+    add(frame, 'figcaption', `${figure.title.replace(`${about.name}: `, '')} (${figure.name})`, { class: 'soft' });
   }
 }
 
@@ -84,7 +84,9 @@ const CHARTED = {
     const letter = (row) => ({ axial: 'A', torsional: 'T' })[row.motion] || { forward: 'F', backward: 'B' }[row.whirl] || '';
     const letters = [['F', 'forward'], ['B', 'backward'], ['T', 'torsional'], ['A', 'axial']].filter(([one]) => critical.some((row) => letter(row) === one)).map((one) => one.join(' ')).join(', ');
     const thresholds = (tables.get(`${name}.critical.csv`)?.rows || []).filter((row) => row.what !== 'critical speed').map((row) => ({ x: row.speed_rpm, name: `${row.what} ${shown(row.speed_rpm, 5)}` }));
-    const note = `${[['forward', 'solid: forward whirl'], ['backward', 'dashed: backward'], ['-', 'dotted: neither']].filter(([kind]) => kinds.includes(kind)).map(([, words]) => words).join(', ')}${letters ? `; ${letters}` : ''}${above ? `; ${above} more ${above === 1 ? 'mode' : 'modes'} above` : ''}`;
+    const grows = (rpm) => rows.some((row) => row.speed_rpm === rpm && row.log_decrement < -1e-6);
+    const always = speeds.every(grows) ? 'UNSTABLE at all these speeds; ' : '';
+    const note = `${always}${[['forward', 'solid: forward whirl'], ['backward', 'dashed: backward'], ['-', 'dotted: neither']].filter(([kind]) => kinds.includes(kind)).map(([, words]) => words).join(', ')}${letters ? `; ${letters}` : ''}${above ? `; ${above} more ${above === 1 ? 'mode' : 'modes'} above` : ''}`;
     new Chart(host, {
       id: `campbell-${slug(name)}`, title: 'Natural frequencies', zero: true, sync: `speed ${name}`, x, y: { label: 'frequency', unit: 'Hz' },
       series: [...modes.map(([branch, own], k) => whirled(own, 'frequency_hz', `mode ${branch}`, k % 6)), ...across], note,
@@ -93,7 +95,7 @@ const CHARTED = {
     });
     new Chart(host, {
       id: `decrement-${slug(name)}`, title: 'Damping: unstable below zero', sync: `speed ${name}`, x, y: { label: 'log decrement', unit: '1' }, levels: [{ y: 0, name: '', framed: true }], marks: thresholds,
-      series: modes.map(([branch, own], k) => whirled(own, 'log_decrement', `mode ${branch}`, k % 6)),
+      series: modes.map(([branch, own], k) => whirled(own, 'log_decrement', `mode ${branch}`, k % 6)), note: always.replace('; ', ''),
     });
     return [`${name}.svg`];
   },
@@ -185,13 +187,17 @@ Object.assign(CHARTED, {
     const ends = [Math.min(...speeds), Math.max(...speeds)];
     const excited = [...grouped(met, 'excitation')].map(([called, [{ order }]]) => ({ called, order }));
     const reach = 1.05 * Math.max(0, ...excited.map(({ order }) => (order * ends[1]) / 60));
-    const modes = [...grouped(rows, 'mode')].filter(([, own], k) => k < 3 || Math.min(...own.map((row) => row.frequency_hz)) <= reach);
+    const all = [...grouped(rows, 'mode')];
+    const modes = all.filter(([, own], k) => k < 3 || Math.min(...own.map((row) => row.frequency_hz)) <= reach);
     const top = 1.1 * Math.max(...modes.flatMap(([, own]) => own.map((row) => row.frequency_hz)));
-    const across = excited.map(({ called, order }, k) => { const x = [ends[0], Math.min(ends[1], (60 * top) / order)]; return { name: called, x, y: x.map((rpm) => (order * Math.abs(rpm)) / 60), style: 1 + (k % 5), dash: ['2 3', '7 3', '9 3 2 3', '1 4'][k % 4] }; }).filter((own) => own.x[1] > own.x[0]);
+    const across = excited.map(({ called, order }, k) => { const x = [ends[0], Math.min(ends[1], (60 * top) / order)]; return { name: called, x, y: x.map((rpm) => (order * Math.abs(rpm)) / 60), style: 6, dash: ['2 3', '7 3', '9 3 2 3', '1 4', '12 4'][k % 5] }; }).filter((own) => own.x[1] > own.x[0]);
     const critical = met.filter((row) => row.what === 'critical speed');
+    // The speeds of operation, as the words have them.
+    const said = (analyses.analyses.find((own) => own.name === name)?.text || '').match(/in operation ([\d.]+)(?: to ([\d.]+))? rpm/);
+    const band = said ? [...new Set([said[1], said[2] ?? said[1]].map(Number))].map((x) => ({ x, name: 'operation' })) : [];
     new Chart(host, {
       id: `torsion-${slug(name)}`, title: 'Interference diagram', zero: true, x: { label: 'speed', unit: 'rpm' }, y: { label: 'frequency', unit: 'Hz' },
-      series: [...modes.map(([mode, own]) => line(own, 'speed_rpm', 'frequency_hz', `mode ${mode}`, { style: 0, dash: '' })), ...across],
+      series: [...modes.map(([mode, own], k) => line(own, 'speed_rpm', 'frequency_hz', `mode ${mode}`, { style: k % 6, dash: '' })), ...across], marks: band, note: all.length > modes.length ? `${all.length - modes.length} more ${all.length - modes.length === 1 ? 'mode' : 'modes'} above all excitations` : '',
       dots: critical.map((row) => ({ x: row.speed_rpm, y: row.frequency_hz, style: 1, name: 'critical speeds of torsion', label: shown(row.speed_rpm, 4) })),
     });
     const shapes = [...grouped(tables.get(`${name}.modes.csv`)?.rows || [], 'mode')].map(([mode, own]) => [mode, own.filter((row) => typeof row.twist === 'number')]).filter(([, own]) => own.length > 1).slice(0, 6);
@@ -249,10 +255,14 @@ function swept() {
   });
 }
 
+// Lines that tell what an analysis comes to, and among them what must not be missed.
+const DANGER = /^UNSTABLE|NOT STABLE|^DOES NOT PASS|too large for a linear/;
+const FOUND = /^stable |^a further motion|^one motion stops|^no critical speed|critically damped|joints are linear, within|^all modes are|^in operation|amplitudes are not computed|^PASSES/;
+
 // Lines as the terminal has them; notes, which are sentences, wrap.
 function worded(parent, lines) {
   let [kept, note] = [[], false];
-  const flush = () => { if (kept.some((line) => line.trim())) add(parent, note ? 'p' : 'pre', kept.join('\n').trimEnd(), note ? { class: 'note' } : {}); kept = []; };
+  const flush = () => { if (kept.some((line) => line.trim())) add(parent, note ? 'p' : 'pre', kept.join('\n').trimEnd(), note ? { class: kept.some((line) => DANGER.test(line)) ? 'note loud' : 'note' } : {}); kept = []; };
   for (const line of lines) {
     const is = line.startsWith('note: ');
     if (is || note !== is) flush();
@@ -273,10 +283,10 @@ function analysed() {
     while (lines.length && !lines[0].trim()) lines.shift();
     const chaptered = kind === 'lateral' && lateral(own, name, tables, lines);
     for (const figure of data.figures) if (chaptered && figure.name === `${name}.svg`) figure.shown = true;
-    const folds = lines.length > 24 || chaptered;
+    const folds = lines.length > (kind === 'torsion' ? 60 : 24) || chaptered;
     if (!folds) worded(own, lines);
     // What must not be missed, however long the rest is.
-    const loud = lines.filter((words) => /UNSTABLE|NOT STABLE|becomes unstable|too large for a linear|critically damped|joints are linear, within/.test(words));
+    const loud = lines.filter((words) => DANGER.test(words) || FOUND.test(words));
     if (folds && !chaptered && loud.length) { worded(own, loud.slice(0, 6)); if (loud.length > 6) add(own, 'p', `${loud.length - 6} more of these lines are in the words below.`, { class: 'soft' }); }
     const grid = add(own, 'div', undefined, { class: 'grid' });
     const replaced = CHARTED[kind]?.(grid, name, tables) || [];

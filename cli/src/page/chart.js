@@ -34,9 +34,14 @@ function ticks(from, to, count, unit) {
   // Angles that people know.
   const known = unit === '°' && rough > 20 && rough <= 360 ? [30, 45, 90, 180, 360].find((k) => k >= rough * 0.999) : 0;
   const step = known || power * [1, 2, 5, 10].find((k) => k * power >= rough * 0.999);
-  const all = [];
-  for (let k = Math.ceil(from / step - 1e-9); k * step <= to + 1e-9 * step; k++) all.push(Number((k * step).toPrecision(12)));
-  return all;
+  const at = (own) => {
+    const all = [];
+    for (let k = Math.ceil(from / own - 1e-9); k * own <= to + 1e-9 * own; k++) all.push(Number((k * own).toPrecision(12)));
+    return all;
+  };
+  // One or two say little of a scale.
+  const few = at(step);
+  return few.length > 2 || known ? few : at(step / (step === 2 * power ? 2 : 2.5));
 }
 
 const DASHES = ['', '7 3', '3 2', '9 3 2 3', '1.5 2.5', '12 4', ''];
@@ -50,6 +55,8 @@ class Chart {
     Object.assign(this, { spec, view: null, cursor: null, hidden: new Set() });
     this.figure = document.createElement('figure');
     this.figure.className = 'chart';
+    // Joints and outputs may have one name.
+    while (document.getElementById(spec.id)) spec.id += '-too';
     this.figure.id = spec.id;
     this.figure.tabIndex = 0;
     this.figure.setAttribute('role', 'group');
@@ -174,7 +181,7 @@ class Chart {
     }
     for (const tick of ticks(v.y0 * ay.factor, v.y1 * ay.factor, inner.height / 42, ay.unit)) {
       const y = py(tick / ay.factor).toFixed(1);
-      out.push(`<line class="grid-line" x1="${inner.left}" x2="${right}" y1="${y}" y2="${y}"/><text x="${inner.left - 6}" y="${Number(y) + 4}" text-anchor="end">${shown(tick)}</text>`);
+      out.push(`<line class="grid-line" x1="${inner.left}" x2="${right}" y1="${y}" y2="${y}"/><text x="${inner.left - 6}" y="${Number(y) + 4}" text-anchor="end">${Math.abs(tick) >= 1e5 ? shown(tick / 10 ** Math.floor(Math.log10(Math.abs(tick)))) + 'e' + Math.floor(Math.log10(Math.abs(tick))) : shown(tick)}</text>`);
     }
     if (spec.map) this.drawMap(out, clip);
     out.push(`<rect class="frame" x="${inner.left}" y="${inner.top}" width="${inner.width}" height="${inner.height}"/>`);
@@ -209,21 +216,22 @@ class Chart {
       for (const piece of own.pieces || [{ ...own, dash }]) out.push(`<path class="line ${own.className || `s${style}`}" ${piece.dash ? `stroke-dasharray="${piece.dash}"` : ''} d="${own.path ? this.path(own) : this.line(piece, v, inner)}"/>`);
       if (own.arrows) for (const at of own.arrows) out.push(this.arrow(own, at, style));
     });
-    const [labels, over] = [[], []];
+    const [labels, dots] = [[], []];
+    const placed = (spec.dots || []).map((own) => [px(own.x), py(own.y)]);
     for (const own of spec.dots || []) {
       const [x, y] = [px(own.x), py(own.y)];
-      out.push(`<circle class="f${own.style ?? 1}" cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="3.6"/>`);
+      dots.push(`<circle class="f${own.style ?? 1}" cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="3.6"/>`);
       if (!own.label) continue;
       // Beside its dot where no other label is.
       const wide = 6.4 * own.label.length;
       const spots = [[6, -5], [6, 13], [-6 - wide, -5], [-6 - wide, 13], [6, -18], [-6 - wide, -18], [6, 26], [-6 - wide, 26]].map(([dx, dy]) => [x + dx, y + dy]);
-      const fits = ([a, b]) => a > inner.left && a + wide < right && b > inner.top + 9 && b < bottom && labels.every((other) => a > other[0] + other[2] || a + wide < other[0] || Math.abs(b - other[1]) > 12);
+      const fits = ([a, b]) => a > inner.left && a + wide < right && b > inner.top + 9 && b < bottom && labels.every((other) => a > other[0] + other[2] || a + wide < other[0] || Math.abs(b - other[1]) > 12) && placed.every(([dx, dy]) => dx < a - 3 || dx > a + wide + 3 || dy < b - 12 || dy > b + 5);
       const spot = spots.find(fits);
       if (!spot) continue;
       labels.push([...spot, wide]);
-      over.push(`<text class="label" x="${spot[0].toFixed(1)}" y="${spot[1].toFixed(1)}">${escaped(own.label)}</text>`);
+      out.push(`<text class="label" x="${spot[0].toFixed(1)}" y="${spot[1].toFixed(1)}">${escaped(own.label)}</text>`);
     }
-    out.push(...over);
+    out.push(...dots);
     out.push('<g class="over"></g></g>');
     this.svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
     this.svg.innerHTML = out.join('');

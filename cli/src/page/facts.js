@@ -16,8 +16,15 @@ function head() {
       add(list, 'li', `${own.what}: ${amount(own.value)}, limit ${amount(own.limit)}. Remedy: ${own.remedy}`);
     }
   }
+  const found = analysesFound();
+  if (found.length) { const other = add(page, 'div', undefined, { class: 'verdict bad', id: 'found' }); add(other, 'strong', 'What the analyses found'); const list = add(other, 'ul'); for (const words of found) add(list, 'li', words); }
   if (summary.error) add(box, 'p', `The run ended early: ${summary.error}.`);
   facts();
+}
+
+// What analyses found that must not be missed, a line each.
+function analysesFound() {
+  return (analyses?.analyses || []).flatMap(({ name, text }) => text.split('\n').filter((line) => DANGER.test(line)).slice(0, 2).map((line) => `${name}: ${line.replace(/^note: /, '')}`));
 }
 
 // What is asked first.
@@ -34,7 +41,8 @@ function facts() {
   const { march, time } = summary;
   fact('simulated', `${shown(time.simulated_s, 4)} s`, `${march.steps}${march.complete ? '' : ` of ${march.steps_asked}`} steps in ${shown(time.march_wall_s, 3)} s`);
   const [first, ...rest] = about.steady.split(/[:,] /);
-  fact('steady state', first, rest.join(', '));
+  // A run-up is not meant to come to rest.
+  if (!run?.tracked.length) fact('steady state', first, rest.join(', '));
   if (!run) return;
   const largest = (names, of) => names.map((name) => [name, of(name)]).reduce((best, own) => (own[1] > best[1] ? own : best), ['', -Infinity]);
   if (run.ratios.length) {
@@ -49,7 +57,9 @@ function facts() {
   }
   const top = strongest();
   if (top) fact('strongest motion', top.words, () => `${top.title}: ${shown(top.amplitude * Units.of(top.unit)[1] * Amplitudes.factor, 3)} ${Units.of(top.unit)[0]} ${Amplitudes.words} at ${shown(top.hertz, 4)} Hz`);
-  const orders = (summary.orders?.signals || []).filter((own) => own.signal.endsWith('_um'));
+  // Not what cannot be told from another body, nor what is nothing beside the rest.
+  const matters = (own) => { const [least, most] = extremes(own.signal); return own['1X'].amplitude > 0.05 * (most - least); };
+  const orders = run.tracked.length ? [] : (summary.orders?.signals || []).filter((own) => own.signal.endsWith('_um') && !own.mixed_with?.length && columns.has(own.signal) && matters(own));
   const last = Math.max(...orders.map((own) => own['1X'].amplitude), 0);
   // Over a run-up the last revolutions are half a window behind the last point.
   const passed = [largestOrder()].find((own) => own && own.amplitude >= last);

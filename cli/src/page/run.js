@@ -157,7 +157,7 @@ function tracked() {
   const own = part('orders', 'Orders over speed');
   for (const all of run.tracked) {
     const n = all.revolutions;
-    add(own, 'p', `Amplitudes and phases of x = A cos(nθ + φ), tracked by the angle: each point is a fit over ${shown(n)} revolutions with the weights of a Hann window. It tells an order from what differs from it by ${shown(2 / n, 3)} orders or more; nearer than that, both are in one. Overall is half of largest less least value in the same revolutions, of the direction in which it is larger: where it is far above 1X, something else moves: the largest part between ${shown(2 / n, 2)} and ${shown(1 - 2 / n, 2)} times the speed is shown with its order where it matters${run.tracked.length > 1 || new Set(about.signals.map((one) => one.angle)).size > 1 ? ', without once and twice the speeds of other bodies' : ''}. Curves begin and end half of ${shown(n)} revolutions inside the run.`, { class: 'soft' });
+    add(own, 'p', `Amplitudes and phases of x = A cos(nθ + φ), tracked by the angle: each point is a fit over ${shown(n)} revolutions with the weights of a Hann window. It tells an order from what differs from it by ${shown(2 / n, 3)} orders or more; nearer than that, both are in one. Overall is half of largest less least value in the same revolutions, of the direction in which it is larger: where it is far above 1X, something else moves${2 / n < 0.45 ? `: the largest part between ${shown(2 / n, 2)} and ${shown(1 - 2 / n, 2)} times the speed is shown with its order where it matters${run.tracked.length > 1 || new Set(about.signals.map((one) => one.angle)).size > 1 ? ', without once and twice the speeds of other bodies' : ''}` : ', and its spectra tell what'}. Curves begin and end half of ${shown(n)} revolutions inside the run.`, { class: 'soft' });
     const { turn, x } = overSpeed(all);
     const grid = add(own, 'div', undefined, { class: 'grid' });
     for (const whole of about.signals) {
@@ -178,7 +178,8 @@ function tracked() {
       });
       new Chart(grid, {
         id: `phase-${id}`, title: `${title}, phase of 1X`, sync: 'orders', x: axis, y: { label: 'phase', unit: '°' },
-        series: own.map(([axis, signal], k) => draw(unwrapped(turn(numbers(signal.first_phase_deg))), `1X ${axis}`, k)),
+        // What hardly moves has a phase by chance.
+        series: own.map(([axis, signal], k) => { const first = numbers(signal.first); const most = first.reduce((a, b) => Math.max(a, b), 0); return draw(unwrapped(turn(Float32Array.from(numbers(signal.first_phase_deg), (phase, place) => (first[place] > 0.02 * most ? phase : NaN)))), `1X ${axis}`, k); }),
       });
       if (slow) new Chart(grid, {
         id: `below-${id}`, title: `${title}, order of the largest part below 1X`, sync: 'orders', x: axis, y: { label: 'order', unit: '1' }, note: 'where it is more than a fifth of overall',
@@ -256,7 +257,7 @@ function energy() {
   const list = add(own, 'ul', undefined, { class: 'plain' });
   const step = march.time_step_s ? `time step ${shown(march.time_step_s)} s` : `steps of ${shown(march.automatic.shortest_step_s, 3)} to ${shown(march.automatic.longest_step_s, 3)} s, chosen by the program`;
   add(list, 'li', `${march.integrator}, ${step}; ${march.steps} steps, ${march.iterations} iterations, ${march.factorisations} factorisations`);
-  add(list, 'li', `${counts.active} unknowns, ${counts.springs} springs`);
+  add(list, 'li', `${counts.active} unknowns, ${counts.springs} ${counts.springs === 1 ? 'spring' : 'springs'}`);
   add(list, 'li', `${shown(time.total_wall_s, 3)} s in all, of which time integration took ${shown(time.march_wall_s, 3)} s and the reduction of the bodies ${shown(time.reduction_wall_s, 3)} s${time.reduction_cached ? ' (from the cache)' : ''}`);
   const more = add(own, 'details');
   add(more, 'summary', 'Measures behind the verdict');

@@ -96,6 +96,13 @@ pub enum Doubt {
         /// Whether its journal has a run-out.
         runs_out: bool,
     },
+    /// A bore that turns and is off its axis, which stands in the state.
+    TurningOffset {
+        /// The joint, and the body of its bore.
+        joint: String,
+        /// See `joint`.
+        body: String,
+    },
     /// A load that varies, and how it counts.
     Load {
         /// Its name.
@@ -213,12 +220,23 @@ impl fmt::Display for Doubt {
                     if *runs_out { "run-out and the unbalance" } else { "unbalance" }
                 )
             }
+            Doubt::TurningOffset { joint, body } => write!(
+                f,
+                "the `offset` of the bore of {joint} turns with {body}, but the state is found with it as it stands at angle 0: mean \
+                 positions and forces of joints are not those of the machine. Give it as `run_out` of the other side, or run the case in \
+                 time (`whirl run`)"
+            ),
             Doubt::Load { load, counted } => match counted {
                 Counted::AtStart => write!(f, "{load} varies in time: its value at t = 0 is used"),
                 Counted::InFull => write!(f, "{load} is used in full, as at the end of its ramp"),
                 Counted::OfTwoAngles => write!(
                     f,
                     "{load} is left out: it is fixed in a body that turns and goes by the angle of another one, so that it has orders of neither. Run it in time (`whirl run`)"
+                ),
+                Counted::BetweenOrders(order) => write!(
+                    f,
+                    "{load} is left out but for its mean: orders are told by halves, and it has the order {}. Run it in time (`whirl run`)",
+                    rounded(*order, 6)
                 ),
                 Counted::Later(from) => {
                     write!(f, "{load} is left out, as it starts only at {} s", rounded(*from, 4))
@@ -292,6 +310,13 @@ impl LinearMachine {
             if modes != [0; 2] {
                 let joint = self.machine.monitors[joint.joint].name.clone();
                 doubts.push(Doubt::BeyondRows { joint, rows: rows.map(|own| own / TAU), modes });
+            }
+        }
+        for own in self.machine.monitors.iter().filter(|own| own.offset != [0.0; 2]) {
+            let bore = own.bodies[1];
+            if self.machine.places()[bore].rotation.is_some() && at.speeds[bore] != 0.0 {
+                let body = self.machine.bodies[bore].name().to_owned();
+                doubts.push(Doubt::TurningOffset { joint: own.name.clone(), body });
             }
         }
         if equations.frame == 0.0 {

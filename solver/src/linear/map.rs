@@ -11,11 +11,14 @@ use super::modes::Mode;
 use super::round::LinearMachine;
 use super::shapes::{apply, inner};
 use super::torsion::Way;
-use super::track::matched;
+use super::track::{mac, matched};
 use crate::bodies::Body;
 use crate::equations::{Equations, State, Tangents, Weights};
 use crate::error::Error;
 use crate::linalg::{Cholesky, Matrix, congruence, hermitian_eigen};
+
+/// MAC from which on a motion is one of the stiffness before.
+const ALIKE: f64 = 0.2;
 
 /// A speed at which an undamped motion goes round with the rotation.
 #[derive(Debug, Clone, PartialEq)]
@@ -155,7 +158,12 @@ impl LinearMachine {
                 let from: Vec<Mode> = before.iter().map(|own| own.mode.clone()).collect();
                 let to = matched(&machine.mass, &from, &modes).to;
                 for (own, place) in before.iter().zip(to) {
-                    if let Some(place) = place {
+                    // Where one leaves the list as another comes into it, these are two.
+                    let is_one = |place: &usize| {
+                        let moved = apply(&machine.mass, &own.mode.shape);
+                        mac(&moved, &modes[*place].shape) > ALIKE
+                    };
+                    if let Some(place) = place.filter(is_one) {
                         of[place] = Some(own.branch);
                     }
                 }

@@ -14,6 +14,7 @@
 mod along;
 mod applied;
 mod beside;
+mod by_angle;
 mod campbell;
 mod coefficients;
 mod dependent;

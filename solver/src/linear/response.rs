@@ -1,5 +1,6 @@
 //! Response to what turns with a body: unbalance, loads fixed to it or going by its angle.
 
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use num_complex::Complex64;
@@ -10,7 +11,7 @@ use super::modes::Orbit;
 use super::round::LinearMachine;
 use super::standing_loads::mean;
 use crate::bearing::LawStates;
-use crate::equations::{Equations, instant, placed};
+use crate::equations::{Equations, State, instant, placed};
 use crate::error::Error;
 use crate::linalg::dot;
 use crate::loads::Load;
@@ -78,6 +79,26 @@ impl Vibration {
     pub fn is_opposite(&self, other: &Vibration) -> bool {
         let parts = self.amplitudes.iter().zip(&other.amplitudes);
         parts.map(|(own, other)| (own.conj() * other).re).sum::<f64>() < 0.0
+    }
+}
+
+/// Takes loads of equations at a state away, of those that `by` chooses by their places, and adds what stands in their place, if
+/// there is such.
+fn add_loads(
+    (state, released): (&State, &[bool]),
+    equations: &mut Equations,
+    by: &dyn Fn(usize, &Load) -> Option<Option<Load>>,
+) {
+    let machine = equations.machine;
+    let now = instant(machine, 0.0, state);
+    for (number, (load, released)) in machine.loads.iter().zip(released).enumerate() {
+        let Some(other) = by(number, load) else { continue };
+        let (place, position) = placed(machine, load, &state.q);
+        for (sign, own) in [(-1.0, Some(load)), (1.0, other.as_ref())] {
+            let Some(own) = own else { continue };
+            let strength = (&own.action.amplitude(), sign * own.factor(&now, *released));
+            own.add_force(strength, &position, &state.q, place, &mut equations.load);
+        }
     }
 }
 
@@ -177,9 +198,14 @@ impl LinearMachine {
         };
         let stands_at = self.stands_at(at, body);
         let laws = &at.found.state.laws;
+        let goes_by = |load: usize| self.goes_by(load, &turns);
         let mut sample = |angle: f64| -> [Vec<f64>; 2] {
             let on = |other: usize| if turns(other) { angle - stands_at } else { 0.0 };
-            equations.evaluate(0.0, &self.turned_on(at, &on));
+            let state = self.turned_on(at, &on);
+            equations.evaluate(0.0, &state);
+            // Loads that go by the angle come by their own orders.
+            let by = |load: usize, _: &Load| goes_by(load).is_some().then_some(None);
+            add_loads((&state, &released), &mut equations, &by);
             let mut own = self.residual(&equations, &kept);
             in_space(&mut own, &on);
             [own, state_rates(&equations, laws)]
@@ -198,16 +224,18 @@ impl LinearMachine {
         let mut standing = Equations::new(own_standing.as_ref().unwrap_or(&self.machine));
         standing.release(&at.found.released);
         standing.evaluate(0.0, &at.found.state);
-        self.add_loads((at, &released), &mut standing, &|load| {
-            load.turns_with_its_body().then_some(None)
+        let state = &at.found.state;
+        add_loads((state, &released), &mut standing, &|place, load| {
+            (load.turns_with_its_body() || goes_by(place).is_some()).then_some(None)
         });
         // What turns with other bodies stands in the samples, and is theirs.
         let mut others = Equations::new(own_others.as_ref().unwrap_or(&self.loaded));
         others.release(&at.found.released);
         others.evaluate(0.0, &at.found.state);
         // Of loads in space that go by the angle the mean stands, and is no part of the response.
-        self.add_loads((at, &released), &mut others, &|load| {
-            load.time_function.follows().is_some_and(turns).then(|| Some(mean(load)))
+        add_loads((state, &released), &mut others, &|place, load| {
+            let follows = load.time_function.follows().is_some_and(turns);
+            follows.then(|| goes_by(place).is_none().then(|| mean(load)))
         });
         let mut still = self.residual(&others, &kept);
         let alone = self.residual(&standing, &kept);
@@ -250,34 +278,24 @@ impl LinearMachine {
             .iter()
             .chain(&equations.load)
             .fold(0.0, |most: f64, own| most.max(own.abs()));
-        let all: Vec<(i32, Vec<Complex64>)> =
+        let mut all: BTreeMap<i32, Vec<Complex64>> =
             (0..SAMPLES / 2).map(|order| (order as i32, part(order))).collect();
-        let size = |own: &[Complex64]| own.iter().map(|own| own.norm()).fold(0.0, f64::max);
-        let most = all.iter().map(|own| size(&own.1)).fold(0.0, f64::max);
-        let bound = (NOTHING * most).max(ROUNDING * scale);
-        all.into_iter().filter(|own| size(&own.1) > bound).collect()
-    }
-
-    /// Takes loads of equations at a state away, of those that `by` chooses, and adds what stands in their place, if there is
-    /// such.
-    fn add_loads(
-        &self,
-        (at, released): (&Standstill, &[bool]),
-        equations: &mut Equations,
-        by: &dyn Fn(&Load) -> Option<Option<Load>>,
-    ) {
-        let machine = equations.machine;
-        let q = &at.found.state.q;
-        let now = instant(machine, 0.0, &at.found.state);
-        for (load, released) in machine.loads.iter().zip(released) {
-            let Some(other) = by(load) else { continue };
-            let (place, position) = placed(machine, load, q);
-            for (sign, own) in [(-1.0, Some(load)), (1.0, other.as_ref())] {
-                let Some(own) = own else { continue };
-                let strength = (&own.action.amplitude(), sign * own.factor(&now, *released));
-                own.add_force(strength, &position, q, place, &mut equations.load);
+        for (place, load) in self.loaded.loads.iter().enumerate() {
+            let Some(harmonics) = goes_by(place) else { continue };
+            let own = (load, harmonics);
+            // The mean of what stands in space stands, and is no part of the response.
+            let stands = !load.turns_with_its_body();
+            let orders = self.by_orders_of(at, own, (body, stands_at), released[place]);
+            for (order, force) in orders.into_iter().filter(|own| own.0 != 0 || !stands) {
+                let nothing = || vec![Complex64::ZERO; force.len()];
+                let sum = all.entry(order).or_insert_with(nothing).iter_mut();
+                sum.zip(&force).for_each(|(sum, own)| *sum += own);
             }
         }
+        let size = |own: &[Complex64]| own.iter().map(|own| own.norm()).fold(0.0, f64::max);
+        let most = all.values().map(|own| size(own)).fold(0.0, f64::max);
+        let bound = (NOTHING * most).max(ROUNDING * scale);
+        all.into_iter().filter(|own| size(&own.1) > bound).collect()
     }
 
     /// The residual at places of q, without what ties rotations to each other: a body that is turned alone would wind it up, and in

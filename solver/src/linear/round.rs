@@ -4,6 +4,7 @@ use std::num::NonZero;
 use std::ops::Range;
 use std::thread;
 
+use super::by_angle::{Harmonics, harmonics};
 use super::rigid::rounding;
 use super::standing_loads::{Counted, begun, counted, is_of_two_angles, mean, nothing, spins_with};
 use crate::bearing::Plane;
@@ -34,6 +35,8 @@ pub struct LinearMachine {
     pub(super) roundness: Vec<Option<Roundness>>,
     /// Loads that vary, by their names, with how they count.
     pub(super) counted: Vec<(String, Counted)>,
+    /// By load its orders, if it goes by the angle of a body.
+    pub(super) by_angle: Vec<Option<Harmonics>>,
     /// Whether all bodies that turn freely swing about their speed, known or not.
     pub(super) all_swing: bool,
     /// The largest ω² that rounding gives rigid motions of a body ((rad/s)²).
@@ -73,6 +76,11 @@ impl LinearMachine {
             if is_of_two_angles(load) && turning[load.body] {
                 all_counted.push((name, Counted::OfTwoAngles));
                 *load = nothing(load);
+                continue;
+            }
+            if let Err(order) = harmonics(load) {
+                all_counted.push((name, Counted::BetweenOrders(order)));
+                *load = mean(load);
                 continue;
             }
             let own = counted(load).map(|own| (name, own));
@@ -129,6 +137,7 @@ impl LinearMachine {
                 shaft.g0.iter_mut().zip(across).for_each(|(sum, own)| *sum += own);
             }
         }
+        let by_angle = loaded.loads.iter().map(|own| harmonics(own).ok().flatten()).collect();
         for load in &mut machine.loads {
             *load = mean(load);
         }
@@ -152,6 +161,7 @@ impl LinearMachine {
             senses,
             roundness,
             counted: all_counted,
+            by_angle,
             all_swing,
             rounding,
             threads,

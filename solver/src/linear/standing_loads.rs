@@ -3,13 +3,10 @@
 use std::f64::consts::TAU;
 
 use crate::bodies::Rotation;
-use crate::curve::Curve;
 use crate::loads::{Action, Load, Onset, TimeFunction};
 
 /// Share by which two speeds may differ that are one.
 const SAME: f64 = 1e-9;
-/// Samples of a curve over its period.
-const SAMPLES: usize = 1440;
 
 /// How a load that varies counts in a state that stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,6 +19,8 @@ pub enum Counted {
     Later(f64),
     /// Not at all, as it is fixed in one body that turns and goes by the angle of another.
     OfTwoAngles,
+    /// Not at all but for its mean, as it has this order, which is no multiple of half an order.
+    BetweenOrders(f64),
 }
 
 /// How a load counts, if that is to be said.
@@ -77,7 +76,7 @@ pub(super) fn mean(load: &Load) -> Load {
         TimeFunction::Order { order, phase, .. } if *order == 0.0 => phase.sin(),
         TimeFunction::Order { .. } => 0.0,
         TimeFunction::OverAngle { curve, .. } => match curve.period() {
-            Some(period) => average(curve, period),
+            Some(_) => curve.mean(),
             None => return load.clone(),
         },
         _ => return load.clone(),
@@ -96,10 +95,4 @@ fn scaled(action: &Action, factor: f64) -> Action {
         Action::Force { node, force } => Action::Force { node, force: times(force) },
         Action::Couple { turn, couple } => Action::Couple { turn, couple: times(couple) },
     }
-}
-
-/// The mean of a curve over a period (rad).
-fn average(curve: &Curve, period: f64) -> f64 {
-    let at = |k: usize| curve.value(period * k as f64 / SAMPLES as f64);
-    (0..SAMPLES).map(at).sum::<f64>() / SAMPLES as f64
 }

@@ -91,7 +91,12 @@ impl Train<'_> {
             text.push('\n');
             text.push_str(&table(&rows));
         }
-        let pulls = torques.iter().filter(|own| own.force.is_some_and(|force| force < -1e-6));
+        // Without backlash one line of action carries both ways: the one that the sign names pushes for a force of that sign.
+        let pulls = torques.iter().filter(|own| {
+            let gears = self.gears(own);
+            let alpha = gears.filter(|own| !own.backlash).map(|own| own.pressure_angle);
+            alpha.zip(own.force).is_some_and(|(alpha, force)| force * alpha.signum() < -1e-6)
+        });
         for own in pulls {
             let _ = writeln!(
                 text,

@@ -6,7 +6,7 @@ use whirl_solver::linear::{Campbell, Critical, LinearMachine, Mode, Torque, Tors
 
 use super::excitation::Excitation;
 use crate::analysis::facts::Facts;
-use crate::case::Case;
+use crate::case::{Case, Gears};
 
 /// A mode of the train at the speed of operation.
 pub(super) struct Own {
@@ -33,6 +33,11 @@ pub(super) struct Train<'a> {
 impl Train<'_> {
     pub(super) fn joint(&self, own: &Torque) -> &str {
         self.case.machine.joints[own.joint].name.text()
+    }
+
+    /// The gears of a joint, if it has some.
+    pub(super) fn gears(&self, own: &Torque) -> Option<&Gears> {
+        self.case.machine.joints[own.joint].gears.as_ref()
     }
 
     pub(super) fn body(&self) -> &str {

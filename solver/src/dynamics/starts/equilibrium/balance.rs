@@ -25,7 +25,7 @@ const OF_TERM: f64 = 1e-6;
 const OF_FORCE: f64 = 1e-9;
 /// Forces that are not asked for better than to a share of [`OF_FORCE`], where there are none larger (N).
 const LEAST_FORCE: f64 = 1.0;
-/// Rounding of a row over the loads from which on it stands nowhere: its forces cancel only as it has moved far away.
+/// Rounding of a row over the largest force of a spring from which on it stands nowhere: its forces cancel only as it has moved far away.
 const GONE: f64 = 1e-4;
 /// Multiples of eps · Σ |terms| that rounding may leave, where terms are also those of the measures of springs.
 const ROUNDING: f64 = 32.0;
@@ -65,7 +65,7 @@ pub(super) struct Balance<'m> {
     /// f, a row each, and what it may be.
     pub(super) force: Vec<f64>,
     bound: Vec<f64>,
-    /// Rows with forces so large that their rounding comes near the loads.
+    /// Rows with terms so large that their rounding comes near the forces.
     pub(super) gone: Vec<usize>,
     /// What a force anywhere on its body comes to in each row.
     shares: Vec<f64>,
@@ -283,7 +283,6 @@ impl<'m> Balance<'m> {
         let rates = [&self.state.q[..], &self.state.v[..]];
         equations.spring_rounding.take(&machine.springs, &mut equations.springs, rates);
         let equations = &self.equations;
-        let loads = self.load_sizes.iter().fold(LEAST_FORCE, |most, own| most.max(*own));
         self.gone.clear();
         for (row, place) in self.places.clone().into_iter().enumerate() {
             let terms = [
@@ -314,7 +313,7 @@ impl<'m> Balance<'m> {
                 f64::EPSILON * (size(|a, b| a + b) + products[row] + measured.unwrap_or(0.0));
             // Of rotations nothing is projected.
             let share = self.shares[row];
-            if share > 0.0 && rounding > GONE * loads * share {
+            if share > 0.0 && rounding > GONE * springs * share {
                 self.gone.push(row);
             }
             self.bound[row] = OF_TERM * size(f64::max)

@@ -1,0 +1,159 @@
+//! Loads that go by the angle of a body, by orders of its rotation: exact, whatever their orders and however narrow their tables.
+
+use std::f64::consts::TAU;
+
+use num_complex::Complex64;
+
+use super::linearised::Standstill;
+use super::response::HALVES;
+use super::round::LinearMachine;
+use crate::curve::Curve;
+use crate::equations::{instant, placed};
+use crate::loads::{Load, TimeFunction};
+
+/// Share by which a multiple of half an order may be off.
+const WHOLE: f64 = 1e-9;
+/// Orders in halves up to which all of a table count, those beyond it that are larger than a share of its largest, and the last.
+const ALL: i32 = 47;
+const LARGE: f64 = 1e-3;
+const LAST: i32 = 600;
+/// Samples of a turn for the direction of a force that is constant in its own frame, and the orders that it has at most.
+const SAMPLES: usize = 16;
+const TURNED: i32 = 4;
+/// Share of a direction below which a part of it is rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// Complex amplitudes c_k of a factor Re Σ c_k e^{ikθ/2} over the angle, k ≥ 0 in rising order.
+pub(super) type Harmonics = Vec<(i32, Complex64)>;
+
+/// Those of a load that goes by an angle and comes again after two turns; none of other loads. An error where it does not come
+/// again after two turns: the order that it has.
+pub(super) fn harmonics(load: &Load) -> Result<Option<Harmonics>, f64> {
+    match &load.time_function {
+        TimeFunction::Order { order, phase, .. } => {
+            let (k, sign) = (halves(order.abs())?, order.signum());
+            // sin(nθ + φ) = Re(−i e^{iφ} e^{inθ}).
+            let along = -Complex64::i() * Complex64::from_polar(1.0, *phase);
+            Ok(Some(vec![match (k, sign < 0.0) {
+                (0, _) => (0, phase.sin().into()),
+                (_, true) => (k, along.conj()),
+                (_, false) => (k, along),
+            }]))
+        }
+        TimeFunction::OverAngle { curve, .. } => match curve.period() {
+            Some(period) => of_table(curve, halves(TAU / period)?).map(Some),
+            None => Ok(None),
+        },
+        _ => Ok(None),
+    }
+}
+
+/// An order in halves.
+fn halves(order: f64) -> Result<i32, f64> {
+    let halves = HALVES * order;
+    let whole = halves.round();
+    if (halves - whole).abs() > WHOLE * whole.max(1.0) { Err(order) } else { Ok(whole as i32) }
+}
+
+fn of_table(curve: &Curve, first: i32) -> Result<Harmonics, f64> {
+    if first == 0 {
+        return Err(0.5 / HALVES);
+    }
+    let mut all = vec![(0, Complex64::from(curve.mean()))];
+    let (mut largest, mut k) = (0.0_f64, first);
+    while k <= LAST {
+        let own = 2.0 * curve.harmonic(f64::from(k) / HALVES);
+        largest = largest.max(own.norm());
+        if k <= ALL || own.norm() > LARGE * largest {
+            all.push((k, own));
+        }
+        k += first;
+    }
+    Ok(all)
+}
+
+impl LinearMachine {
+    /// The harmonics of a load by its place, if it goes by the angle of a body.
+    pub(super) fn goes_by(
+        &self,
+        load: usize,
+        bodies: &dyn Fn(usize) -> bool,
+    ) -> Option<&Harmonics> {
+        let followed = self.loaded.loads[load].time_function.follows();
+        self.by_angle[load].as_ref().filter(|_| followed.is_some_and(bodies))
+    }
+
+    /// The forces of a load in space, over all that is kept, by orders of a body from whose angle it stands off by so much (rad).
+    pub(super) fn by_orders_of(
+        &self,
+        at: &Standstill,
+        (load, harmonics): (&Load, &Harmonics),
+        (body, stands_at): (usize, f64),
+        released: bool,
+    ) -> Vec<(i32, Vec<Complex64>)> {
+        let kept = self.kept(at);
+        let constant = Load { time_function: TimeFunction::Constant, ..load.clone() };
+        let turns = |other: usize| self.turns_as_one(at, body, other);
+        let turned: Vec<Vec<f64>> = (0..SAMPLES)
+            .map(|k| {
+                let angle = TAU * k as f64 / SAMPLES as f64;
+                let on = |other: usize| if turns(other) { angle - stands_at } else { 0.0 };
+                let state = self.turned_on(at, &on);
+                let now = instant(&self.loaded, 0.0, &state);
+                let (place, position) = placed(&self.loaded, &constant, &state.q);
+                let mut all = vec![0.0; self.loaded.size()];
+                let strength = (&constant.action.amplitude(), constant.factor(&now, released));
+                constant.add_force(strength, &position, &state.q, place, &mut all);
+                let mut own: Vec<f64> = kept.iter().map(|&place| all[place]).collect();
+                for other in self.turning() {
+                    let block = self.block(at.angles.len(), other);
+                    self.force_in_space(at, (other, on(other)), &mut own[block]);
+                }
+                own
+            })
+            .collect();
+        // Two-sided parts of the direction, which turns at most a few times while the body turns once.
+        let part = |order: i32| -> Vec<Complex64> {
+            let mut sum = vec![Complex64::ZERO; kept.len()];
+            for (k, own) in turned.iter().enumerate() {
+                let angle = -TAU * f64::from(order) * k as f64 / SAMPLES as f64;
+                let factor = Complex64::from_polar(1.0 / SAMPLES as f64, angle);
+                sum.iter_mut().zip(own).for_each(|(sum, own)| *sum += factor * own);
+            }
+            sum
+        };
+        let parts: Vec<(i32, Vec<Complex64>)> =
+            (-TURNED..=TURNED).map(|order| (order, part(order))).collect();
+        let size = |own: &[Complex64]| own.iter().map(|own| own.norm()).fold(0.0, f64::max);
+        let most = parts.iter().map(|own| size(&own.1)).fold(0.0, f64::max);
+        let parts: Vec<_> =
+            parts.into_iter().filter(|own| size(&own.1) > ROUNDING * most).collect();
+        // What it follows stands off from the angle that counts.
+        let followed = load.time_function.follows().expect("it goes by an angle");
+        let theta = self.machine.places()[followed].rotation;
+        let off = theta.map_or(0.0, |theta| at.found.state.q[theta]) - stands_at;
+        let mut found: std::collections::BTreeMap<i32, Vec<Complex64>> = Default::default();
+        for (k, own) in harmonics {
+            let own = own * Complex64::from_polar(1.0, f64::from(*k) * off / HALVES);
+            // Of a real factor half goes round one way and half the other; of a mean all stands.
+            let both = match k {
+                0 => vec![(0, Complex64::from(own.re))],
+                k => vec![(*k, 0.5 * own), (-*k, 0.5 * own.conj())],
+            };
+            for (k, own) in both {
+                for (order, part) in &parts {
+                    let at = k + order * HALVES as i32;
+                    // Those below zero are the conjugates of those above it.
+                    if at < 0 {
+                        continue;
+                    }
+                    let weight = if at == 0 { 1.0 } else { 2.0 };
+                    let nothing = || vec![Complex64::ZERO; kept.len()];
+                    let sum = found.entry(at).or_insert_with(nothing).iter_mut();
+                    sum.zip(part).for_each(|(sum, part)| *sum += weight * own * part);
+                }
+            }
+        }
+        found.into_iter().collect()
+    }
+}
