@@ -1,6 +1,7 @@
 //! `whirl modes`, `campbell` and `analyse`: against other programs and closed forms, from case files.
 
 mod built_in;
+mod by_angle;
 mod closed_forms;
 mod coarse;
 mod coaxial;

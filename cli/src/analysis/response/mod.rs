@@ -221,7 +221,7 @@ fn at_rest_only() -> Failure {
 
 fn no_sources(case: &Case) -> Failure {
     Failure::Argument {
-        message: format!("no body of `{}` has an unbalance, nor a load that turns with it", case.name),
+        message: format!("no body of `{}` has an unbalance, nor a load that turns with it or goes by halves of its angle", case.name),
         help: "add `unbalance.NAME = { mass = \"1 g\", radius = \"50 mm\", z = \"300 mm\" }` to a body that turns".to_owned(),
     }
 }

@@ -27,6 +27,8 @@ const OF_FORCE: f64 = 1e-9;
 const LEAST_FORCE: f64 = 1.0;
 /// Rounding of a row over the largest force of a spring from which on it stands nowhere: its forces cancel only as it has moved far away.
 const GONE: f64 = 1e-4;
+/// A coordinate (m, rad, or m √kg of a mode) that is farther than any machine moves.
+const FAR: f64 = 1e3;
 /// Multiples of eps · Σ |terms| that rounding may leave, where terms are also those of the measures of springs.
 const ROUNDING: f64 = 32.0;
 
@@ -313,7 +315,8 @@ impl<'m> Balance<'m> {
                 f64::EPSILON * (size(|a, b| a + b) + products[row] + measured.unwrap_or(0.0));
             // Of rotations nothing is projected.
             let share = self.shares[row];
-            if share > 0.0 && rounding > GONE * springs * share {
+            let is_far = self.state.q[place].abs() > FAR;
+            if is_far && share > 0.0 && rounding > GONE * springs * share {
                 self.gone.push(row);
             }
             self.bound[row] = OF_TERM * size(f64::max)
