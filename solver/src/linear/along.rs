@@ -7,7 +7,7 @@ use num_complex::Complex64;
 
 use super::excited::{Excited, Part};
 use super::linearised::Standstill;
-use super::response::HALVES;
+use super::load_orders::HALVES;
 use super::round::LinearMachine;
 use super::shapes::apply;
 use crate::linalg::Matrix;

@@ -1,76 +1,20 @@
-//! Loads that go by the angle of a body, by orders of its rotation: exact, whatever their orders and however narrow their tables.
+//! Forces of loads that go by the angle of a body, by orders of its rotation.
 
 use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
 use super::linearised::Standstill;
-use super::response::HALVES;
+use super::load_orders::{HALVES, Harmonics};
 use super::round::LinearMachine;
-use crate::curve::Curve;
 use crate::equations::{instant, placed};
 use crate::loads::{Load, TimeFunction};
 
-/// Share by which a multiple of half an order may be off.
-const WHOLE: f64 = 1e-9;
-/// Orders in halves up to which all of a table count, those beyond it that are larger than a share of its largest, and the last.
-const ALL: i32 = 47;
-const LARGE: f64 = 1e-3;
-const LAST: i32 = 600;
 /// Samples of a turn for the direction of a force that is constant in its own frame, and the orders that it has at most.
 const SAMPLES: usize = 16;
 const TURNED: i32 = 4;
 /// Share of a direction below which a part of it is rounding.
 const ROUNDING: f64 = 1e-12;
-
-/// Complex amplitudes c_k of a factor Re Σ c_k e^{ikθ/2} over the angle, k ≥ 0 in rising order.
-pub(super) type Harmonics = Vec<(i32, Complex64)>;
-
-/// Those of a load that goes by an angle and comes again after two turns; none of other loads. An error where it does not come
-/// again after two turns: the order that it has.
-pub(super) fn harmonics(load: &Load) -> Result<Option<Harmonics>, f64> {
-    match &load.time_function {
-        TimeFunction::Order { order, phase, .. } => {
-            let (k, sign) = (halves(order.abs())?, order.signum());
-            // sin(nθ + φ) = Re(−i e^{iφ} e^{inθ}).
-            let along = -Complex64::i() * Complex64::from_polar(1.0, *phase);
-            Ok(Some(vec![match (k, sign < 0.0) {
-                (0, _) => (0, phase.sin().into()),
-                (_, true) => (k, along.conj()),
-                (_, false) => (k, along),
-            }]))
-        }
-        TimeFunction::OverAngle { curve, .. } => match curve.period() {
-            Some(period) => of_table(curve, halves(TAU / period)?).map(Some),
-            None => Ok(None),
-        },
-        _ => Ok(None),
-    }
-}
-
-/// An order in halves.
-fn halves(order: f64) -> Result<i32, f64> {
-    let halves = HALVES * order;
-    let whole = halves.round();
-    if (halves - whole).abs() > WHOLE * whole.max(1.0) { Err(order) } else { Ok(whole as i32) }
-}
-
-fn of_table(curve: &Curve, first: i32) -> Result<Harmonics, f64> {
-    if first == 0 {
-        return Err(0.5 / HALVES);
-    }
-    let mut all = vec![(0, Complex64::from(curve.mean()))];
-    let (mut largest, mut k) = (0.0_f64, first);
-    while k <= LAST {
-        let own = 2.0 * curve.harmonic(f64::from(k) / HALVES);
-        largest = largest.max(own.norm());
-        if k <= ALL || own.norm() > LARGE * largest {
-            all.push((k, own));
-        }
-        k += first;
-    }
-    Ok(all)
-}
 
 impl LinearMachine {
     /// The harmonics of a load by its place, if it goes by the angle of a body.

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use num_complex::Complex64;
 
 use super::linearised::{Linearised, Standstill};
-use super::response::HALVES;
+use super::load_orders::HALVES;
 use super::round::LinearMachine;
 use crate::error::Error;
 

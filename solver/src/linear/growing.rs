@@ -3,12 +3,9 @@
 use num_complex::Complex64;
 
 use super::linearised::Linearised;
-use super::motions::Motion;
+use super::motions::{Motion, growth};
 use super::round::LinearMachine;
 use super::shapes::{apply, inner};
-
-/// Share of |λ| below which Re λ is rounding.
-const NEUTRAL: f64 = 1e-8;
 
 /// A motion that grows.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,11 +14,6 @@ pub struct Growing {
     pub value: Complex64,
     /// Shares of xᴴM′x by body, in their order.
     pub shares: Vec<f64>,
-}
-
-/// Re λ less what may be rounding of it (1/s).
-pub(super) fn growth(value: Complex64) -> f64 {
-    value.re - NEUTRAL * value.norm()
 }
 
 impl LinearMachine {

@@ -28,6 +28,7 @@ mod hill;
 mod in_space;
 mod limits;
 mod linearised;
+mod load_orders;
 mod map;
 mod meeting;
 mod modes;

@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
-use super::growing::{Growing, growth};
+use super::growing::Growing;
 use super::linearised::Linearised;
-use super::motions::{Motion, is_listed};
+use super::motions::{Motion, growth, is_listed};
 use super::round::LinearMachine;
 use super::shapes::{apply, inner};
 use crate::error::Error;

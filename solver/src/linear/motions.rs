@@ -2,7 +2,6 @@
 
 use num_complex::Complex64;
 
-use super::growing::growth;
 use super::linearised::Linearised;
 use super::own_frequency;
 use super::round::LinearMachine;
@@ -16,6 +15,9 @@ use crate::linalg::{
 /// Motions with a larger damping ratio are not listed: those that creep in the frame of a body that turns are seen from space
 /// at its speed.
 const MOST_DAMPED: f64 = 0.9;
+/// Share of |λ| below which Re λ is rounding.
+const NEUTRAL: f64 = 1e-8;
+
 /// Share of |λ| below which Im λ is rounding of a real one.
 const REAL: f64 = 1e-7;
 /// Share of the largest part from which another one is more than rounding.
@@ -119,6 +121,11 @@ impl LinearMachine {
             [(value.im + speed, sum(1.0)), (value.im - speed, sum(-1.0)), (value.im, still)];
         largest(value.re, &equations.mass, parts.to_vec()).0
     }
+}
+
+/// Re λ less what may be rounding of it (1/s).
+pub(super) fn growth(value: Complex64) -> f64 {
+    value.re - NEUTRAL * value.norm()
 }
 
 /// Whether a motion is listed.

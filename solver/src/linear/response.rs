@@ -7,6 +7,7 @@ use num_complex::Complex64;
 
 use super::first_order;
 use super::linearised::{Linearised, Standstill};
+use super::load_orders::HALVES;
 use super::modes::Orbit;
 use super::round::LinearMachine;
 use super::standing_loads::mean;
@@ -19,8 +20,6 @@ use crate::machine::Machine;
 use crate::output::{Motion, Wanted};
 use crate::plane_rows::PlaneRows;
 
-/// Turns over which forces are sampled, as those of engines come again after two.
-pub(super) const HALVES: f64 = 2.0;
 /// Samples of them.
 const SAMPLES: usize = 96;
 /// What is smaller than this share of the largest is nothing.

@@ -4,7 +4,7 @@ use std::num::NonZero;
 use std::ops::Range;
 use std::thread;
 
-use super::by_angle::{Harmonics, harmonics};
+use super::load_orders::{Harmonics, harmonics};
 use super::rigid::rounding;
 use super::standing_loads::{Counted, begun, counted, is_of_two_angles, mean, nothing, spins_with};
 use crate::bearing::Plane;
