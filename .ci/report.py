@@ -107,7 +107,7 @@ def check(browser, folder):
     charts = browser.run('whirl.charts.map((own) => ({ id: own.spec.id, ...own.values() }))')
     for chart in charts:
         for axis in (chart['x'], chart['y']):
-            assert '(' in axis or any(word in axis for word in ('|E| / c', 'revolutions', 'iterations', 'log decrement', 'share of what is allowed', 'order')), (chart['id'], axis)
+            assert '(' in axis or any(word in axis for word in ('|E| / c', 'revolutions', 'iterations', 'log decrement', 'share of what is allowed', 'order', 'body', 'turn')), (chart['id'], axis)
         for ends in chart['view'].values():
             assert all(math.isfinite(own) for own in ends) and ends[1] > ends[0], chart
     compared = in_space(browser, folder) + lateral(browser, folder, charts)
