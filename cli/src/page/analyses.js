@@ -8,7 +8,7 @@ function drawn(parent, figures) {
     figure.shown = true;
     const frame = add(grid, 'figure', undefined, { class: 'drawing' });
     add(frame, 'img', undefined, { src: `data:image/svg+xml;base64,${figure.base64}`, alt: figure.title });
-    add(frame, 'figcaption', `${figure.title.replace(`${about.name}: `, '')} (${figure.name})`, { class: 'soft' });
+    add(frame, 'figcaption', figure.title.startsWith(`${about.name}: `) ? `${figure.title.slice(about.name.length + 2)} (${figure.name})` : figure.name, { class: 'soft' });
   }
 }
 
