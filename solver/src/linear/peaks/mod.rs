@@ -12,7 +12,7 @@ mod tests;
 pub use self::over::Amplitude;
 use self::over::{Over, PROMINENT};
 use self::samples::{Samples, spread};
-use self::search::{crossing, maximum};
+use self::search::{crossing, dip, maximum};
 use super::resonances::Resonance;
 use crate::error::Error;
 
@@ -23,6 +23,8 @@ const EXCITED: f64 = 1e-9;
 const ROUNDING: f64 = 1e-8;
 /// Times by which the response to what excites an undamped mode grows at least where its distance falls to a tenth.
 const DIVERGES: f64 = 3.0;
+/// How much more than what is wanted a least value between samples may be, to be looked at closely.
+const NEAR: f64 = 1.2;
 /// Share of an undamped critical speed at which that is looked at.
 const BESIDE: f64 = 1e-6;
 
@@ -134,15 +136,24 @@ fn half_power(
     outwards: &mut dyn Iterator<Item = (f64, f64)>,
 ) -> Result<Option<f64>, Error> {
     let wanted = height * std::f64::consts::FRAC_1_SQRT_2;
-    let mut before = (speed, height);
+    let (mut earlier, mut before) = ((speed, height), (speed, height));
     for own in outwards {
         if own.1 <= wanted {
             return crossing(response, [before, own], wanted);
         }
         if own.1 > before.1 * (1.0 + PROMINENT) {
-            break;
+            // Between what is known it may have been there for a moment.
+            let is_near = before.0 != speed && before.1 < NEAR * wanted;
+            let Some(least) =
+                (if is_near { dip(response, [earlier, before, own], wanted)? } else { None })
+            else {
+                break;
+            };
+            let outside = (least.0 - before.0) * (before.0 - speed) > 0.0;
+            let from = if outside { before } else { earlier };
+            return crossing(response, [from, least], wanted);
         }
-        before = own;
+        (earlier, before) = (before, own);
     }
     Ok(None)
 }

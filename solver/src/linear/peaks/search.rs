@@ -9,6 +9,8 @@ const FOUND: f64 = 1e-9;
 const OF_BRACKET: f64 = 1e-6;
 /// Shares of a speed, and of a value, to which a crossing is found.
 const CROSSED: [f64; 2] = [1e-11, 1e-10];
+/// Share of a speed within which a response that falls and rises again has no value that matters.
+const FLAT: f64 = 1e-6;
 /// Evaluations of one search at most.
 const TRIES: usize = 80;
 
@@ -77,6 +79,30 @@ pub(super) fn maximum(
         }
     }
     Ok(Some((best.0, best.1.powf(-0.5))))
+}
+
+/// A speed with its response between the outer of three at which that is not above a value, where the middle one has the least of
+/// them; none where it is nowhere seen to be, or the machine does not stand in between.
+pub(super) fn dip(
+    response: &mut Over,
+    [a, b, c]: [(f64, f64); 3],
+    wanted: f64,
+) -> Result<Option<(f64, f64)>, Error> {
+    let (mut low, mut high) = (a.0.min(c.0), a.0.max(c.0));
+    let mut least = b;
+    while least.1 > wanted && high - low > FLAT * least.0.abs() {
+        let speed = least.0 + golden_step([low, least.0, high]);
+        let Some(found) = response(speed)? else { return Ok(None) };
+        let next = (speed, found.own);
+        let (kept, other) = if next.1 < least.1 { (next, least) } else { (least, next) };
+        if other.0 < kept.0 {
+            low = other.0
+        } else {
+            high = other.0
+        }
+        least = kept;
+    }
+    Ok((least.1 <= wanted).then_some(least))
 }
 
 /// Of the parabola through three points.

@@ -158,3 +158,21 @@ fn gaps_are_left_out() {
     let all = peaks(&mut response, &[of_mass(100.0, 0.05)], [0.0, 300.0]).expect("no error");
     assert!(all.all.is_empty(), "{all:?}");
 }
+
+/// A response that is below half of the power for a moment between samples, by 2e-6 within 0.1, has its half power there.
+#[test]
+fn a_short_dip_below_half_power_is_seen() {
+    let least = std::f64::consts::FRAC_1_SQRT_2 - 2e-6;
+    let of = |speed: f64| {
+        let turn = std::f64::consts::PI * (speed - 100.0) / 10.0;
+        least + 0.5 * (1.0 - least) * (1.0 + turn.cos())
+    };
+    let own = Resonance { speed: 100.0, half_width: 10.0 };
+    let (all, _) = found(of, &[own], [83.0, 117.0]);
+    let peak = all.all.iter().find(|own| (own.speed - 100.0).abs() < 0.1).expect("the peak");
+    for (side, from) in peak.half_power.iter().zip([90.0, 109.9]) {
+        let at = side.expect("a half power");
+        assert!((from..from + 0.1).contains(&at), "{peak:?}");
+        assert!((of(at) - std::f64::consts::FRAC_1_SQRT_2).abs() < 1e-9, "{peak:?}");
+    }
+}
