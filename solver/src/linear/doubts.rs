@@ -235,7 +235,7 @@ impl fmt::Display for Doubt {
                 ),
                 Counted::BetweenOrders(order) => write!(
                     f,
-                    "{load} is left out but for its mean: orders are told by halves, and it has the order {}. Run it in time (`whirl run`)",
+                    "{load} is left out but for its mean: orders are told by halves up to 500000, and it has the order {}. Run it in time (`whirl run`)",
                     rounded(*order, 6)
                 ),
                 Counted::Later(from) => {

@@ -11,6 +11,8 @@ use crate::loads::{Load, TimeFunction};
 pub(super) const HALVES: f64 = 2.0;
 /// Share by which a multiple of half an order may be off.
 const WHOLE: f64 = 1e-9;
+/// The highest order in halves that is told from its neighbours.
+const MOST: f64 = 1e6;
 /// Orders in halves up to which all of a table count, those beyond it that are larger than a share of its largest, and the last.
 const ALL: i32 = 47;
 const LARGE: f64 = 1e-3;
@@ -44,7 +46,8 @@ pub(super) fn harmonics(load: &Load) -> Result<Option<Harmonics>, f64> {
 fn halves(order: f64) -> Result<i32, f64> {
     let halves = HALVES * order;
     let whole = halves.round();
-    if (halves - whole).abs() > WHOLE * whole.max(1.0) { Err(order) } else { Ok(whole as i32) }
+    let is_whole = (halves - whole).abs() <= WHOLE * whole.max(1.0) && whole <= MOST;
+    if is_whole { Ok(whole as i32) } else { Err(order) }
 }
 
 fn of_table(curve: &Curve, first: i32) -> Result<Harmonics, f64> {

@@ -66,6 +66,8 @@ fn loads_of_any_order_are_of_that_order() {
     let both = "order = 2\nforce = [\"1 N\", \"0 N\", \"0 N\"]\n[loads.slow]\nbody = \"a\"\norder = 1.3\nforce = [\"1 N\", \"0 N\", \"0 N\"]";
     let (bench, said) = responded(both, "");
     assert_eq!(amplitudes(&bench).len(), 1);
+    let (_, high) = responded(&both.replace("1.3", "1e10"), "");
+    assert!(high.contains("load.slow is left out but for its mean"), "{high}");
     assert!(
         said.contains("load.slow is left out but for its mean") && said.contains("1.3"),
         "{said}"
