@@ -64,7 +64,7 @@ shear = { value = '-u*h*upstream(theta, u)*ddx(v)', points = ["midpoint", "midpo
 
 [forces]
 Q = { on = "h", value = 'p' }
-T_m = { on = "s_mean", value = 'p*ddx(h)' }
+T_m = { on = "s_mean", value = '-h*ddx(p)' }
 
 [edges.open]
 given = ["p"]

@@ -203,7 +203,7 @@ fn film(name: &str, names: &[String]) -> String {
     text += &format!("{p} = {{ value = '{h}^3*{defined}*ddx({p})*ddx(v)', {points} }}\n");
     text += &format!("{r} = {{ value = '-{u}*{h}*upstream({nodal}, {u})*ddx(v)', {points} }}\n");
     text += &format!("[forces]\n{p} = {{ on = \"h\", value = '{p}' }}\n");
-    text += &format!("{h} = {{ on = \"s_mean\", value = '{p}*ddx({h})' }}\n");
+    text += &format!("{h} = {{ on = \"s_mean\", value = '-{h}*ddx({p})' }}\n");
     text += &format!("[edges.{r}]\ngiven = [\"{p}\"]\ncomplementary = [\"out\", \"{r}\"]\n");
     text += &format!(
         "[outputs.{u}]\nunit = \"N\"\nterms.{u} = {{ value = '{p}', points = \"nodes\" }}\n"

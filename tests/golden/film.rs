@@ -246,26 +246,26 @@ pub mod example {
             let force0_of1_ = dx_dz * p_at1_ * 0.25;
             let force0_of2_ = dx_dz * p_at2_ * 0.25;
             let force0_of3_ = dx_dz * p_at3_ * 0.25;
-            let dz_p_at0_ = dz * p_at0_;
-            let force1_of0__part2 = (h_at1_ - h_at0_) * 0.5;
-            let force1_of0_ = dz_p_at0_ * force1_of0__part2 * 0.5;
-            let force1_of0_by0_at0_ = dz * force1_of0__part2 * 0.5;
-            let force1_of0_by1_at0_ = dz_p_at0_ * (-0.25);
-            let force1_of0_by1_at1_ = dz_p_at0_ * 0.25;
-            let dz_p_at1_ = dz * p_at1_;
-            let force1_of1_ = dz_p_at1_ * force1_of0__part2 * 0.5;
-            let force1_of1_by1_at0_ = dz_p_at1_ * (-0.25);
-            let force1_of1_by1_at1_ = dz_p_at1_ * 0.25;
-            let dz_p_at2_ = dz * p_at2_;
-            let force1_of2__part2 = (h_at3_ - h_at2_) * 0.5;
-            let force1_of2_ = dz_p_at2_ * force1_of2__part2 * 0.5;
-            let force1_of2_by0_at2_ = dz * force1_of2__part2 * 0.5;
-            let force1_of2_by1_at2_ = dz_p_at2_ * (-0.25);
-            let force1_of2_by1_at3_ = dz_p_at2_ * 0.25;
-            let dz_p_at3_ = dz * p_at3_;
-            let force1_of3_ = dz_p_at3_ * force1_of2__part2 * 0.5;
-            let force1_of3_by1_at2_ = dz_p_at3_ * (-0.25);
-            let force1_of3_by1_at3_ = dz_p_at3_ * 0.25;
+            let dz_h_at0_ = dz * h_at0_;
+            let force1_of0__part2 = (p_at1_ - p_at0_) * 0.5;
+            let force1_of0_ = dz_h_at0_ * force1_of0__part2 * (-0.5);
+            let force1_of0_by0_at0_ = dz_h_at0_ * 0.25;
+            let force1_of0_by0_at1_ = dz_h_at0_ * (-0.25);
+            let force1_of0_by1_at0_ = dz * force1_of0__part2 * (-0.5);
+            let dz_h_at1_ = dz * h_at1_;
+            let force1_of1_ = dz_h_at1_ * force1_of0__part2 * (-0.5);
+            let force1_of1_by0_at0_ = dz_h_at1_ * 0.25;
+            let force1_of1_by0_at1_ = dz_h_at1_ * (-0.25);
+            let dz_h_at2_ = dz * h_at2_;
+            let force1_of2__part2 = (p_at3_ - p_at2_) * 0.5;
+            let force1_of2_ = dz_h_at2_ * force1_of2__part2 * (-0.5);
+            let force1_of2_by0_at2_ = dz_h_at2_ * 0.25;
+            let force1_of2_by0_at3_ = dz_h_at2_ * (-0.25);
+            let force1_of2_by1_at2_ = dz * force1_of2__part2 * (-0.5);
+            let dz_h_at3_ = dz * h_at3_;
+            let force1_of3_ = dz_h_at3_ * force1_of2__part2 * (-0.5);
+            let force1_of3_by0_at2_ = dz_h_at3_ * 0.25;
+            let force1_of3_by0_at3_ = dz_h_at3_ * (-0.25);
             let u_2_mu = u * u * mu;
             let output0__part3 = u_2_mu * theta_at0_ / h_at0_
                 + u_2_mu * theta_at1_ / h_at1_;
@@ -283,20 +283,20 @@ pub mod example {
                 force0_of0_by0_at0_,
                 force1_of0_,
                 force1_of0_by0_at0_,
+                force1_of0_by0_at1_,
                 force1_of0_by1_at0_,
-                force1_of0_by1_at1_,
                 force1_of1_,
-                force1_of0_by0_at0_,
-                force1_of1_by1_at0_,
-                force1_of1_by1_at1_,
+                force1_of1_by0_at0_,
+                force1_of1_by0_at1_,
+                force1_of0_by1_at0_,
                 force1_of2_,
                 force1_of2_by0_at2_,
+                force1_of2_by0_at3_,
                 force1_of2_by1_at2_,
-                force1_of2_by1_at3_,
                 force1_of3_,
-                force1_of2_by0_at2_,
-                force1_of3_by1_at2_,
-                force1_of3_by1_at3_,
+                force1_of3_by0_at2_,
+                force1_of3_by0_at3_,
+                force1_of2_by1_at2_,
                 output0_,
             ]
         }
@@ -318,8 +318,8 @@ pub mod example {
             title: "Film between plates, linear along",
             source: "made for this test",
             spec: "films/example.toml",
-            text: "kind = \"film\"\nname = \"example\"\ntitle = \"Film between plates, linear along\"\nsource = \"made for this test\"\n\n[cell]\naround = 2\nalong = 2\n\n[unknowns.p]\nunit = \"Pa\"\n\n[unknowns.r]\nunit = \"1\"\n\n[gap.h]\nunit = \"m\"\n\n[speed.u]\nunit = \"m/s\"\n\n[parameters.mu]\nvalue = 20\nunit = \"mPa*s\"\ntitle = \"viscosity\"\n\n[nodal]\ntheta = '1 - r'\n\n[stored]\nvalue = 'theta*h'\n\n[residual]\npressure = { value = 'h^3/(12*mu)*(ddx(p)*ddx(v) + ddz(p)*ddz(v))', points = [\"midpoint\", \"midpoint\"] }\nshear = { value = '-u*h*upstream(theta, u)*ddx(v)', points = [\"midpoint\", \"midpoint\"] }\n\n[forces]\nQ = { on = \"h\", value = 'p' }\nT_m = { on = \"s_mean\", value = 'p*ddx(h)' }\n\n[edges.open]\ngiven = [\"p\"]\ncomplementary = [\"out\", \"r\"]\n\n[outputs.loss]\nunit = \"W\"\nterms.shear = { value = 'mu*(2*u)^2*theta/h', points = \"nodes\" }\n",
-            hash: "c260d9d99c5e797dff97782ac0143111",
+            text: "kind = \"film\"\nname = \"example\"\ntitle = \"Film between plates, linear along\"\nsource = \"made for this test\"\n\n[cell]\naround = 2\nalong = 2\n\n[unknowns.p]\nunit = \"Pa\"\n\n[unknowns.r]\nunit = \"1\"\n\n[gap.h]\nunit = \"m\"\n\n[speed.u]\nunit = \"m/s\"\n\n[parameters.mu]\nvalue = 20\nunit = \"mPa*s\"\ntitle = \"viscosity\"\n\n[nodal]\ntheta = '1 - r'\n\n[stored]\nvalue = 'theta*h'\n\n[residual]\npressure = { value = 'h^3/(12*mu)*(ddx(p)*ddx(v) + ddz(p)*ddz(v))', points = [\"midpoint\", \"midpoint\"] }\nshear = { value = '-u*h*upstream(theta, u)*ddx(v)', points = [\"midpoint\", \"midpoint\"] }\n\n[forces]\nQ = { on = \"h\", value = 'p' }\nT_m = { on = \"s_mean\", value = '-h*ddx(p)' }\n\n[edges.open]\ngiven = [\"p\"]\ncomplementary = [\"out\", \"r\"]\n\n[outputs.loss]\nunit = \"W\"\nterms.shear = { value = 'mu*(2*u)^2*theta/h', points = \"nodes\" }\n",
+            hash: "4f4c9eca8caad6c2b1dcfb0241eeb89c",
         },
         nodes: [2, 2],
         unknowns: [
@@ -730,26 +730,26 @@ pub mod example {
                 FilmSlope {
                     row: 10,
                     value: 4,
-                    field: 1,
-                    node: 0,
+                    field: 0,
+                    node: 1,
                 },
                 FilmSlope {
                     row: 11,
                     value: 4,
                     field: 1,
-                    node: 1,
+                    node: 0,
                 },
                 FilmSlope {
                     row: 13,
                     value: 5,
                     field: 0,
-                    node: 1,
+                    node: 0,
                 },
                 FilmSlope {
                     row: 14,
                     value: 5,
-                    field: 1,
-                    node: 0,
+                    field: 0,
+                    node: 1,
                 },
                 FilmSlope {
                     row: 15,
@@ -766,26 +766,26 @@ pub mod example {
                 FilmSlope {
                     row: 18,
                     value: 6,
-                    field: 1,
-                    node: 2,
+                    field: 0,
+                    node: 3,
                 },
                 FilmSlope {
                     row: 19,
                     value: 6,
                     field: 1,
-                    node: 3,
+                    node: 2,
                 },
                 FilmSlope {
                     row: 21,
                     value: 7,
                     field: 0,
-                    node: 3,
+                    node: 2,
                 },
                 FilmSlope {
                     row: 22,
                     value: 7,
-                    field: 1,
-                    node: 2,
+                    field: 0,
+                    node: 3,
                 },
                 FilmSlope {
                     row: 23,
