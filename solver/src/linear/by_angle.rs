@@ -1,5 +1,6 @@
 //! Forces of loads that go by the angle of a body, by orders of its rotation.
 
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use num_complex::Complex64;
@@ -76,7 +77,7 @@ impl LinearMachine {
         let followed = load.time_function.follows().expect("it goes by an angle");
         let theta = self.machine.places()[followed].rotation;
         let off = theta.map_or(0.0, |theta| at.found.state.q[theta]) - stands_at;
-        let mut found: std::collections::BTreeMap<i32, Vec<Complex64>> = Default::default();
+        let mut found: BTreeMap<i32, Vec<Complex64>> = BTreeMap::new();
         for (k, own) in harmonics {
             let own = own * Complex64::from_polar(1.0, f64::from(*k) * off / HALVES);
             // Of a real factor half goes round one way and half the other; of a mean all stands.

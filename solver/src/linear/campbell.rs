@@ -8,7 +8,7 @@ use super::growing::Growing;
 use super::modes::Mode;
 use super::points::{Along, Point};
 use super::range::Range;
-use super::roots::{APPEARS, Root, Roots, Threshold};
+use super::roots::{Root, Roots, Threshold};
 use super::round::LinearMachine;
 use super::shapes::{apply, inner};
 use super::state_doubts::StateDoubts;
@@ -39,14 +39,6 @@ pub struct Critical {
     pub mode: Mode,
     /// Its branch.
     pub branch: usize,
-}
-
-impl Threshold {
-    /// Whether nothing changes its sign there: what grows is no longer told from a motion that nothing holds, as slow as it is.
-    fn is_of_sight(&self) -> bool {
-        let appears = |own: &Mode| own.value.re > APPEARS * own.value.norm();
-        self.before.is_none() && self.mode.as_ref().is_some_and(appears)
-    }
 }
 
 /// Modes over speeds.

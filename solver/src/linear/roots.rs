@@ -19,7 +19,7 @@ const ONE: f64 = 1e-6;
 const ROOT: f64 = 1e-6;
 /// Share of |λ| from which Re λ does not go through zero where a motion is first seen to grow, and MAC from which on another one
 /// is the same.
-pub(super) const APPEARS: f64 = 1e-3;
+const APPEARS: f64 = 1e-3;
 const ALIKE: f64 = 0.5;
 /// Evaluations until then at most, and where each takes a second.
 const TRIES: usize = 60;
@@ -58,6 +58,14 @@ pub struct Threshold {
     pub grows: bool,
     /// Whether others grow on both sides.
     pub others: bool,
+}
+
+impl Threshold {
+    /// Whether nothing changes its sign there: what grows is no longer told from a motion that nothing holds, as slow as it is.
+    pub(super) fn is_of_sight(&self) -> bool {
+        let appears = |own: &Mode| own.value.re > APPEARS * own.value.norm();
+        self.before.is_none() && self.mode.as_ref().is_some_and(appears)
+    }
 }
 
 /// Searches between speeds.
