@@ -51,7 +51,7 @@ pub(crate) enum Command {
     Torsion(ModesArguments),
     /// Deflection, shear, bending moment, axial force and torque along the bodies: at rest in the loads, in response and modes
     Forces(ModesArguments),
-    /// Undamped critical speed map: critical speeds over the stiffness of the supports
+    /// Undamped critical speed map: critical speeds over the stiffness of the joints
     Map(MapArguments),
     /// Hold unbalance response and stability against API 617: the tables `kind = "lateral"` of a case
     Lateral(LateralArguments),

@@ -6,6 +6,7 @@ use whirl_solver::linear::{Branch, Campbell, Critical, LinearMachine, Mode, Way,
 
 use super::facts::Facts;
 use super::found::{Found, drawn, followed};
+use super::orders::Orders;
 use super::space::{InSpace, Pictures, SPEEDS, Space, Told, evenly};
 use super::speeds::Wanted;
 use super::{roots, words};
@@ -24,27 +25,28 @@ pub(super) fn found(
     pictures: Pictures,
 ) -> Result<Found, Failure> {
     let of = wanted.of.expect("a body that turns");
-    let follow = || followed(linear, (analysis, wanted), interruption, &analysis.orders);
+    let orders = Orders::of(linear, (of, analysis));
+    let follow = || followed(linear, (analysis, wanted), interruption, &orders.values());
     let all = pictures.space.map_or_else(follow, |space| space.while_made(follow))?;
     let ways = ways(linear, (of, analysis), &all)?;
     let name = &analysis.name;
     let mut files = vec![
         (format!("{name}.csv"), rows(&all).into_bytes()),
-        (format!("{name}.critical.csv"), criticals(&all, &ways).into_bytes()),
+        (format!("{name}.critical.csv"), criticals(&all, &ways, &orders).into_bytes()),
     ];
     if pictures.figures {
-        files.extend(drawn(name, &figure(case, linear, of, &all, &analysis.orders)));
+        files.extend(drawn(name, &figure(case, linear, of, &all, &orders)));
         let body = linear.machine().bodies[of].name();
         let stem = format!("{name}.roots");
         files.extend(drawn(&stem, &roots::figure(&case.name, body, &all)));
     }
     if let Some(mut space) = pictures.space.map(Space::begin).transpose()?.flatten() {
-        in_space(linear, (of, analysis), &all, &mut space);
+        in_space(linear, (of, analysis), (&all, &orders), &mut space);
         files.extend(space.file(name));
     }
-    let mut text = text(case, linear, of, (&all, &ways));
+    let mut text = text(case, linear, of, (&all, &ways, &orders));
     text += &words::doubts(&all.doubts);
-    let facts = Facts::of_campbell(&all);
+    let facts = Facts::of_campbell(&all, &orders);
     Ok(Found { text, files, interrupted: all.interrupted, facts })
 }
 
@@ -81,7 +83,7 @@ fn ways(
 fn in_space(
     linear: &LinearMachine,
     (of, analysis): (usize, &Analysis),
-    all: &Campbell,
+    (all, orders): (&Campbell, &Orders),
     space: &mut InSpace,
 ) {
     let named = |speed: f64, what: &str, mode: &Mode| {
@@ -91,7 +93,7 @@ fn in_space(
     };
     let mut shown: Vec<(f64, Vec<Shown>)> = Vec::new();
     for own in &all.criticals {
-        let name = named(own.speed, &format!(", {}X", own.order), &own.mode);
+        let name = named(own.speed, &format!(", {}", orders.called(own.order)), &own.mode);
         let called = Some(("critical speeds".to_owned(), name));
         shown.push((own.speed, vec![(&own.mode, called)]));
     }
@@ -152,12 +154,12 @@ fn rows(all: &Campbell) -> String {
 }
 
 /// Critical speeds, and where modes begin or end to grow.
-fn criticals(all: &Campbell, ways: &Ways) -> String {
+fn criticals(all: &Campbell, ways: &Ways, orders: &Orders) -> String {
     let mut text = String::from(
-        "what,order,speed_rpm,branch,frequency_hz,damping_ratio,log_decrement,whirl,sense,real_1_s,imaginary_1_s,beside_hz,motion\n",
+        "what,order,speed_rpm,branch,frequency_hz,damping_ratio,log_decrement,whirl,sense,real_1_s,imaginary_1_s,beside_hz,motion,once_a_turn_of\n",
     );
     let mut add = |what: &str,
-                   order: String,
+                   order: Option<f64>,
                    speed: f64,
                    branch: Option<usize>,
                    mode: Option<(&Mode, Way)>| {
@@ -167,15 +169,23 @@ fn criticals(all: &Campbell, ways: &Ways) -> String {
         let values = mode.map_or(",,,,,,,,".to_owned(), |(mode, way)| {
             format!("{},{}", values(mode, speed), words::way(way))
         });
-        writeln!(text, "{what},{order},{rpm},{branch},{values}").expect("text can be written");
+        let others = order.map_or(String::new(), |own| orders.others(own).join(" "));
+        let order = order.map_or(String::new(), |own| own.to_string());
+        writeln!(text, "{what},{order},{rpm},{branch},{values},{others}")
+            .expect("text can be written");
     };
     for (own, way) in all.criticals.iter().zip(&ways.criticals) {
-        let order = own.order.to_string();
-        add("critical speed", order, own.speed, Some(own.branch), Some((&own.mode, *way)));
+        add(
+            "critical speed",
+            Some(own.order),
+            own.speed,
+            Some(own.branch),
+            Some((&own.mode, *way)),
+        );
     }
     for (own, way) in all.thresholds.iter().zip(&ways.thresholds) {
         let what = words::threshold(own);
-        add(what, String::new(), own.speed, own.branch, own.mode.as_ref().zip(*way));
+        add(what, None, own.speed, own.branch, own.mode.as_ref().zip(*way));
     }
     text
 }
@@ -188,7 +198,12 @@ fn values(mode: &Mode, speed: f64) -> String {
     format!("{numbers},{whirl},{sense},{},{},{beside}", value.re, value.im)
 }
 
-fn text(case: &Case, linear: &LinearMachine, of: usize, (all, ways): (&Campbell, &Ways)) -> String {
+fn text(
+    case: &Case,
+    linear: &LinearMachine,
+    of: usize,
+    (all, ways, orders): (&Campbell, &Ways, &Orders),
+) -> String {
     let body = linear.machine().bodies[of].name();
     let mut text = format!("{}: {}\n", case.name, case.title);
     let ends = [all.speeds.first(), all.speeds.last()];
@@ -214,7 +229,7 @@ fn text(case: &Case, linear: &LinearMachine, of: usize, (all, ways): (&Campbell,
             let whirl = words::whirl(&own.mode, own.speed);
             rows.push(vec![
                 words::speed(own.speed),
-                own.order.to_string(),
+                Orders::rounded(own.order).to_string(),
                 words::hertz(&own.mode),
                 words::decrement(&own.mode),
                 words::whirl_or_way(whirl, *way).to_owned(),
@@ -222,6 +237,7 @@ fn text(case: &Case, linear: &LinearMachine, of: usize, (all, ways): (&Campbell,
             ]);
         }
         text.push_str(&table(&rows));
+        text.push_str(&orders.told());
         let damped = all.criticals.iter().filter(|own| own.mode.damping_ratio() > DAMPED);
         let damped: Vec<String> = damped.map(|own| words::speed(own.speed)).collect();
         if !damped.is_empty() {
@@ -260,12 +276,12 @@ fn figure(
     linear: &LinearMachine,
     of: usize,
     all: &Campbell,
-    orders: &[f64],
+    orders: &Orders,
 ) -> Figure {
     let body = linear.machine().bodies[of].name();
     let x = format!("speed of {body} (rpm)");
     let mut strokes = strokes(all, &|mode| mode.hertz(), &|mode| width(mode.damping_ratio()));
-    let (ceiling, above) = ceiling(all, orders);
+    let (ceiling, above) = ceiling(all, &orders.values());
     for own in &mut strokes {
         own.line.points.retain(|point| point.1 <= ceiling);
     }
@@ -285,7 +301,7 @@ fn figure(
     };
     let ends =
         [all.speeds.first().copied().unwrap_or(0.0), all.speeds.last().copied().unwrap_or(0.0)];
-    for &order in orders {
+    for order in orders.values() {
         let last = ends[1].min(highest * std::f64::consts::TAU / order);
         if last > ends[0] {
             let at = |speed: f64| (words::rpm(speed), order * speed.abs() / std::f64::consts::TAU);
@@ -294,7 +310,7 @@ fn figure(
                 style: Style::Limit,
                 name: "orders of the rotation".to_owned(),
             });
-            frequencies.labels.push(Label { at: at(last), text: format!("{order}X") });
+            frequencies.labels.push(Label { at: at(last), text: orders.called(order) });
         }
     }
     // Where several are near each other, unbalance excites the forward one.

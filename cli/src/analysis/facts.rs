@@ -3,6 +3,7 @@
 use whirl_solver::linear::{Campbell, Critical, Doubt, JointCoefficients, Mode, Modes, Whirl};
 use whirl_solver::linear::{Threshold, Undamped};
 
+use super::orders::Orders;
 use super::words;
 
 /// Numbers and notes.
@@ -52,7 +53,7 @@ impl Facts {
     }
 
     /// Of modes over speeds: critical speeds and stability.
-    pub(super) fn of_campbell(all: &Campbell) -> Facts {
+    pub(super) fn of_campbell(all: &Campbell, known: &Orders) -> Facts {
         let mut facts = Facts::default();
         let mut orders: Vec<f64> = all.criticals.iter().map(|own| own.order).collect();
         orders.push(1.0);
@@ -62,7 +63,11 @@ impl Facts {
             let own = all.criticals.iter().filter(|own| own.order == order);
             let own: Vec<&Critical> = own.collect();
             let forward = own.iter().filter(|own| own.mode.whirl(own.speed) == Whirl::Forward);
-            let way = if order == 1.0 { String::new() } else { format!("{order}X.") };
+            // Those of other bodies by their names: with their ratio the order may vary from point to point of a sweep.
+            let way = match known.called(order) {
+                own if own == "1X" => String::new(),
+                own => format!("{}.", own.replace("1X of ", "").replace(", ", "+")),
+            };
             facts.each(&format!("critical_rpm.{way}"), own.iter().map(|own| words::rpm(own.speed)));
             let decrements = own.iter().map(|own| own.mode.log_decrement());
             facts.each(&format!("critical_log_decrement.{way}"), decrements);

@@ -14,6 +14,7 @@ mod lateral;
 mod map;
 mod matrices;
 mod modes;
+mod orders;
 mod peaked;
 mod periodic;
 mod response;

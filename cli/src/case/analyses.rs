@@ -15,9 +15,8 @@ use crate::values::range::{Range, is_range};
 const MOST: usize = 10_000;
 /// Speeds of a range that does not say how many.
 const SPEEDS: usize = 31;
-/// Modes, and orders of critical speeds, where none are asked for.
+/// Modes where it is not asked how many.
 pub(crate) const MODES: usize = 10;
-const ORDERS: [f64; 1] = [1.0];
 /// Orders of every shaft that excite torsion, and multiples of the frequency of teeth.
 const TORSION: [f64; 2] = [1.0, 2.0];
 const MESH_ORDERS: [f64; 1] = [1.0];
@@ -53,7 +52,7 @@ pub(crate) struct Analysis {
     pub(crate) ratios: Vec<Option<f64>>,
     /// How many modes, the slowest ones.
     pub(crate) count: usize,
-    /// Orders of critical speeds; of torsion, orders of every shaft that excite it.
+    /// Orders of critical speeds, none for once a turn of every body; of torsion, orders of every shaft that excite it.
     pub(crate) orders: Vec<f64>,
     /// Multiples of the frequency of teeth that excite torsion.
     pub(crate) mesh_orders: Vec<f64>,
@@ -191,7 +190,7 @@ impl AnalysisKind {
             AnalysisKind::Response => "Response to unbalance",
             AnalysisKind::Coefficients => "Stiffness and damping of the joints",
             AnalysisKind::Stability => "Stability",
-            AnalysisKind::Map => "Undamped critical speeds over the stiffness of the supports",
+            AnalysisKind::Map => "Undamped critical speeds over the stiffness of the joints",
             AnalysisKind::Matrices => "Matrices",
             AnalysisKind::Torsion => "Torsion",
             AnalysisKind::Forces => "Forces along the bodies",
@@ -200,9 +199,9 @@ impl AnalysisKind {
         }
     }
 
-    /// Orders where none are asked for.
+    /// Orders where none are asked for; none where they are those of the bodies that turn.
     pub(crate) fn orders(self) -> Vec<f64> {
-        if self == AnalysisKind::Torsion { TORSION.to_vec() } else { ORDERS.to_vec() }
+        if self == AnalysisKind::Torsion { TORSION.to_vec() } else { Vec::new() }
     }
 
     /// As a case names it.

@@ -108,6 +108,12 @@ impl FilmSource {
         }
     }
 
+    /// Names of the parameters that have other values than its file.
+    pub(super) fn set(&self) -> Vec<&str> {
+        let viscosity = self.told.heat.is_some().then_some(VISCOSITY);
+        self.given.iter().map(|own| own.name.as_str()).chain(viscosity).collect()
+    }
+
     /// Its nodes, and what its openings have of them, for people.
     pub(crate) fn described(&self) -> Vec<String> {
         let Ok(FilmLaw { journal, .. }) = self.built() else { return Vec::new() };

@@ -224,6 +224,22 @@ impl LawSource {
         }
     }
 
+    /// Its parameters that have the values of its file, as people write them; none if there are none.
+    pub(crate) fn told_of_file(&self) -> Option<String> {
+        let set: Vec<&str> = match self {
+            LawSource::Given(law) => law.given.iter().map(|own| own.name.as_str()).collect(),
+            LawSource::Film(film) => film.set(),
+            LawSource::BuiltIn(_) | LawSource::File(_) => Vec::new(),
+        };
+        // Those of the joint of a film have no values of a file.
+        let of_file = |own: &Parameter| self.film().is_none() || own.bearing.is_none();
+        let rest = self.parameters().into_iter().filter(|own| of_file(own));
+        let rest = rest.filter(|own| !set.contains(&own.name.as_str()));
+        let rest: Vec<Given> =
+            rest.map(|own| Given { name: own.name, value: own.written, unit: own.unit }).collect();
+        (!rest.is_empty()).then(|| listed(&rest))
+    }
+
     /// The law with these values in place of those in its file; itself if there are none.
     ///
     /// # Errors

@@ -358,7 +358,7 @@ const ANALYSIS: &[Key] = &[
     key(
         "orders",
         List(&Number),
-        "of critical speeds, 1 if left out; of torsion, of every shaft, 1 and 2 if left out",
+        "of critical speeds, once a turn of every body if left out; of torsion, of every shaft, 1 and 2 if left out",
     )
     .like("[1, 2]"),
     key("mesh_orders", List(&Number), "of torsion: of the teeth of gears; 1 if left out")

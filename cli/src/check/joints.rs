@@ -33,6 +33,10 @@ pub(super) fn all(joined: &JoinedMachine, plan: &JoinedPlan) -> Vec<(String, Vec
                 round(bore)
             ));
         }
+        // A bushing and gears tell of their coefficients themselves.
+        let of_law = matches!(joint.kind, JointKind::Bearing | JointKind::Stop);
+        let told = of_law.then(|| law.told_of_file()).flatten();
+        more.extend(told.map(|own| format!("from the law: {own}")));
         more.extend(law.film().into_iter().flat_map(|own| own.described()));
         more.extend(plan.pressures(place).map(|count| {
             let bore = joint.sides[1].place.text();

@@ -65,6 +65,9 @@ function withRoom(all, rpm) {
   return { modes, above: all.length - modes.length };
 }
 
+// A logarithmic decrement beyond which a motion is gone within a cycle.
+const MUCH = 3;
+
 // Charts of an analysis beside its figures, which they replace: names of those.
 const CHARTED = {
   campbell(host, name, tables) {
@@ -75,10 +78,12 @@ const CHARTED = {
     if (speeds.length < 2) return [];
     const ends = [Math.min(...speeds), Math.max(...speeds)];
     const orders = [...new Set(critical.map((row) => row.order).concat(1))].sort((a, b) => a - b);
+    const others = new Map(critical.filter((row) => row.once_a_turn_of && row.order !== 1).map((row) => [row.order, String(row.once_a_turn_of).replaceAll(' ', ', ')]));
+    const called = (order) => (others.has(order) ? `1X of ${others.get(order)}` : `${shown(order, 6)}X`);
     const all = [...grouped(rows, 'branch')].filter(([, own]) => own.length > 1);
     const { modes, above } = withRoom(all, Math.max(...orders) * Math.max(...speeds.map(Math.abs)));
     const top = 1.1 * Math.max(...modes.flatMap(([, own]) => own.map((row) => row.frequency_hz)));
-    const across = orders.map((order) => { const x = [ends[0], Math.min(ends[1], (60 * top) / order)]; return { name: `${order}X`, x, y: x.map((rpm) => (order * rpm) / 60), style: 6, dash: { 0.5: '6 2 1 2', 1: '2 3', 2: '1 4' }[order] || '4 4' }; }).filter((own) => own.x[1] > own.x[0]);
+    const across = orders.map((order) => { const x = [ends[0], Math.min(ends[1], (60 * top) / order)]; return { name: called(order), tag: called(order), x, y: x.map((rpm) => (order * rpm) / 60), style: 6, dash: { 0.5: '6 2 1 2', 1: '2 3', 2: '1 4' }[order] || '4 4' }; }).filter((own) => own.x[1] > own.x[0]);
     const x = { label: 'speed', unit: 'rpm' };
     const kinds = [...new Set(modes.flatMap(([, own]) => own.map((row) => row.whirl)))];
     const letter = (row) => ({ axial: 'A', torsional: 'T' })[row.motion] || { forward: 'F', backward: 'B' }[row.whirl] || '';
@@ -89,13 +94,17 @@ const CHARTED = {
     const note = `${always}${[['forward', 'solid: forward whirl'], ['backward', 'dashed: backward'], ['-', 'dotted: neither']].filter(([kind]) => kinds.includes(kind)).map(([, words]) => words).join(', ')}${letters ? `; ${letters}` : ''}${above ? `; ${above} more ${above === 1 ? 'mode' : 'modes'} above` : ''}`;
     new Chart(host, {
       id: `campbell-${slug(name)}`, title: 'Natural frequencies', zero: true, sync: `speed ${name}`, x, y: { label: 'frequency', unit: 'Hz' },
-      series: [...modes.map(([branch, own], k) => whirled(own, 'frequency_hz', `mode ${branch}`, k % 6)), ...across], note,
+      series: [...modes.map(([branch, own], k) => ({ ...whirled(own, 'frequency_hz', `mode ${branch}`, k % 6), tag: branch })), ...across], note,
       dots: critical.filter((row) => row.frequency_hz <= top).sort((a, b) => (b.whirl === 'forward') - (a.whirl === 'forward')).map((row) => ({ x: row.speed_rpm, y: row.frequency_hz, style: row.damping_ratio > 0.2 ? 6 : 1, name: critical.some((one) => one.damping_ratio > 0.2) ? 'critical speed (black: amplification 1/(2ζ) below 2.5)' : 'critical speed', label: `${shown(row.speed_rpm, 5)} ${letter(row)}`.trim() })),
       marks: thresholds,
     });
+    // Decrements that nobody waits for would squeeze those near zero.
+    const damps = modes.flatMap(([, own]) => own.map((row) => row.log_decrement));
+    const squeezed = damps.some((own) => own > MUCH) && damps.some((own) => own <= MUCH);
+    const near = (own) => (squeezed ? own.map((row) => (row.log_decrement > MUCH ? { ...row, log_decrement: NaN } : row)) : own);
     new Chart(host, {
       id: `decrement-${slug(name)}`, title: 'Damping: unstable below zero', sync: `speed ${name}`, x, y: { label: 'log decrement', unit: '1' }, levels: [{ y: 0, name: '', framed: true }], marks: thresholds,
-      series: modes.map(([branch, own], k) => whirled(own, 'log_decrement', `mode ${branch}`, k % 6)), note: always.replace('; ', ''),
+      series: modes.map(([branch, own], k) => ({ ...whirled(near(own), 'log_decrement', `mode ${branch}`, k % 6), tag: branch })), note: [always.replace('; ', ''), squeezed ? `decrements above ${MUCH} are left out` : ''].filter(Boolean).join('; '),
     });
     return [`${name}.svg`];
   },
@@ -135,10 +144,14 @@ const CHARTED = {
     const rows = tables.get(`${name}.csv`)?.rows;
     if (!rows || rows.length < 2) return [];
     const marks = (tables.get(`${name}.thresholds.csv`)?.rows || []).map((row) => ({ x: row.speed_rpm, name: `${row.what} ${shown(row.speed_rpm, 5)}` }));
-    new Chart(host, {
-      id: `stability-${slug(name)}`, title: 'The least stable mode: unstable below zero', x: { label: 'speed', unit: 'rpm' }, y: { label: 'log decrement', unit: '1' }, marks, levels: [{ y: 0, name: '', framed: true }],
-      series: [line(rows, 'speed_rpm', 'least_log_decrement', 'least of all modes'), ...(rows.some((row) => row.body_log_decrement !== row.least_log_decrement) ? [line(rows, 'speed_rpm', 'body_log_decrement', 'least that moves the body whose speed it is')] : [])],
+    const chart = (id, title, column) => new Chart(host, {
+      id: `${id}-${slug(name)}`, title: `${title}: unstable below zero`, sync: `speed ${name}`, x: { label: 'speed', unit: 'rpm' }, y: { label: 'log decrement', unit: '1' }, marks, levels: [{ y: 0, name: '', framed: true }],
+      series: [line(rows, 'speed_rpm', column, 'log decrement')],
     });
+    // Pads and rings may be ten times less damped than the rotor, or more.
+    const apart = rows.some((row) => row.body_log_decrement !== row.least_log_decrement);
+    if (apart) chart('stability-body', 'The least stable mode that moves the body whose speed it is', 'body_log_decrement');
+    chart('stability', apart ? 'The least stable mode of all bodies' : 'The least stable mode', 'least_log_decrement');
     return [`${name}.svg`];
   },
 };
@@ -176,7 +189,7 @@ Object.assign(CHARTED, {
         piece = [row];
       });
     }
-    new Chart(host, { id: `map-${slug(name)}`, title: 'Undamped critical speeds over the stiffness of all joints', zero: true, x: { label: 'stiffness of every joint', unit: 'N/m', log: true }, y: { label: 'speed', unit: 'rpm' }, series });
+    new Chart(host, { id: `map-${slug(name)}`, title: 'Undamped critical speeds over the stiffness of the joints', zero: true, x: { label: 'stiffness of every joint', unit: 'N/m', log: true }, y: { label: 'speed', unit: 'rpm' }, series });
     return [`${name}.svg`];
   },
   torsion(host, name, tables) {
@@ -197,7 +210,7 @@ Object.assign(CHARTED, {
     const band = said ? [...new Set([said[1], said[2] ?? said[1]].map(Number))].map((x) => ({ x, name: 'operation' })) : [];
     new Chart(host, {
       id: `torsion-${slug(name)}`, title: 'Interference diagram', zero: true, x: { label: 'speed', unit: 'rpm' }, y: { label: 'frequency', unit: 'Hz' },
-      series: [...modes.map(([mode, own], k) => line(own, 'speed_rpm', 'frequency_hz', `mode ${mode}`, { style: k % 6, dash: '' })), ...across], marks: band, note: all.length > modes.length ? `${all.length - modes.length} more ${all.length - modes.length === 1 ? 'mode' : 'modes'} above all excitations` : '',
+      series: [...modes.map(([mode, own], k) => line(own, 'speed_rpm', 'frequency_hz', `mode ${mode}`, { style: k % 6, dash: '', tag: mode })), ...across], marks: band, note: all.length > modes.length ? `${all.length - modes.length} more ${all.length - modes.length === 1 ? 'mode' : 'modes'} above all excitations` : '',
       dots: critical.map((row) => ({ x: row.speed_rpm, y: row.frequency_hz, style: 1, name: 'critical speeds of torsion', label: shown(row.speed_rpm, 4) })),
     });
     const shapes = [...grouped(tables.get(`${name}.modes.csv`)?.rows || [], 'mode')].map(([mode, own]) => [mode, own.filter((row) => typeof row.twist === 'number')]).filter(([, own]) => own.length > 1).slice(0, 6);
@@ -262,7 +275,7 @@ const FOUND = /^stable |^a further motion|^one motion stops|^no critical speed|c
 // Lines as the terminal has them; notes, which are sentences, wrap.
 function worded(parent, lines) {
   let [kept, note] = [[], false];
-  const flush = () => { if (kept.some((line) => line.trim())) add(parent, note ? 'p' : 'pre', kept.join('\n').trimEnd(), note ? { class: kept.some((line) => DANGER.test(line)) ? 'note loud' : 'note' } : {}); kept = []; };
+  const flush = () => { if (kept.some((line) => line.trim())) add(parent, note ? 'p' : 'pre', kept.join('\n').trimEnd(), note ? { class: kept.some((line) => DANGER.test(line)) ? 'note loud' : 'note' } : { style: `--wide: ${Math.max(...kept.map((line) => line.length))}` }); kept = []; };
   for (const line of lines) {
     const is = line.startsWith('note: ');
     if (is || note !== is) flush();

@@ -216,7 +216,7 @@ class Chart {
       for (const piece of own.pieces || [{ ...own, dash }]) out.push(`<path class="line ${own.className || `s${style}`}" ${piece.dash ? `stroke-dasharray="${piece.dash}"` : ''} d="${own.path ? this.path(own) : this.line(piece, v, inner)}"/>`);
       if (own.arrows) for (const at of own.arrows) out.push(this.arrow(own, at, style));
     });
-    const [labels, dots] = [[], []];
+    const [labels, dots] = [this.tags(out, v), []];
     const placed = (spec.dots || []).map((own) => [px(own.x), py(own.y)]);
     for (const own of spec.dots || []) {
       const [x, y] = [px(own.x), py(own.y)];
@@ -297,6 +297,24 @@ class Chart {
     const parts = [];
     for (let k = 0; k < own.x.length; k++) parts.push(`${k ? 'L' : 'M'}${px(own.x[k]).toFixed(1)} ${py(own.y[k]).toFixed(1)}`);
     return parts.join('');
+  }
+
+  // Short names at the right ends of lines, where no other one is.
+  tags(out, v) {
+    const placed = [];
+    for (const own of this.visible) {
+      if (own.tag === undefined) continue;
+      const [, to] = this.within(own, v.x0, v.x1);
+      let at = to - 1;
+      while (at >= 0 && !(own.x[at] <= v.x1 && own.y[at] >= v.y0 && own.y[at] <= v.y1)) at--;
+      if (at < 0) continue;
+      const wide = 6.4 * String(own.tag).length;
+      const [x, y] = [this.px(own.x[at]) - wide - 3, this.py(own.y[at]) - 3];
+      if (placed.some(([a, b, w]) => x < a + w && a < x + wide && Math.abs(b - y) < 11)) continue;
+      placed.push([x, y, wide]);
+      out.push(`<text class="label" x="${x.toFixed(1)}" y="${y.toFixed(1)}">${escaped(own.tag)}</text>`);
+    }
+    return placed;
   }
 
   // A head that points the way of time at a place of a path.

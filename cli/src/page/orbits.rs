@@ -10,6 +10,8 @@ use super::encode::Packed;
 /// Revolutions that are kept, and points of an orbit at most.
 pub(super) const REVOLUTIONS: f64 = 8.0;
 const POINTS: usize = 5000;
+/// Points of its way over the whole run, at most.
+const WAY: usize = 3000;
 
 /// An orbit as a page has it.
 #[derive(Debug, Serialize)]
@@ -33,6 +35,9 @@ pub(super) struct Orbit {
     fy_n: Packed,
     /// Revolutions before the end.
     before: Packed,
+    /// µm in space over the whole run, in the order of time.
+    way_x_um: Packed,
+    way_y_um: Packed,
     /// Points at which the keyphasor is seen, θ a multiple of 360°: x, y, and revolutions before the end.
     keyphasors: Vec<[f64; 3]>,
 }
@@ -87,8 +92,44 @@ impl Orbit {
             fx_n: pick(fx),
             fy_n: pick(fy),
             before: Packed::single(places.iter().map(|k| if turns { before(*k) } else { 0.0 })),
+            way_x_um: Packed::single([].into_iter()),
+            way_y_um: Packed::single([].into_iter()),
             keyphasors,
         }
+    }
+
+    /// With its way over the whole run.
+    pub(super) fn with(self, way: &[[f64; 2]]) -> Self {
+        let [way_x_um, way_y_um] =
+            [0, 1].map(|axis| Packed::single(way.iter().map(|own| own[axis])));
+        Orbit { way_x_um, way_y_um, ..self }
+    }
+}
+
+/// The ways of all journals over the whole run, of every few rows one.
+pub(super) struct Ways {
+    every: usize,
+    rows: usize,
+    ways: Vec<Vec<[f64; 2]>>,
+}
+
+impl Ways {
+    /// For about so many rows.
+    pub(super) fn new(journals: usize, rows: usize) -> Self {
+        Ways { every: rows.div_ceil(WAY).max(1), rows: 0, ways: vec![Vec::new(); journals] }
+    }
+
+    /// Adds a row.
+    pub(super) fn add(&mut self, row: impl Iterator<Item = [f64; 2]>) {
+        if self.rows.is_multiple_of(self.every) {
+            self.ways.iter_mut().zip(row).for_each(|(way, own)| way.push(own));
+        }
+        self.rows += 1;
+    }
+
+    /// Of each journal.
+    pub(super) fn finish(self) -> Vec<Vec<[f64; 2]>> {
+        self.ways
     }
 }
 

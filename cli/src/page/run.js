@@ -52,19 +52,29 @@ function orbits() {
   const choose = add(own, 'div', undefined, { class: 'choose screen' });
   const grid = add(own, 'div', undefined, { class: 'grid squares' });
   const most = Math.max(...run.orbits.map((orbit) => orbit.revolutions));
-  let shownRevolutions = turns ? Math.min(2, most) : 0;
+  // A machine that comes to no steady state is seen from its start; a run-up would be a smear.
+  const unsteady = /^not steady/.test(about.steady) && !run.tracked.length;
+  let shownRevolutions = unsteady ? Infinity : turns ? Math.min(2, most) : 0;
+  // What moves by no more than rounding has no orbit.
+  const stands = (orbit) => ['way_x_um', 'way_y_um'].every((name) => { const all = numbers(orbit[name]); let [least, most_] = [Infinity, -Infinity]; for (const value of all) { if (value < least) least = value; if (value > most_) most_ = value; } return !(most_ - least > 1e-6 * Math.max(Math.abs(least), Math.abs(most_))); });
+  const moving = run.orbits.filter((orbit) => !stands(orbit));
+  const still = run.orbits.filter(stands);
+  if (still.length) add(own, 'p', `Without an orbit, as nothing moves there: ${still.map((orbit) => orbit.title).join(', ')}.`, { class: 'soft' });
+  if (!moving.length) return;
   let framed = true;
-  const charts = run.orbits.map((orbit) => {
-    const [x, y, before] = [numbers(orbit.x_um), numbers(orbit.y_um), numbers(orbit.before)];
+  const charts = moving.map((orbit) => {
+    const before = numbers(orbit.before);
     const spec = { id: `orbit-${slug(orbit.title)}`, equal: true, x: { label: 'y, lateral', unit: 'µm' }, y: { label: 'x, vertical', unit: 'µm' }, circles: [{ r: orbit.clearance_um, name: 'clearance' }], series: [], dots: [] };
     spec.update = () => {
+      const whole = shownRevolutions === Infinity;
+      const [x, y] = (whole ? [orbit.way_x_um, orbit.way_y_um] : [orbit.x_um, orbit.y_um]).map(numbers);
       let from = 0;
-      if (orbit.revolutions > 0) while (from < before.length - 2 && before[from] > shownRevolutions * (1 + 1e-6)) from++;
+      if (!whole && orbit.revolutions > 0) while (from < before.length - 2 && before[from] > shownRevolutions * (1 + 1e-6)) from++;
       const count = x.length - from;
       spec.framed = framed;
       spec.series = [{ name: isJournal(orbit) ? 'centre of the journal' : `centre of ${orbit.moved}`, path: true, x: y.subarray(from), y: x.subarray(from), style: 0, arrows: [Math.floor(0.35 * count), Math.floor(0.8 * count)].filter((at) => at > 0) }];
-      spec.dots = orbit.keyphasors.filter((own) => own[2] <= shownRevolutions * (1 + 1e-6)).map(([px, py]) => ({ x: py, y: px, style: 1, name: 'keyphasor' }));
-      const over = orbit.revolutions > 0 ? (shownRevolutions >= orbit.revolutions ? `last ${shown(orbit.revolutions, 3)} revolutions` : shownRevolutions === 1 ? 'last revolution' : `last ${shown(shownRevolutions, 3)} revolutions`) : 'last cycle';
+      spec.dots = whole ? [{ x: y[0], y: x[0], style: 1, name: 'start' }] : orbit.keyphasors.filter((own) => own[2] <= shownRevolutions * (1 + 1e-6)).map(([px, py]) => ({ x: py, y: px, style: 1, name: 'keyphasor' }));
+      const over = whole ? 'the whole run' : orbit.revolutions > 0 ? (shownRevolutions >= orbit.revolutions ? `last ${shown(orbit.revolutions, 3)} revolutions` : shownRevolutions === 1 ? 'last revolution' : `last ${shown(shownRevolutions, 3)} revolutions`) : 'last cycle';
       spec.note = orbit.revolutions > 0 ? (orbit.sense > 0 ? `${over}, rotation ↻` : `${over}, rotation ↺`) : over;
     };
     spec.update();
@@ -73,7 +83,7 @@ function orbits() {
   });
   add(own, 'h3', all.every(isJournal) ? 'Forces on the journals, polar' : 'Forces, polar');
   const polar = add(own, 'div', undefined, { class: 'grid squares' });
-  for (const orbit of run.orbits) {
+  for (const orbit of moving) {
     const [fx, fy, before] = [numbers(orbit.fx_n), numbers(orbit.fy_n), numbers(orbit.before)];
     if ([fx, fy].every((own_) => own_.every((value) => value === 0))) continue;
     const spec = { id: `polar-${slug(orbit.title)}`, title: `${orbit.title}: force`, equal: true, origin: true, x: { label: 'force along y', unit: 'N' }, y: { label: 'force along x', unit: 'N' }, series: [], dots: [{ x: 0, y: 0, style: 6, name: 'no force' }] };
@@ -81,16 +91,19 @@ function orbits() {
       let from = 0;
       if (orbit.revolutions > 0) while (from < before.length - 2 && before[from] > shownRevolutions * (1 + 1e-6)) from++;
       const count = fx.length - from;
+      const turned = Math.min(shownRevolutions, orbit.revolutions);
+      spec.note = orbit.revolutions > 0 ? (turned === 1 ? 'last revolution' : `last ${shown(turned, 3)} revolutions`) : 'last cycle';
       spec.series = [{ name: `force on ${orbit.moved}`, path: true, x: fy.subarray(from), y: fx.subarray(from), style: 2, arrows: [Math.floor(0.35 * count), Math.floor(0.8 * count)].filter((at) => at > 0) }];
     };
     spec.update();
     charts.push(new Chart(polar, spec));
   }
   const update = () => { for (const chart of charts) { chart.spec.update(); if (chart.over) chart.render(); } };
-  if (turns && most > 1) {
+  if (turns && (most > 1 || unsteady)) {
     const label = add(choose, 'label', 'revolutions ');
     const select = add(label, 'select');
     for (const many of [1, 2, 4, 8]) if (many <= most || many === 1) add(select, 'option', String(many), { value: many });
+    add(select, 'option', 'whole run', { value: Infinity });
     select.value = String(shownRevolutions);
     select.addEventListener('change', () => { shownRevolutions = Number(select.value); update(); });
   }

@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::about::{About, Journal, Signal};
 use super::groups::Group;
 use super::kept::{Histories, Kept};
-use super::orbits::Orbit;
+use super::orbits::{Orbit, Ways};
 use super::over_speed::{PackedEnvelope, PackedOrders};
 use super::spectra::{self, Slices, Spectrum, Waterfall};
 use super::turned::Turned;
@@ -128,6 +128,7 @@ impl RunData {
         let tail_rows = tail(about, (&signals, &journals), history, rows)?;
         let from = ends - (tail_rows as f64 - 0.5) * dt;
         let mut end: Vec<Vec<f64>> = vec![Vec::new(); names.len()];
+        let mut ways = Ways::new(journals.len(), rows);
         let wanted = wanted(&signals, &journals, &of_angle);
         history.scan(history.start(), &names, &mut |row| {
             let time = row[0];
@@ -138,17 +139,18 @@ impl RunData {
             trackers.iter_mut().for_each(|own| own.add(time, row));
             envelopes.iter_mut().for_each(|own| own.add(time, row));
             slices.iter_mut().for_each(|own| own.add(time, row));
+            ways.add(journals.iter().map(|own| [row[own.0[0]], row[own.0[1]]]));
             if time >= from {
                 wanted.iter().for_each(|&own| end[own].push(row[own]));
             }
         })?;
         let (span, spectra) = spectra_of(about, &signals, &end, [begins, ends]);
-        let orbits = journals.iter().zip(&about.journals).filter_map(|((both, angle), own)| {
+        let orbits = journals.iter().zip(&about.journals).zip(ways.finish());
+        let orbits = orbits.filter_map(|(((both, angle), own), way)| {
             let [x, y, fx, fy] = [0, 1, 2, 3].map(|k| end[both[k]].as_slice());
             let cycle = (about.cycle_s / dt).round() as usize + 1;
-            (!x.is_empty()).then(|| {
-                Orbit::of(own, [x, y, fx, fy], angle.map(|own| end[own].as_slice()), cycle)
-            })
+            let angle = angle.map(|own| end[own].as_slice());
+            (!x.is_empty()).then(|| Orbit::of(own, [x, y, fx, fy], angle, cycle).with(&way))
         });
         let turned = of_angle.iter().filter_map(|(group, (columns, angle))| {
             let columns: Vec<&[f64]> = columns.iter().map(|own| end[*own].as_slice()).collect();

@@ -219,6 +219,20 @@ impl LinearMachine {
         speeds.collect()
     }
 
+    /// Turns of each body in a turn of body `of`, of those that turn in proportion to it with these `ratios`.
+    pub fn turns_in_one(&self, of: usize, ratios: &[Option<f64>]) -> Vec<Option<f64>> {
+        let [slow, fast] = [1.0, 2.0].map(|speed| self.speeds(of, speed, ratios));
+        let trains = self.machine.trains();
+        let of_body = |(body, both): (usize, (Option<f64>, Option<f64>))| match both {
+            (Some(slow), Some(fast)) => (fast == 2.0 * slow && slow != 0.0).then_some(slow),
+            // In a train with it.
+            _ => (self.machine.bodies[body].rotation().is_some_and(turns)
+                && trains.train(body) == trains.train(of))
+            .then(|| trains.ratio(body) / trains.ratio(of)),
+        };
+        slow.into_iter().zip(fast).enumerate().map(of_body).collect()
+    }
+
     /// The speed that a body of the same train whose rotation is given gives one that turns freely (rad/s).
     fn given_by_train(&self, of: usize) -> Option<f64> {
         let trains = self.machine.trains();
