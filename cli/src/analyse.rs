@@ -246,6 +246,7 @@ fn run(
         space: space.as_ref(),
     };
     let (mut done, mut interrupted) = (Vec::new(), false);
+    let (mut lost, mut alone) = (Vec::new(), None);
     let mut unfinished: Vec<Failure> = Vec::new();
     let mut refused = Diagnostics::new();
     for analysis in analyses {
@@ -260,15 +261,15 @@ fn run(
                 break;
             }
             Err(error @ Failure::Unfinished { .. }) if interruption.asked() => return Err(error),
-            // One that comes to nothing keeps no other from being done.
-            Err(error) if analyses.len() == 1 && analysis.table.is_none() => return Err(error),
-            Err(error @ Failure::Unfinished { .. }) if !interruption.asked() => {
-                unfinished.push(named(analysis, error));
-                continue;
-            }
-            // Nor does one that cannot be done: its table is named.
+            // One that comes to nothing keeps no other from being done, and what it came to before does not stand for it.
             Err(error) => {
-                refused.append(located(analysis, error));
+                lost.push(AnalysisFacts::failed(analysis, &error.to_string()));
+                match error {
+                    error if analyses.len() == 1 && analysis.table.is_none() => alone = Some(error),
+                    error @ Failure::Unfinished { .. } => unfinished.push(named(analysis, error)),
+                    // Nor does one that cannot be done: its table is named.
+                    error => refused.append(located(analysis, error)),
+                }
                 continue;
             }
         };
@@ -289,14 +290,25 @@ fn run(
                 }
             }
         }
-        done.push(AnalysisFacts::new(analysis, &found.text, files, found.interrupted));
+        let of = subject.speed_of(analysis);
+        done.push(AnalysisFacts::new(analysis, &found.text, files, (found.interrupted, of)));
         interrupted |= found.interrupted;
         if interrupted {
             show.note(&format!("`{name}` was interrupted: what was found is kept"));
             break;
         }
     }
-    if let (Some(mut output), Some(folder), false) = (output, folder, done.is_empty()) {
+    let before = folder.and_then(Analyses::of);
+    let stood = |own: &AnalysisFacts| {
+        before.as_ref().is_some_and(|before| !before.files_of(own.name()).is_empty())
+    };
+    let ended = !unfinished.is_empty() || matches!(alone, Some(Failure::Unfinished { .. }));
+    let changes = !done.is_empty() || ended && lost.iter().any(stood);
+    if let (Some(mut output), Some(folder), true) = (output, folder, changes) {
+        let stale =
+            before.iter().flat_map(|own| lost.iter().flat_map(|lost| own.files_of(lost.name())));
+        stale.for_each(|file| output.remove(file));
+        done.extend(lost);
         output.put(ANALYSES, Analyses::with(folder, case, words, done).json());
         output.commit()?;
         if !arguments.no_report {
@@ -315,6 +327,9 @@ fn run(
             kept: None,
             help: None,
         });
+    }
+    if let Some(error) = alone {
+        return Err(error);
     }
     // The last error is the command's own; those before it are written here.
     let last = if refused.is_empty() { unfinished.pop() } else { None };

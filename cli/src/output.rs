@@ -1,6 +1,7 @@
 //! Files of one command: their folder is checked before the work, filled at the end, all files or none.
 
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use whirl_solver::cache::write_aside;
@@ -17,6 +18,7 @@ pub(crate) struct Output {
     folder: PathBuf,
     created: CreatedFolders,
     files: Vec<(String, Vec<u8>)>,
+    removed: Vec<String>,
 }
 
 impl Output {
@@ -27,7 +29,7 @@ impl Output {
     pub(crate) fn open(folder: &Path) -> Result<Output, Failure> {
         let created = CreatedFolders::missing(folder);
         let folder = folder.to_path_buf();
-        let output = Output { lock: None, folder, created, files: Vec::new() };
+        let output = Output { lock: None, folder, created, files: Vec::new(), removed: Vec::new() };
         output.prepare().map_err(|error| output.failure(&output.folder, &error))?;
         Ok(output)
     }
@@ -61,6 +63,14 @@ impl Output {
         self.files.push((name.to_string(), content.into()));
     }
 
+    /// Has a file of an earlier command removed at the end, if it is there.
+    pub(crate) fn remove(&mut self, name: &str) {
+        // A list of files may have been edited: none beyond the folder.
+        if Path::new(name).file_name().is_some_and(|own| own == name) {
+            self.removed.push(name.to_string());
+        }
+    }
+
     /// Writes every file under a temporary name, then gives all of them their names.
     ///
     /// # Errors
@@ -74,6 +84,15 @@ impl Output {
         }
         for (path, rename) in written {
             rename().map_err(|error| self.failure(&path, &error))?;
+        }
+        for name in &self.removed {
+            let path = self.folder.join(name);
+            match fs::remove_file(&path) {
+                Err(error) if error.kind() != ErrorKind::NotFound => {
+                    return Err(self.failure(&path, &error));
+                }
+                _ => {}
+            }
         }
         self.created.keep();
         Ok(())

@@ -9,6 +9,7 @@ use whirl_solver::cache::{Key, pack, unpack, write_whole};
 use whirl_solver::dynamics::{
     BodyStart, Equilibrium, LastState, March, MarchOptions, NewtonOptions, equilibrium,
 };
+use whirl_solver::machine::Machine;
 
 use crate::case::{Case, Start};
 use crate::errors::Failure;
@@ -54,7 +55,7 @@ pub(crate) fn begin<'m>(
             let (last, sound) = read(Path::new(folder.text()), out)?;
             let march = March::from_last(machine, options, &last);
             let march = march.map_err(|error| refused(folder.text(), error))?;
-            watch.note(&going_on(folder.text(), &last));
+            watch.note(&going_on(folder.text(), &last, machine));
             if !sound {
                 watch.warn(&format!(
                     "this run continues the run in `{}`, whose verdict is NOT SOUND",
@@ -96,7 +97,7 @@ pub(crate) fn described(case: &Case, built: &Built) -> Result<Option<String>, Fa
             if let (Some(fields), Some(march)) = (&case.fields, &case.march) {
                 fields.check_times([last.time(), last.time() + march.duration()])?;
             }
-            Some(going_on(folder.text(), &last))
+            Some(going_on(folder.text(), &last, &built.machine))
         }
     })
 }
@@ -143,9 +144,13 @@ pub(crate) fn unsound(start: &Start) -> Option<String> {
     (!sound).then_some(words)
 }
 
-fn going_on(folder: &str, last: &LastState) -> String {
+fn going_on(folder: &str, last: &LastState, machine: &Machine) -> String {
     let time = whirl_text::shown(last.time(), 6, 1e-4..1e6);
-    format!("going on from {folder} at t = {time} s")
+    let anew = match last.begins_anew(machine) {
+        true => "; what laws and films remember begins anew, as they are others here",
+        false => "",
+    };
+    format!("going on from {folder} at t = {time} s{anew}")
 }
 
 /// Bodies at rest, but for speeds that the case gives.

@@ -119,6 +119,22 @@ pub enum Error {
         /// The law.
         law: String,
     },
+    /// A state of a law without equilibrium.
+    #[error(
+        "{joint}: the state {state} of its law {law} has no equilibrium: where all forces balance it changes by {rate:.4e} {unit} a second, whatever it is. Begin at rest, let its rate fall as it grows, or leave open the speed that it is to bring about"
+    )]
+    NeverSettles {
+        /// The joint.
+        joint: String,
+        /// Its law, and the state.
+        law: String,
+        /// Likewise.
+        state: String,
+        /// Its rate (SI), and the unit of the state.
+        rate: f64,
+        /// Likewise.
+        unit: String,
+    },
     /// Two bodies that are not round and turn at different speeds.
     #[error(
         "{} and {} are not round and turn at different speeds: their equations have no common period. Make one of them round, or march the machine",

@@ -496,5 +496,12 @@ fn pads_carry_what_another_program_finds() {
         assert!((c / damping - 1.0).abs() < 0.04, "{axis}: {c} N s/m for {damping}");
         // What couples both is left of the shear of the pads.
         assert!(sum[0][1][0].abs().max(sum[1][0][0].abs()) < 5e-3 * k, "{sum:?}");
+        // The command says the same, of pads with their inertia on pivots that give way a little.
+        let felt = Rows::read(&bench, "out/coefficients.through.csv");
+        let letter = ["xx", "yy"][axis];
+        let told = [format!("k_{letter}_N_m"), format!("c_{letter}_Ns_m")];
+        let told = told.map(|column| felt.number("rotor", &column));
+        assert!((told[0] / k - 1.0).abs() < 0.01, "{axis}: {} N/m for {k}", told[0]);
+        assert!((told[1] / c - 1.0).abs() < 0.01, "{axis}: {} N s/m for {c}", told[1]);
     }
 }

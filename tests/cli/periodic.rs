@@ -4,6 +4,7 @@
 
 mod branches;
 mod harmonic;
+mod multipliers;
 mod states;
 
 use std::f64::consts::TAU;

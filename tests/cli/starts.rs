@@ -444,3 +444,56 @@ fn a_drive_on_sections_is_told_a_set_that_is_there() {
     assert!(outcome.stderr.contains("add `section = \"LEFT_END\"`"), "{}", outcome.stderr);
     assert_eq!(bench.whirl(&["check", "good.toml"]).status, 0);
 }
+
+/// A state goes on in a run that begins from another one where it is of the same unit; where it is not, it begins as its law says, and
+/// the run says so.
+#[test]
+fn a_state_of_another_unit_begins_anew() {
+    let law = |unit: &str, start: &str, force: &str| {
+        format!(
+            "kind = \"law\"\nname = \"own\"\ntitle = \"a relaxing spring\"\nsource = \"own\"\n\
+             [inputs.e_x]\nunit = \"m\"\nrange = [-1e-3, 1e-3]\n[inputs.e_y]\nunit = \"m\"\nrange = [-1e-3, 1e-3]\n\
+             [parameters]\nk = {{ value = 1e5, unit = \"N/m\" }}\ntau = {{ value = 1, unit = \"s\" }}\n\
+             [states.z]\nunit = \"{unit}\"\nstart = {start}\n[rates]\nz = '-z/tau'\n\
+             [outputs.F_x]\nunit = \"N\"\nvalue = '{force}'\n[outputs.F_y]\nunit = \"N\"\nvalue = '-k*e_y'\n"
+        )
+    };
+    let case = |law: &str, start: &str| {
+        format!(
+            "title = \"a spring\"\n[body.r]\nturns = \"no\"\nmass = \"4 kg\"\nstiffness = {{ x = \"1e5 N/m\", y = \"1e5 N/m\" }}\n\
+             [joint.b]\nkind = \"bearing\"\njournal = {{ body = \"r\" }}\nlaw = \"{law}\"\nradial_clearance = \"1 mm\"\n\
+             [output.s]\nquantity = \"states\"\njoint = \"b\"\n{start}[march]\ntime_step = \"0.1 ms\"\nsteps = 100\n"
+        )
+    };
+    let from = "[start]\nfrom = \"first\"\n";
+    let bench = Workbench::new()
+        .file("metre.toml", &law("m", "1e-5", "-k*e_x + k*z"))
+        .file("newton.toml", &law("N", "7", "-k*e_x + z"))
+        .file("first.toml", &case("metre.toml", ""))
+        .file("same.toml", &case("metre.toml", from))
+        .file("other.toml", &case("newton.toml", from));
+    let run = |name: &str| {
+        let outcome = bench.whirl(&["run", &format!("{name}.toml"), "--no-figures", "--out", name]);
+        assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+        outcome.stdout + &outcome.stderr
+    };
+    let first = |name: &str, column: &str| bench.history(name).column(column)[0];
+    run("first");
+    let anew = "what laws and films remember begins anew";
+    assert!(!run("same").contains(anew));
+    let told = run("other");
+    assert!(told.contains(anew), "{told}");
+    let z =
+        bench.history("same").names().iter().find(|own| own.starts_with("z_s")).expect("z").clone();
+    // 10 ms of a second later.
+    let left = 10.0 * (-0.0101_f64).exp();
+    assert!((first("same", &z) / left - 1.0).abs() < 1e-3, "{z}: {}", first("same", &z));
+    let z = bench
+        .history("other")
+        .names()
+        .iter()
+        .find(|own| own.starts_with("z_s"))
+        .expect("z")
+        .clone();
+    assert!((first("other", &z) / 7.0 - 1.0).abs() < 1e-3, "{z}: {}", first("other", &z));
+}

@@ -9,6 +9,7 @@ use super::facts::Facts;
 use super::found::{Found, drawn};
 use super::speeds::Wanted;
 use super::states::{Ended, at_each_speed};
+use super::through::Felt;
 use super::words;
 use crate::case::{Analysis, Case};
 use crate::errors::Failure;
@@ -52,8 +53,13 @@ pub(super) fn found(
     ];
     let mut rows = vec![head.map(str::to_owned).to_vec()];
     let mut varying: Vec<(String, String, f64)> = Vec::new();
+    let mut felt = Felt::new(wanted.of, analysis);
     let mut work = |speed: f64, at: &Standstill| -> Result<(), Failure> {
         facts.numbers.clear();
+        felt.add(linear, speed, at)?;
+        for (order, own) in felt.last() {
+            facts.bearing(*order, own);
+        }
         for own in linear.varying_joints(at) {
             match varying.iter_mut().find(|known| known.0 == own.0) {
                 Some(known) => known.2 = known.2.max(own.2),
@@ -122,7 +128,12 @@ pub(super) fn found(
         let body = linear.machine().bodies[of].name();
         files.extend(drawn(name, &figure(case, body, &drawing)));
     }
-    let mut text = format!("{}: {}\n\n{}{notes}", case.name, case.title, table(&rows));
+    let mut text = format!("{}: {}\n\n{}", case.name, case.title, table(&rows));
+    if let Some((words, file)) = felt.told() {
+        text.push_str(&words);
+        files.push((format!("{name}.through.csv"), file.into_bytes()));
+    }
+    text.push_str(&notes);
     let sensed = words::sensed(case);
     text.push_str(&words::at_the_speed(linear));
     text.push_str(&sensed);

@@ -1,7 +1,7 @@
 //! What an analysis comes to for programs: numbers under names of their own, as tables of sweeps have them, and notes.
 
 use whirl_solver::linear::{Campbell, Critical, Doubt, JointCoefficients, Mode, Modes, Whirl};
-use whirl_solver::linear::{Threshold, Undamped};
+use whirl_solver::linear::{Threshold, Through, Undamped};
 
 use super::orders::Orders;
 use super::words;
@@ -153,6 +153,17 @@ impl Facts {
         let [x, y] = own.force;
         self.put(format!("{label}.force_x_N"), x);
         self.put(format!("{label}.force_y_N"), y);
+    }
+
+    /// Of a bearing with bodies of its own, at an order of the speed.
+    pub(super) fn bearing(&mut self, order: f64, own: &Through) {
+        let order =
+            if order == 1.0 { String::new() } else { format!("{}X.", Orders::rounded(order)) };
+        let label = own.joints.join("+");
+        let values = [own.stiffness, own.damping].into_iter().flatten().flatten();
+        for (name, value) in COEFFICIENTS.into_iter().zip(values) {
+            self.put(format!("{label}.{order}{name}"), value);
+        }
     }
 
     /// Of undamped critical speeds at a stiffness.

@@ -26,6 +26,7 @@ mod stability;
 mod states;
 mod stations;
 mod subject;
+mod through;
 mod torsion;
 mod words;
 

@@ -39,6 +39,13 @@ impl Subject<'_> {
         analysis.kind == AnalysisKind::Lateral || analysis.periodic.vary.is_some()
     }
 
+    /// The body whose speed an analysis is over, if that is told by one.
+    pub(crate) fn speed_of(&self, analysis: &Analysis) -> Option<String> {
+        let linear = self.linear?;
+        let of = speeds::wanted(self.case, linear, analysis).ok()?.of?;
+        Some(linear.machine().bodies[of].name().to_owned())
+    }
+
     /// What an analysis comes to; `warnings` are added to.
     ///
     /// # Errors

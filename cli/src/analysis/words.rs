@@ -195,9 +195,10 @@ pub(super) fn thresholds(linear: &LinearMachine, all: &Campbell) -> String {
         _ if all.interrupted => {
             text.push_str("interrupted: thresholds between these speeds may be missing\n");
         }
-        some if all.thresholds.is_empty() => {
+        // Thresholds of further motions alone do not say that something grew before.
+        some if !all.thresholds.iter().any(|own| own.grows && !own.others) => {
             let of = all.speeds.len();
-            let _ = writeln!(text, "UNSTABLE at {some} of these {of} speeds: {fastest}");
+            text.insert_str(0, &format!("UNSTABLE at {some} of these {of} speeds: {fastest}\n"));
         }
         _ => {}
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
 use whirl_codegen::document::Table;
-use whirl_codegen::kinds::law::{Acts, Given, LawSpec, Parameter};
+use whirl_codegen::kinds::law::{Acts, BearingValue, Given, LawSpec, Parameter};
 use whirl_solver::bearing::{FilmLaw, FrequencyTable, MotionKind};
 use whirl_solver::output::StateOfLaw;
 use whirl_specs::{LAWS, Law, TABLES};
@@ -231,8 +231,12 @@ impl LawSource {
             LawSource::Film(film) => film.set(),
             LawSource::BuiltIn(_) | LawSource::File(_) => Vec::new(),
         };
-        // Those of the joint of a film have no values of a file.
-        let of_file = |own: &Parameter| self.film().is_none() || own.bearing.is_none();
+        // Those of the joint of a film have no values of a file, and a clearance is told by itself.
+        let told = |of: BearingValue| {
+            matches!(of, BearingValue::RadialClearance | BearingValue::DiametralClearance)
+        };
+        let of_file =
+            |own: &Parameter| own.bearing.is_none_or(|of| self.film().is_none() && !told(of));
         let rest = self.parameters().into_iter().filter(|own| of_file(own));
         let rest = rest.filter(|own| !set.contains(&own.name.as_str()));
         let rest: Vec<Given> =

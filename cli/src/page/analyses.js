@@ -54,12 +54,12 @@ function whirled(rows, y, name, style) {
   return line(rows, 'speed_rpm', y, name, { style, dash: '', words, pieces: pieces.map((own) => ({ ...line(own.rows, 'speed_rpm', y), dash: dashes[own.whirl] })) });
 }
 
-// Modes without those so far above the rest that they would squeeze it: the five lowest and what is below five times the highest
+// Modes without those so far above the rest that they would squeeze it: the two lowest and what is below three times the highest
 // order are always there.
 function withRoom(all, rpm) {
   const top = ([, own]) => Math.max(...own.map((row) => row.frequency_hz));
   const tops = all.map(top).sort((a, b) => a - b);
-  const ceiling = Math.max(tops[4] ?? Infinity, (5 * rpm) / 60);
+  const ceiling = Math.max(tops[1] ?? Infinity, (3 * rpm) / 60);
   if (0.5 * tops[tops.length - 1] <= ceiling) return { modes: all, above: 0 };
   const modes = all.filter((own) => top(own) <= ceiling);
   return { modes, above: all.length - modes.length };
@@ -67,6 +67,10 @@ function withRoom(all, rpm) {
 
 // A logarithmic decrement beyond which a motion is gone within a cycle.
 const MUCH = 3;
+
+// The body whose speed an analysis is over, where several turn.
+const whose = (name) => { const of = (analyses?.analyses || []).find((own) => own.name === name)?.of; return of ? ` of ${of}` : ''; };
+const speedOf = (name) => ({ label: `speed${whose(name)}`, unit: 'rpm' });
 
 // Charts of an analysis beside its figures, which they replace: names of those.
 const CHARTED = {
@@ -84,7 +88,7 @@ const CHARTED = {
     const { modes, above } = withRoom(all, Math.max(...orders) * Math.max(...speeds.map(Math.abs)));
     const top = 1.1 * Math.max(...modes.flatMap(([, own]) => own.map((row) => row.frequency_hz)));
     const across = orders.map((order) => { const x = [ends[0], Math.min(ends[1], (60 * top) / order)]; return { name: called(order), tag: called(order), x, y: x.map((rpm) => (order * rpm) / 60), style: 6, dash: { 0.5: '6 2 1 2', 1: '2 3', 2: '1 4' }[order] || '4 4' }; }).filter((own) => own.x[1] > own.x[0]);
-    const x = { label: 'speed', unit: 'rpm' };
+    const x = speedOf(name);
     const kinds = [...new Set(modes.flatMap(([, own]) => own.map((row) => row.whirl)))];
     const letter = (row) => ({ axial: 'A', torsional: 'T' })[row.motion] || { forward: 'F', backward: 'B' }[row.whirl] || '';
     const letters = [['F', 'forward'], ['B', 'backward'], ['T', 'torsional'], ['A', 'axial']].filter(([one]) => critical.some((row) => letter(row) === one)).map((one) => one.join(' ')).join(', ');
@@ -115,28 +119,35 @@ const CHARTED = {
     const all = [...grouped(rows, 'body', 'point', 'order')].filter(([, own]) => own.length > 1 && moves(own)).sort(([, a], [, b]) => (a[0].order === 0) - (b[0].order === 0)).slice(0, 24);
     const several = new Set(rows.map((row) => row.body)).size > 1;
     const found = tables.get(`${name}.peaks.csv`)?.rows || [];
-    for (const [, own] of all) {
-      const [{ body, point, order }] = own;
-      const x = { label: several ? `speed of ${body}` : 'speed', unit: 'rpm' };
+    const beside = grouped(tables.get(`${name}.near.csv`)?.rows || [], 'body', 'point', 'order');
+    for (const [key, tabled] of all) {
+      const [{ body, point, order }] = tabled;
+      // Peaks lie between the speeds of the table.
+      const own = [...tabled, ...(beside.get(key) || [])].sort((a, b) => a.speed_rpm - b.speed_rpm);
+      const x = speedOf(name);
       const where = point.replace(/^(joint|output)\./, '$1 ');
       const title = order === 0 ? `${where}, mean position` : `${where}, ${order}X${several ? ` of ${body}` : ''}`;
       const id = slug(`${name} ${body} ${point} ${order}`);
-      // Peaks lie between the speeds of the table.
       const peaks = found.filter((row) => row.body === body && row.point === point && row.order === order && typeof row.major_um === 'number');
-      const beside = peaks.flatMap((row) => [[row.half_power_below_rpm, Math.SQRT1_2], [row.speed_rpm, 1], [row.half_power_above_rpm, Math.SQRT1_2]].filter(([rpm]) => typeof rpm === 'number').map(([rpm, part_]) => ({ speed_rpm: rpm, major_um: part_ * row.major_um })));
-      const whole = [...own, ...beside].sort((a, b) => a.speed_rpm - b.speed_rpm);
       new Chart(host, {
         id: `bode-${id}`, title, zero: true, sync: `speed ${name}`, x, y: { label: 'displacement', unit: 'µm', amplitude: order !== 0 },
         series: order === 0
           ? [line(own, 'speed_rpm', 'x_um', 'x'), line(own, 'speed_rpm', 'y_um', 'y')].map((one, k) => ({ ...one, y: one.y.map((value, at) => value * Math.cos((Math.PI * own[at][`${'xy'[k]}_phase_deg`]) / 180)) }))
-          : [line(own, 'speed_rpm', 'x_um', 'x'), line(own, 'speed_rpm', 'y_um', 'y'), line(whole, 'speed_rpm', 'major_um', 'major semi-axis of the orbit', { style: 6, dash: '2 3' })],
+          : [line(own, 'speed_rpm', 'x_um', 'x'), line(own, 'speed_rpm', 'y_um', 'y'), line(own, 'speed_rpm', 'major_um', 'major semi-axis of the orbit', { style: 6, dash: '2 3' })],
         dots: peaks.map((row) => ({ x: row.speed_rpm, y: row.major_um, style: 1, name: 'peak', label: `${shown(row.speed_rpm, 5)} rpm` })),
-        note: peaks.length ? 'peaks and half powers between the speeds of the table are of the major semi-axis' : '',
+        note: peaks.length ? 'peaks are of the major semi-axis' : '',
       });
       if (order !== 0) new Chart(host, {
         id: `bode-phase-${id}`, title: `${title}: phase`, sync: `speed ${name}`, x, y: { label: 'phase', unit: '°' },
-        series: ['x', 'y'].map((axis) => { const phase = line(own, 'speed_rpm', `${axis}_phase_deg`, axis); return { ...phase, y: unwrapped(phase.y) }; }),
+        series: ['x', 'y'].map((axis) => { const phase = line(own, 'speed_rpm', `${axis}_phase_deg`, axis); // What does not move has no phase.
+        return { ...phase, y: unwrapped(phase.y.map((value, k) => (own[k][`${axis}_um`] > 0 ? value : NaN))) }; }),
       });
+    }
+    if (found.length) {
+      const more = add(host, 'div');
+      add(more, 'h3', 'Peaks');
+      const several_ = several || new Set(found.map((row) => row.order)).size > 1;
+      table(more, ['point', ...(several_ ? ['order'] : []), `speed${whose(name)} (rpm)`, ['major semi-axis', 'µm'], 'amplification factor'], found.filter((row) => row.order > 0 && (typeof row.major_um !== 'number' || row.major_um > 0.01 * Math.max(...found.map((own) => own.major_um || 0)))).slice(0, 60).map((row) => [row.point.replace(/^(joint|output)\./, '$1 '), ...(several_ ? [`${row.order}X of ${row.body}`] : []), shown(row.speed_rpm, 5), typeof row.major_um === 'number' ? [row.major_um, 'µm'] : 'undamped', typeof row.amplification_factor === 'number' ? `${shown(row.amplification_factor, 4)}${/^(below|above)$/.test(row.half_power) ? ` (by the side ${row.half_power})` : ''}` : '–']), several_ ? [1] : []);
     }
     return all.length ? [`${name}.svg`] : [];
   },
@@ -145,7 +156,7 @@ const CHARTED = {
     if (!rows || rows.length < 2) return [];
     const marks = (tables.get(`${name}.thresholds.csv`)?.rows || []).map((row) => ({ x: row.speed_rpm, name: `${row.what} ${shown(row.speed_rpm, 5)}` }));
     const chart = (id, title, column) => new Chart(host, {
-      id: `${id}-${slug(name)}`, title: `${title}: unstable below zero`, sync: `speed ${name}`, x: { label: 'speed', unit: 'rpm' }, y: { label: 'log decrement', unit: '1' }, marks, levels: [{ y: 0, name: '', framed: true }],
+      id: `${id}-${slug(name)}`, title: `${title}: unstable below zero`, sync: `speed ${name}`, x: speedOf(name), y: { label: 'log decrement', unit: '1' }, marks, levels: [{ y: 0, name: '', framed: true }],
       series: [line(rows, 'speed_rpm', column, 'log decrement')],
     });
     // Pads and rings may be ten times less damped than the rotor, or more.
@@ -162,11 +173,18 @@ Object.assign(CHARTED, {
     const rows = tables.get(`${name}.csv`)?.rows;
     if (!rows?.length) return [];
     const all = [...grouped(rows, 'joint')].filter(([, own]) => own.length > 1).slice(0, 12);
-    const x = { label: 'speed', unit: 'rpm' };
+    const x = speedOf(name);
     for (const [joint, own] of all) {
       const some = (letter, unit) => ['xx', 'xy', 'yx', 'yy'].map((way, k) => line(own, 'speed_rpm', `${letter.toLowerCase()}_${way}_${unit}`, `${letter}${way}`, { style: k }));
       new Chart(host, { id: `stiffness-${slug(`${name} ${joint}`)}`, title: `${joint}: stiffness`, sync: `speed ${name}`, x, y: { label: 'stiffness', unit: 'N/m' }, levels: [{ y: 0, name: '' }], series: some('K', 'N_m') });
       new Chart(host, { id: `damping-${slug(`${name} ${joint}`)}`, title: `${joint}: damping`, sync: `speed ${name}`, x, y: { label: 'damping', unit: 'N·s/m' }, levels: [{ y: 0, name: '' }], series: some('C', 'Ns_m') });
+    }
+    for (const [bearing, own] of grouped(tables.get(`${name}.through.csv`)?.rows || [], 'bearing', 'order')) {
+      if (own.length < 2) continue;
+      const title = `${bearing.replace(/ · 1$/, '').replaceAll('+', ', ').replace(/ · (.*)$/, ' at $1X')}, as the shaft feels them`;
+      const some = (letter, unit) => ['xx', 'xy', 'yx', 'yy'].map((way, k) => line(own, 'speed_rpm', `${letter.toLowerCase()}_${way}_${unit}`, `${letter}${way}`, { style: k }));
+      new Chart(host, { id: `stiffness-through-${slug(`${name} ${bearing}`)}`, title: `${title}: stiffness`, sync: `speed ${name}`, x, y: { label: 'stiffness', unit: 'N/m' }, levels: [{ y: 0, name: '' }], series: some('K', 'N_m') });
+      new Chart(host, { id: `damping-through-${slug(`${name} ${bearing}`)}`, title: `${title}: damping`, sync: `speed ${name}`, x, y: { label: 'damping', unit: 'N·s/m' }, levels: [{ y: 0, name: '' }], series: some('C', 'Ns_m') });
     }
     return all.length ? [`${name}.svg`] : [];
   },
@@ -209,7 +227,7 @@ Object.assign(CHARTED, {
     const said = (analyses.analyses.find((own) => own.name === name)?.text || '').match(/in operation ([\d.]+)(?: to ([\d.]+))? rpm/);
     const band = said ? [...new Set([said[1], said[2] ?? said[1]].map(Number))].map((x) => ({ x, name: 'operation' })) : [];
     new Chart(host, {
-      id: `torsion-${slug(name)}`, title: 'Interference diagram', zero: true, x: { label: 'speed', unit: 'rpm' }, y: { label: 'frequency', unit: 'Hz' },
+      id: `torsion-${slug(name)}`, title: 'Interference diagram', zero: true, x: speedOf(name), y: { label: 'frequency', unit: 'Hz' },
       series: [...modes.map(([mode, own], k) => line(own, 'speed_rpm', 'frequency_hz', `mode ${mode}`, { style: k % 6, dash: '', tag: mode })), ...across], marks: band, note: all.length > modes.length ? `${all.length - modes.length} more ${all.length - modes.length === 1 ? 'mode' : 'modes'} above all excitations` : '',
       dots: critical.map((row) => ({ x: row.speed_rpm, y: row.frequency_hz, style: 1, name: 'critical speeds of torsion', label: shown(row.speed_rpm, 4) })),
     });
@@ -236,7 +254,9 @@ function swept() {
   const { names, rows } = parsed(file.csv);
   const numeric = names.filter((name) => rows.some((row) => typeof row[name] === 'number'));
   const across = [...sweep.varied.filter((name) => numeric.includes(name)), 'point'].filter((name) => numeric.includes(name));
-  const up = numeric.filter((name) => !across.includes(name));
+  // What is the same everywhere comes last.
+  const constant = (name) => new Set(rows.map((row) => row[name])).size < 2;
+  const up = numeric.filter((name) => !across.includes(name)).sort((a, b) => constant(a) - constant(b));
   if (across.length && up.length) {
     add(own, 'h3', 'Any number of the table over what varies');
     const choose = add(own, 'div', undefined, { class: 'choose screen' });
@@ -272,12 +292,15 @@ function swept() {
 const DANGER = /^UNSTABLE|NOT STABLE|^DOES NOT PASS|too large for a linear/;
 const FOUND = /^stable |^a further motion|^one motion stops|^no critical speed|critically damped|joints are linear, within|^all modes are|^in operation|amplitudes are not computed|^PASSES/;
 
+// Sentences of the terminal without the quotes of its commands.
+const plain = (words, sentence = true) => (sentence ? words.replace(/`([^`]+)`/g, '$1') : words);
+
 // Lines as the terminal has them; notes, which are sentences, wrap.
 function worded(parent, lines) {
   let [kept, note] = [[], false];
-  const flush = () => { if (kept.some((line) => line.trim())) add(parent, note ? 'p' : 'pre', kept.join('\n').trimEnd(), note ? { class: kept.some((line) => DANGER.test(line)) ? 'note loud' : 'note' } : { style: `--wide: ${Math.max(...kept.map((line) => line.length))}` }); kept = []; };
+  const flush = () => { if (kept.some((line) => line.trim())) add(parent, note ? 'p' : 'pre', plain(kept.join('\n').trimEnd(), note), note ? { class: kept.some((line) => DANGER.test(line)) ? 'note loud' : 'note' } : { style: `--wide: ${Math.max(...kept.map((line) => line.length))}` }); kept = []; };
   for (const line of lines) {
-    const is = line.startsWith('note: ');
+    const is = line.startsWith('note: ') || (line.length > 150 && !/ {3}/.test(line));
     if (is || note !== is) flush();
     note = is;
     kept.push(line);
@@ -288,8 +311,9 @@ function worded(parent, lines) {
 function analysed() {
   if (!analyses) return;
   const tables = new Map(data.tables.map((own) => [own.name, parsed(own.csv)]));
-  for (const { name, kind, heading, text, files, interrupted } of analyses.analyses) {
+  for (const { name, kind, heading, text, files, interrupted, failed } of analyses.analyses) {
     const own = part(`analysis-${slug(name)}`, heading);
+    if (failed) { add(add(own, 'div', undefined, { class: 'verdict bad' }), 'p', `Analysis \u201c${name}\u201d came to nothing: ${text}.`); continue; }
     const usual = name === kind ? '' : `Analysis \u201c${name}\u201d. `;
     if (usual || interrupted) add(own, 'p', `${usual}${interrupted ? 'Interrupted: what was found up to then.' : ''}`, { class: 'soft' });
     const lines = text.trimEnd().split('\n').filter((line, k) => k > 0 || !line.startsWith(`${about.name}: `));

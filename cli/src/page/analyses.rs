@@ -22,6 +22,12 @@ pub(crate) struct AnalysisFacts {
     files: Vec<String>,
     /// Whether it was ended before all was done.
     interrupted: bool,
+    /// Whether it came to nothing, the text being why.
+    #[serde(default)]
+    failed: bool,
+    /// The body whose speed it is over.
+    #[serde(default)]
+    of: Option<String>,
 }
 
 /// All analyses of a folder, of one case.
@@ -37,8 +43,18 @@ pub(crate) struct Analyses {
 }
 
 impl AnalysisFacts {
-    /// Of an analysis, what it printed and the names of its files.
-    pub(crate) fn new(own: &Analysis, text: &str, files: Vec<String>, interrupted: bool) -> Self {
+    /// Of an analysis that came to nothing, and why.
+    pub(crate) fn failed(own: &Analysis, why: &str) -> Self {
+        AnalysisFacts { failed: true, ..AnalysisFacts::new(own, why, Vec::new(), (false, None)) }
+    }
+
+    /// Of an analysis, what it printed, the names of its files, whether it was interrupted, and the body whose speed it is over.
+    pub(crate) fn new(
+        own: &Analysis,
+        text: &str,
+        files: Vec<String>,
+        (interrupted, of): (bool, Option<String>),
+    ) -> Self {
         AnalysisFacts {
             name: own.name.clone(),
             kind: own.kind.word().to_owned(),
@@ -46,11 +62,30 @@ impl AnalysisFacts {
             text: text.to_owned(),
             files,
             interrupted,
+            failed: false,
+            of,
         }
+    }
+
+    /// Its name.
+    pub(crate) fn name(&self) -> &str {
+        &self.name
     }
 }
 
 impl Analyses {
+    /// Those that a folder has; none where nothing was analysed there, or by another version of the program.
+    pub(crate) fn of(folder: &Path) -> Option<Self> {
+        let text = fs::read_to_string(folder.join(ANALYSES)).ok()?;
+        Analyses::read(&text).ok()
+    }
+
+    /// Files of one of them.
+    pub(crate) fn files_of(&self, name: &str) -> &[String] {
+        let own = self.analyses.iter().find(|own| own.name == name);
+        own.map_or(&[], |own| &own.files)
+    }
+
     /// Those that were done now, in the place of or behind those of the same case that the folder has.
     pub(crate) fn with(
         folder: &Path,
@@ -67,8 +102,7 @@ impl Analyses {
             words,
             analyses: Vec::new(),
         };
-        let before = fs::read_to_string(folder.join(ANALYSES)).ok();
-        let before = before.and_then(|text| Analyses::read(&text).ok());
+        let before = Analyses::of(folder);
         // What was found of another state of the case would stand beside what is found now as if it were of the same.
         if let Some(before) =
             before.filter(|own| (&own.name, &own.words) == (&all.name, &all.words))

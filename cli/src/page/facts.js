@@ -3,7 +3,7 @@
 function head() {
   add(page, 'h1', about.title || about.name);
   add(page, 'p', `${about.title ? about.name : ''}${about.source ? ` · ${about.source}` : ''}`, { class: 'soft' });
-  if (!summary) return;
+  if (!summary) { foundBox(); return; }
   if (analyses) add(page, 'p', 'The verdict is on the run; analyses say themselves what limits them.', { class: 'soft' });
   const { verdict } = summary;
   const box = add(page, 'div', undefined, { class: verdict.sound ? 'verdict' : 'verdict bad', id: 'verdict' });
@@ -13,18 +13,33 @@ function head() {
     const list = add(box, 'ul');
     for (const own of verdict.findings) {
       const amount = (value) => (value === null ? 'no number' : own.unit === '1' ? `${shown(100 * value, 3)} %` : `${shown(value, 3)} ${own.unit}`);
-      add(list, 'li', `${own.what}: ${amount(own.value)}, limit ${amount(own.limit)}. Remedy: ${own.remedy}`);
+      add(list, 'li', `${own.what}: ${amount(own.value)}, limit ${amount(own.limit)}. Remedy: ${plain(own.remedy)}`);
     }
   }
-  const found = analysesFound();
-  if (found.length) { const other = add(page, 'div', undefined, { class: 'verdict bad', id: 'found' }); add(other, 'strong', 'What the analyses found'); const list = add(other, 'ul'); for (const words of found) add(list, 'li', words); }
+  foundBox();
   if (summary.error) add(box, 'p', `The run ended early: ${summary.error}.`);
   facts();
 }
 
-// What analyses found that must not be missed, a line each.
-function analysesFound() {
-  return (analyses?.analyses || []).flatMap(({ name, text }) => text.split('\n').filter((line) => DANGER.test(line)).slice(0, 2).map((line) => `${name}: ${line.replace(/^note: /, '')}`));
+// What analyses found that must not be missed, a line each; of a page without a run also what passes.
+function foundBox() {
+  const lines = new Map();
+  const note = (name, line) => { const words = line.replace(/^note: /, ''); if (!lines.has(words)) lines.set(words, []); lines.get(words).push(name); };
+  let bad = false;
+  for (const { name, text, failed, interrupted } of analyses?.analyses || []) {
+    if (failed) note(name, `came to nothing: ${text}`);
+    if (interrupted) note(name, 'interrupted: what was found up to then');
+    const danger = failed ? [] : text.split('\n').filter((line) => DANGER.test(line));
+    bad ||= failed || interrupted || danger.length > 0;
+    danger.slice(0, 3).forEach((line) => note(name, line));
+    if (danger.length > 3) note(name, `${danger.length - 3} more of these lines are in its words`);
+    if (!summary && !failed) text.split('\n').filter((line) => /^PASSES|^stable at all/.test(line)).slice(0, 1).forEach((line) => note(name, line));
+  }
+  if (!lines.size) return;
+  const box = add(page, 'div', undefined, { class: bad ? 'verdict bad' : 'verdict', id: 'found' });
+  add(box, 'strong', 'What the analyses found');
+  const list = add(box, 'ul');
+  for (const [words, names] of lines) add(list, 'li', plain(`${names.join(', ')}: ${words}`));
 }
 
 // What is asked first.
@@ -122,7 +137,7 @@ function strongest() {
         // The larger circle gives its sense.
         if (other > amplitude[at] || (top && amplitude[at] + other <= top.amplitude)) continue;
         const way = !spectrum.two_sided ? '' : other > 0.9 * amplitude[at] ? ', along a line' : order > 0 ? ' forward' : ' backward';
-        top = { amplitude: amplitude[at] + other, hertz: Math.abs(frequency[at]), unit: signal.unit, title: signal.title, words: `${shown(Math.abs(order), 3)} times the speed${body ? ` of ${body}` : ''}${way}` };
+        top = { amplitude: amplitude[at] + other, hertz: Math.abs(frequency[at]), unit: signal.unit, title: signal.title, words: `${Math.abs(Math.abs(order) - 1) < 0.005 ? 'the speed' : `${shown(Math.abs(order), 3)} times the speed`}${body ? ` of ${body}` : ''}${way}` };
       }
     }
   });
@@ -143,24 +158,28 @@ function theCase() {
   for (const { title, table: rows, lines } of about.words) {
     add(own, 'h3', title);
     if (rows) table(own, rows[0], rows.slice(1));
-    if (lines) { const list = add(own, 'ul', undefined, { class: 'plain' }); for (const line of lines) add(list, 'li', line); }
+    if (lines) { const list = add(own, 'ul', undefined, { class: 'plain' }); for (const line of lines) add(list, 'li', plain(line)); }
   }
 }
 
 function results() {
   if (!summary || !(summary.supports.length || summary.orders)) return;
   const own = part('results', 'The last cycle');
-  add(own, 'p', `A cycle is ${shown(1e3 * summary.cycle_s, 5)} ms: ${about.cycle}. ${about.steady[0].toUpperCase()}${about.steady.slice(1)}.`);
+  add(own, 'p', `A cycle is ${shown(1e3 * summary.cycle_s, 5)} ms: ${plain(about.cycle)}. ${about.steady[0].toUpperCase()}${about.steady.slice(1)}.`);
   const moving = summary.supports;
   if (moving.length && about.words[0]?.title === 'The mass') {
     table(own, ['', '', ['force', 'N'], ['displacement of the mass', 'mm']], moving.flatMap((support, k) => ['min', 'mean', 'max'].map((which) => [which === 'min' ? `Stop ${k + 1}` : '', which, [support.RX_N[which], 'N'], [1e-3 * support.X_um[which], 'mm']])), [1]);
   } else if (moving.length) {
     const heads = ['', '', ['force x', 'N'], ['force y', 'N'], ['eccentricity x', 'µm'], ['eccentricity y', 'µm'], ['clearance', 'µm']];
+    // What is nothing beside the largest of its kind is rounding.
+    const most = (names) => Math.max(...moving.flatMap((support) => names.flatMap((name) => ['min', 'max'].map((which) => Math.abs(support[name]?.[which] || 0)))));
+    const [force, way] = [most(['RX_N', 'RY_N']), most(['EX_um', 'EY_um'])];
+    const clean = (value, largest) => (Math.abs(value) > 1e-9 * largest ? value : 0);
     const pushes = (support) => ['RX_N', 'RY_N', 'EX_um', 'EY_um'].some((name) => ['min', 'max'].some((which) => support[name]?.[which] !== 0));
     const named_ = moving.map((support, k) => [support.joint || supportName(k), support]);
     const still = named_.filter(([, support]) => !pushes(support)).map(([name]) => name);
     const rows = named_.filter(([, support]) => pushes(support)).flatMap(([name, support]) => ['min', 'mean', 'max'].map((which) => [
-      which === 'min' ? name : '', which, [support.RX_N[which], 'N'], [support.RY_N[which], 'N'], [support.EX_um[which], 'µm'], [support.EY_um[which], 'µm'],
+      which === 'min' ? name : '', which, [clean(support.RX_N[which], force), 'N'], [clean(support.RY_N[which], force), 'N'], [clean(support.EX_um[which], way), 'µm'], [clean(support.EY_um[which], way), 'µm'],
       which === 'min' && support.clearance_um > 0 ? [support.clearance_um, 'µm'] : '']));
     table(own, heads, rows, [1]);
     if (still.length) add(own, 'p', `Nothing moves or pushes across the axis in ${still.join(', ')}.`, { class: 'soft' });

@@ -95,7 +95,7 @@ pub(super) fn motions<'a>(
 }
 
 /// Bytes of a table, and of all, at most.
-const TABLE: usize = 1 << 20;
+const TABLE: usize = 2 << 20;
 const TABLES: usize = 4 << 20;
 
 /// The tables among some files that are there and have room.
@@ -178,8 +178,12 @@ fn what(name: &str) -> Option<String> {
 }
 
 /// What tables of analyses have, by what follows the name of the analysis.
-const TABLES_OF: [(&str, &str); 13] = [
+const TABLES_OF: [(&str, &str); 14] = [
     ("critical", "critical speeds, and where modes begin or end to grow"),
+    (
+        "through",
+        "stiffness and damping of bearings with bodies of their own, as their shafts feel them",
+    ),
     ("thresholds", "speeds at which modes begin or end to grow"),
     ("peaks", "peaks of the response, with their amplification"),
     ("probes", "what probes read, over the speed"),

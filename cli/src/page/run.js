@@ -56,7 +56,7 @@ function orbits() {
   const unsteady = /^not steady/.test(about.steady) && !run.tracked.length;
   let shownRevolutions = unsteady ? Infinity : turns ? Math.min(2, most) : 0;
   // What moves by no more than rounding has no orbit.
-  const stands = (orbit) => ['way_x_um', 'way_y_um'].every((name) => { const all = numbers(orbit[name]); let [least, most_] = [Infinity, -Infinity]; for (const value of all) { if (value < least) least = value; if (value > most_) most_ = value; } return !(most_ - least > 1e-6 * Math.max(Math.abs(least), Math.abs(most_))); });
+  const stands = (orbit) => (unsteady ? ['way_x_um', 'way_y_um'] : ['x_um', 'y_um']).every((name) => { const all = numbers(orbit[name]); let [least, most_] = [Infinity, -Infinity]; for (const value of all) { if (value < least) least = value; if (value > most_) most_ = value; } return !(most_ - least > 1e-4 * Math.max(Math.abs(least), Math.abs(most_))); });
   const moving = run.orbits.filter((orbit) => !stands(orbit));
   const still = run.orbits.filter(stands);
   if (still.length) add(own, 'p', `Without an orbit, as nothing moves there: ${still.map((orbit) => orbit.title).join(', ')}.`, { class: 'soft' });
@@ -138,7 +138,7 @@ function spectra() {
   const own = part('spectra', 'Spectra');
   const two = run.spectra.some((spectrum) => spectrum.two_sided);
   // Angles of bodies whose speed varies.
-  const varies = new Set(about.signals.filter((one) => run.tracked.some((all) => all.signals.some((signal) => one.columns.some(([name]) => name === signal.column)))).map((one) => one.angle));
+  const varies = new Set(about.signals.filter((one) => [...run.tracked, ...run.envelopes].some((all) => all.signals.some((signal) => one.columns.some(([name]) => name === signal.column)))).map((one) => one.angle));
   add(own, 'p', `Over the last ${shown(1e3 * run.spectrum_s, 4)} ms, Hann window.${two ? ' Where x and y are known, the motion is taken as circles: those that run with the rotation have positive frequencies, those against it negative ones. A circle shows its radius; what moves along a line shows half of its amplitude on both sides.' : ''}`, { class: 'soft' });
   const grid = add(own, 'div', undefined, { class: 'grid' });
   run.spectra.forEach((spectrum, k) => {
@@ -167,7 +167,7 @@ function overSpeed(all) {
 
 function tracked() {
   if (!run || !run.tracked.length) return;
-  const own = part('orders', 'Orders over speed');
+  const own = part('orders', `Orders over ${run.tracked.some((all) => overSpeed(all).x.label === 'speed') ? 'speed' : 'time'}`);
   for (const all of run.tracked) {
     const n = all.revolutions;
     add(own, 'p', `Amplitudes and phases of x = A cos(nθ + φ), tracked by the angle: each point is a fit over ${shown(n)} revolutions with the weights of a Hann window. It tells an order from what differs from it by ${shown(2 / n, 3)} orders or more; nearer than that, both are in one. Overall is half of largest less least value in the same revolutions, of the direction in which it is larger: where it is far above 1X, something else moves${2 / n < 0.45 ? `: the largest part between ${shown(2 / n, 2)} and ${shown(1 - 2 / n, 2)} times the speed is shown with its order where it matters${run.tracked.length > 1 || new Set(about.signals.map((one) => one.angle)).size > 1 ? ', without once and twice the speeds of other bodies' : ''}` : ', and its spectra tell what'}. Curves begin and end half of ${shown(n)} revolutions inside the run.`, { class: 'soft' });
@@ -205,9 +205,11 @@ function tracked() {
 // Least and largest values of every revolution of a run-up or a run-down.
 function envelopes() {
   if (!run || !run.envelopes.length) return;
-  const own = part('envelope', 'Envelope over speed');
+  const own = part('envelope', `Envelope over ${run.envelopes.some((all) => overSpeed(all).x.label === 'speed') ? 'speed' : 'time'}`);
+  const told = new Set();
   for (const all of run.envelopes) {
-    add(own, 'p', all.revolutions > 1 ? `The least and the largest value of every ${shown(all.revolutions)} revolutions.` : 'The least and the largest value of every revolution.', { class: 'soft' });
+    if (!told.has(all.revolutions)) add(own, 'p', all.revolutions > 1 ? `The least and the largest value of every ${shown(all.revolutions)} revolutions.` : 'The least and the largest value of every revolution.', { class: 'soft' });
+    told.add(all.revolutions);
     const { turn, x } = overSpeed(all);
     const grid = add(own, 'div', undefined, { class: 'grid' });
     for (const whole of about.signals) {
@@ -221,21 +223,26 @@ function envelopes() {
   }
 }
 
+// A speed (rad/s) at which a body turns, and not only rocks.
+const REVERSED = 1;
+
 // Why a run whose speed varies has no orders over it.
 function reversed() {
   if (!run || run.tracked.length) return;
-  const names = [...columns.keys()].filter((name) => /^omega_.*rad_s$/.test(name) && extremes(name)[0] < 0 && extremes(name)[1] > 0);
+  const names = [...columns.keys()].filter((name) => /^omega_.*rad_s$/.test(name) && extremes(name)[0] < -REVERSED && extremes(name)[1] > REVERSED);
   if (!names.length) return;
   const own = part('orders', 'Orders over speed');
   add(own, 'p', `There are none: ${names.map((name) => name.replace(/^omega_(?:(.*)_)?rad_s$/, (_, body) => body || 'the first body that turns')).join(', ')} turns in both directions in this run, and orders are tracked by an angle that goes on one way. Run each direction by itself for them.`, { class: 'soft' });
 }
 
 function waterfalls() {
-  if (!run || !run.waterfalls.length) return;
+  // Maps whose parts are too short to tell ½X from 1X at the highest speed say nothing.
+  const tells = (fall) => 2 / fall.slice_s < 0.5 * (Math.max(...fall.rpm.map(Math.abs)) / 60);
+  if (!run || !run.waterfalls.some(tells)) return;
   const own = part('waterfall', 'Spectra over the run');
   add(own, 'p', `Spectra of ${run.waterfalls[0].time.length} overlapping parts of the run, each ${shown(1e3 * run.waterfalls[0].slice_s, 3)} ms long with a Hann window, which tells lines apart that differ by ${shown(2 / run.waterfalls[0].slice_s, 2)} Hz or more; every cell has the largest amplitude in it. Dashed lines are ½, 1 and 2 times the speed.`, { class: 'soft' });
   const grid = add(own, 'div', undefined, { class: 'grid' });
-  for (const fall of run.waterfalls) {
+  for (const fall of run.waterfalls.filter(tells)) {
     const signal = about.signals[fall.signal];
     const { cells, rpm, time } = fall;
     const across = fall.two_sided ? 2 * cells - 1 : cells;
@@ -263,13 +270,17 @@ function energy() {
   const own = part('quality', 'Energy and quality of the run');
   const words = { work_in: 'work of loads, drives and gravity', kinetic: 'change of the kinetic energy', strain: 'change of the strain energy', spring_stored: 'change of the energy stored in joints', spring_dissipated: 'energy dissipated in joints', dissipated: 'energy dissipated in bodies', error: 'error of the balance' };
   const names = [...new Set([...Object.keys(words), ...Object.keys(summary.energy_balance_j)])].filter((name) => name in summary.energy_balance_j);
-  const rows = names.map((name) => [words[name] || name.replaceAll('_', ' '), [summary.energy_balance_j[name], 'J']]);
-  add(own, 'p', 'Balance from the start to the end of the run. The error is what the program lost or made; it is part of the verdict.', { class: 'soft' });
+  // To the digits that show the error.
+  const largest = Math.max(...Object.values(summary.energy_balance_j).map(Math.abs));
+  const digits = Math.min(12, 2 + Math.ceil(Math.log10(Math.max(largest / Math.max(Math.abs(summary.energy_balance_j.error || 0), 1e-10 * largest), 100))));
+  const rows = names.map((name) => [words[name] || name.replaceAll('_', ' '), () => shown(summary.energy_balance_j[name] * Units.of('J')[1], name === 'error' ? 3 : digits)]);
+  const made = summary.verdict.measures.energy_made_share;
+  add(own, 'p', `Balance from the start to the end of the run. The error is what the program lost or made in all${typeof made === 'number' ? `; the verdict also counts what single joints made or lost, whatever that comes to in all: ${shown(100 * made, 3)} %` : ''}.`, { class: 'soft' });
   table(own, ['', ['energy', 'J']], rows);
   const { march, time, counts } = summary;
   const list = add(own, 'ul', undefined, { class: 'plain' });
   const step = march.time_step_s ? `time step ${shown(march.time_step_s)} s` : `steps of ${shown(march.automatic.shortest_step_s, 3)} to ${shown(march.automatic.longest_step_s, 3)} s, chosen by the program`;
-  add(list, 'li', `${march.integrator}, ${step}; ${march.steps} steps, ${march.iterations} iterations, ${march.factorisations} factorisations`);
+  add(list, 'li', `${march.integrator}, ${step}; ${march.steps} steps, ${march.iterations} iterations, ${march.factorisations} ${march.factorisations === 1 ? 'factorisation' : 'factorisations'}`);
   add(list, 'li', `${counts.active} unknowns, ${counts.springs} ${counts.springs === 1 ? 'spring' : 'springs'}`);
   add(list, 'li', `${shown(time.total_wall_s, 3)} s in all, of which time integration took ${shown(time.march_wall_s, 3)} s and the reduction of the bodies ${shown(time.reduction_wall_s, 3)} s${time.reduction_cached ? ' (from the cache)' : ''}`);
   const more = add(own, 'details');

@@ -269,7 +269,7 @@ impl FilmAt {
         };
         journal.heat_to(temperature, &mut self.balance);
         self.solved = match given.hold {
-            Hold::Rest | Hold::Settled => {
+            Hold::Rest | Hold::Settled(_) => {
                 let motion = if squeezed { &steady } else { &still };
                 let found = self.rest((journal, shapes), motion, squeezed);
                 temperature = found.unwrap_or(f64::NAN);

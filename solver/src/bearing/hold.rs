@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::states::LONG;
+
 /// How the states of laws follow from what is known of them.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub enum Hold {
@@ -12,8 +14,9 @@ pub enum Hold {
     Start,
     /// s = known + weight · ṡ, with the weight of a step (s); they are what is known of them where it is 0.
     Implicit(f64),
-    /// Their rates are zero, those of states that only integrate as well: their inputs are such.
-    Settled,
+    /// Their rates are zero, those of states that only integrate as well: their inputs are such that s = time · ṡ with a long
+    /// time (s). A value that is known of one, and a number, stays.
+    Settled(f64),
 }
 
 /// What is known of the states of all laws: law after law, state after state, spring after spring. All of it is empty where
@@ -40,6 +43,12 @@ impl LawStates {
         let values = || vec![0.0; count];
         let hold = if count == 0 { Hold::default() } else { Hold::Start };
         LawStates { known: values(), rates: values(), lag: values(), hold, ..LawStates::default() }
+    }
+
+    /// Has them settle, with nothing known of any.
+    pub(crate) fn settle(&mut self) {
+        self.known.fill(f64::NAN);
+        self.hold = Hold::Settled(LONG);
     }
 
     pub(crate) fn copy_from(&mut self, other: &LawStates) {

@@ -1,7 +1,9 @@
 //! The springs of laws with states.
 
 use super::hold::{Hold, LawStates};
+use super::law::Remembered;
 use super::placed_law::PlacedLaw;
+use super::plane::Plane;
 use super::springs::Springs;
 use super::state::SpringState;
 use super::states::InStep;
@@ -14,6 +16,36 @@ pub(crate) struct StatesAt {
     /// By states ∂ṡ/∂x, one an input of the law, and ∂Q/∂s, one a force that it gives.
     pub(crate) by_inputs: Vec<Vec<f64>>,
     pub(crate) forces: Vec<Vec<f64>>,
+}
+
+impl Springs {
+    /// The values at which states begin, in their order; 0 of those that begin where their rates are zero.
+    pub(crate) fn starts(&self) -> Vec<f64> {
+        let mut starts = Vec::new();
+        for law in &self.laws {
+            for state in &law.bound.states {
+                starts.resize(starts.len() + law.springs, state.start.unwrap_or(0.0));
+            }
+        }
+        starts
+    }
+
+    /// The plane of a state by its place among all, and the state with the name of its law.
+    pub(crate) fn named_state(&self, place: usize) -> Option<(&Plane, &str, &Remembered)> {
+        let mut first = 0;
+        for (number, law) in self.laws.iter().enumerate() {
+            let count = law.bound.states.len() * law.springs;
+            if place < first + count {
+                let (state, spring) =
+                    ((place - first) / law.springs, (place - first) % law.springs);
+                let of = |own: &&Plane| own.law == number && own.springs.contains(&spring);
+                let plane = self.planes.iter().find(of)?;
+                return Some((plane, law.bound.law.name(), &law.bound.states[state]));
+            }
+            first += count;
+        }
+        None
+    }
 }
 
 impl SpringState {

@@ -168,10 +168,13 @@ impl Remembering {
             Hold::Rest if integrates => {
                 Known::stays(self.given.known.get(at).copied().unwrap_or(begins))
             }
-            Hold::Settled if integrates => {
-                Known { own: 1.0, known: 0.0, weight: LONG, guess: begins }
+            Hold::Settled(long) if integrates => {
+                match self.given.known.get(at).copied().filter(|own| own.is_finite()) {
+                    Some(value) => Known::stays(value),
+                    None => Known { own: 1.0, known: 0.0, weight: long, guess: begins },
+                }
             }
-            Hold::Rest | Hold::Settled => Known { guess: begins, ..Known::AT_REST },
+            Hold::Rest | Hold::Settled(_) => Known { guess: begins, ..Known::AT_REST },
             Hold::Start => match start {
                 None if !integrates => Known::AT_REST,
                 _ => Known::stays(begins),
@@ -307,7 +310,7 @@ impl Remembering {
     /// Whether all is to settle and the rate of a state that only integrates is not zero, and hangs on nothing.
     fn goes_on(&self, given: &AtSpring, springs: usize, spring: usize) -> bool {
         let states = given.rows_in - given.inputs;
-        self.given.hold == Hold::Settled
+        matches!(self.given.hold, Hold::Settled(_))
             && (0..states).any(|state| {
                 self.integrates[state * springs + spring]
                     && given.rate(state) != 0.0

@@ -100,12 +100,14 @@ pub(crate) fn eigenvalues(a: &Matrix) -> Result<Vec<[f64; 2]>, LinearAlgebraErro
     Ok(values.into_iter().map(|value| [value.re, value.im]).collect())
 }
 
-/// All eigenvalues of a square matrix, each with the modulus of the last entry of its vector of unit length: of the matrix of
-/// Arnoldi's process that tells what is left of a Ritz pair.
+/// All eigenvalues of a square matrix, each with its vector of unit length: of the matrix of Arnoldi's process the last entry
+/// tells what is left of a Ritz pair.
 ///
 /// # Errors
 /// As [`eigenvalues`].
-pub(crate) fn ritz_pairs(a: &Matrix) -> Result<Vec<(Complex64, f64)>, LinearAlgebraError> {
+pub(crate) fn ritz_pairs(
+    a: &Matrix,
+) -> Result<Vec<(Complex64, Vec<Complex64>)>, LinearAlgebraError> {
     let failure = LinearAlgebraError::NoConvergence { size: a.rows };
     if a.data.iter().any(|value| !value.is_finite()) {
         return Err(failure);
@@ -116,8 +118,8 @@ pub(crate) fn ritz_pairs(a: &Matrix) -> Result<Vec<(Complex64, f64)>, LinearAlge
     let (values, vectors) = (found.S().column_vector(), found.U());
     let pairs = (0..a.rows).map(|k| {
         let size = (0..a.rows).map(|i| vectors[(i, k)].norm_sqr()).sum::<f64>().sqrt();
-        let last = a.rows.checked_sub(1).map_or(0.0, |row| vectors[(row, k)].norm());
-        (Complex64::new(values[k].re, values[k].im), last / size)
+        let vector = (0..a.rows).map(|i| vectors[(i, k)] / size).collect();
+        (Complex64::new(values[k].re, values[k].im), vector)
     });
     Ok(pairs.collect())
 }

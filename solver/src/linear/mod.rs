@@ -52,6 +52,7 @@ mod state_space;
 mod stood;
 #[cfg(test)]
 mod tests;
+mod through;
 mod torsion;
 mod track;
 mod unheld;
@@ -77,6 +78,7 @@ pub use round::LinearMachine;
 pub use standing_loads::Counted;
 pub use state_doubts::StateDoubts;
 pub use state_space::StateSpace;
+pub use through::Through;
 pub use torsion::{Node, Torque, Torsion, Way};
 
 #[cfg(doc)]

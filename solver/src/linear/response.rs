@@ -24,6 +24,8 @@ use crate::plane_rows::PlaneRows;
 const SAMPLES: usize = 96;
 /// What is smaller than this share of the largest is nothing.
 const NOTHING: f64 = 1e-6;
+/// Amplitudes up to which a motion is rounding (m).
+const LEAST: f64 = 1e-12;
 /// Share of the forces that act that is rounding of them.
 const ROUNDING: f64 = 1e-9;
 
@@ -145,7 +147,8 @@ impl LinearMachine {
             .collect();
         let size = |own: &[Vibration]| own.iter().map(|own| own.orbit().major).fold(0.0, f64::max);
         let most = all.iter().map(|own| size(&own.1)).fold(0.0, f64::max);
-        Ok(all.into_iter().filter(|own| size(&own.1) > NOTHING * most).collect())
+        let bound = (NOTHING * most).max(LEAST);
+        Ok(all.into_iter().filter(|own| size(&own.1) > bound).collect())
     }
 
     /// The run-out of the journal of a joint that turns (m, in the frame of its body).
@@ -290,6 +293,10 @@ impl LinearMachine {
                 let sum = all.entry(order).or_insert_with(nothing).iter_mut();
                 sum.zip(&force).for_each(|(sum, own)| *sum += own);
             }
+        }
+        // What turns with a round body has no mean in space.
+        if !self.not_round().any(turns) {
+            all.remove(&0);
         }
         let size = |own: &[Complex64]| own.iter().map(|own| own.norm()).fold(0.0, f64::max);
         let most = all.values().map(|own| size(own)).fold(0.0, f64::max);

@@ -4,7 +4,7 @@ use super::doubled::finer;
 use super::harmonic::balanced;
 use super::map::{CycleMap, Orbit};
 use super::motion::Periodic;
-use super::multipliers::{largest, paired, stability};
+use super::multipliers::{Largest, stability};
 use super::options::{Method, PeriodicOptions};
 use super::solve::{Observe, Solved, solve};
 use super::weighed::Weighed;
@@ -46,14 +46,15 @@ pub fn periodic_from(
     let y = weighed.weighed(x);
     let Solved { y, miss, method } = solve(&mut weighed, y, options, observe)?;
     let cycles = weighed.map.cycles() - before;
-    let own = largest(&mut weighed, &y, options.multipliers)?;
-    let state = weighed.state(&y);
+    let own = Largest::of(&mut weighed, &y, options.multipliers)?;
+    let (state, metric) = (weighed.state(&y), weighed.metric());
     let orbit = map.orbit(&state)?;
     let judged = options.judged.then(|| finer(map, options, (&state, &orbit), observe));
-    let (multipliers, step_error) = match judged.transpose()? {
-        Some((finer, error)) => (paired(&own, &finer), Some(error)),
-        None => (paired(&own, &[]), None),
+    let (finer, step_error) = match judged.transpose()? {
+        Some((finer, error)) => (finer, Some(error)),
+        None => (Vec::new(), None),
     };
+    let multipliers = own.with((&mut Weighed::with(map, metric), &y), &finer)?;
     let Orbit { history, outcome, forces } = orbit;
     Ok(Periodic {
         cycle: map.cycle(),

@@ -1,5 +1,7 @@
 //! Arnoldi's process: an orthonormal basis of what a linear map makes of a vector again and again, in which the map is small.
 
+use num_complex::Complex64;
+
 use super::metric::norm;
 use crate::linalg::{Matrix, dot};
 
@@ -54,6 +56,15 @@ impl Krylov {
     pub(super) fn matrix(&self) -> Matrix {
         let size = self.size();
         Matrix::from_fn(size, size, |i, j| self.columns[j].get(i).copied().unwrap_or(0.0))
+    }
+
+    /// A vector that has these parts in the basis.
+    pub(super) fn vector(&self, parts: &[Complex64]) -> Vec<Complex64> {
+        let mut sum = vec![Complex64::ZERO; self.basis[0].len()];
+        for (own, part) in self.basis.iter().zip(parts) {
+            sum.iter_mut().zip(own).for_each(|(sum, own)| *sum += part * own);
+        }
+        sum
     }
 
     /// What leads out of the basis.

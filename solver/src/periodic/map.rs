@@ -6,7 +6,7 @@
 use super::common::speeds;
 use super::cycle::Cycle;
 use super::in_space::InSpace;
-use crate::bearing::{Alike, Hold};
+use crate::bearing::Alike;
 use crate::dynamics::{
     BodyStart, Changes, Integrator, LinearStep, LinearSteps, March, MarchOptions, NewtonOptions,
     Outcome, SteadyRule,
@@ -333,7 +333,7 @@ impl<'m> CycleMap<'m> {
             self.machine.set_given(start, false, [&mut state.q, &mut state.v, &mut state.a]);
             state.laws = springs.beginning();
             if laws_at_rest {
-                state.laws.hold = Hold::Settled;
+                state.laws.settle();
             }
             let mut equations = Equations::new(self.machine);
             equations.evaluate(start, &state);

@@ -2,14 +2,15 @@
 //!
 //! Modes that steps do not resolve have multipliers of their own: by the average acceleration the modulus of one that is damped is
 //! 1 − 4ζT/(ωΔt²) or so, nearer to 1 the longer steps are, where those of the motion are right to O(Δt²). With steps half as
-//! long the logarithm of the modulus is four times as large: so they are told.
+//! long the logarithm of the modulus is four times as large, and from step to step such a change turns by far, near to the
+//! other sign: so they are told. Either alone is no proof: what a multiplier near 1 loses may be four times as much by its error.
 
 use num_complex::Complex64;
 
 use super::krylov::Krylov;
-use super::weighed::Weighed;
+use super::weighed::{LinearCycle, Weighed};
 use crate::error::Error;
-use crate::linalg::{eigenvalues, ritz_pairs};
+use crate::linalg::ritz_pairs;
 
 /// Products with the derivative at most, where states are many, and how often Ritz values are looked at.
 const PRODUCTS: usize = 160;
@@ -24,6 +25,8 @@ const ALIKE: f64 = 0.5;
 const NEAR: f64 = 0.02;
 const FOURFOLD: f64 = 1.0;
 const SAME: f64 = 1e-9;
+/// Mean cosine between a change and the same a step later below which steps do not resolve it: five steps and a half a turn.
+const JUMPS: f64 = 0.5;
 /// Multipliers that are found more of with steps half as long: not all have the same order.
 pub(super) const MORE: usize = 8;
 /// Moduli above which a multiplier without one of steps half as long is no verdict, where others have one.
@@ -66,34 +69,97 @@ pub enum Stability {
     Undecided,
 }
 
-/// The largest multipliers of a motion, ascending in what they have lost: all of them where states are few.
+/// A multiplier with its change of the state at the start, in weighed coordinates.
+type Pair = (Complex64, Vec<Complex64>);
+
+/// The largest multipliers of a motion with their changes.
+pub(super) struct Largest {
+    pairs: Vec<Pair>,
+    cycle: Option<LinearCycle>,
+}
+
+impl Largest {
+    /// Ascending in what they have lost: all of them where states are few.
+    ///
+    /// # Errors
+    /// A step that does not converge; eigenvalues that are not found.
+    pub(super) fn of(map: &mut Weighed, y: &[f64], wanted: usize) -> Result<Self, Error> {
+        let (mut pairs, cycle) = if map.map.is_small() {
+            let (_, monodromy) = map.monodromy(y)?;
+            (ritz_pairs(&monodromy)?, None)
+        } else {
+            let (_, mut cycle) = map.linearised(y)?;
+            (of_many(map, &mut cycle, y.len(), wanted)?, Some(cycle))
+        };
+        pairs.retain(|own| own.0.norm() > NOTHING);
+        pairs.sort_by(|(a, _), (b, _)| b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im)));
+        Ok(Largest { pairs, cycle })
+    }
+
+    /// Without their changes.
+    pub(super) fn values(&self) -> Vec<Complex64> {
+        self.pairs.iter().map(|own| own.0).collect()
+    }
+
+    /// With those of steps half as long, where there are some; `map` and `y` as they were found with.
+    ///
+    /// # Errors
+    /// A step that does not converge.
+    pub(super) fn with(
+        mut self,
+        (map, y): (&mut Weighed, &[f64]),
+        finer: &[Complex64],
+    ) -> Result<Vec<Multiplier>, Error> {
+        let values = self.values();
+        let mut may_jump = vec![true; values.len()];
+        let mut known = vec![false; values.len()];
+        loop {
+            let all = paired((&values, &may_jump), finer);
+            let open = |place: &usize| {
+                all[*place].kind == MultiplierKind::Unresolved
+                    && values[*place].im >= 0.0
+                    && !known[*place]
+            };
+            let open: Vec<usize> = (0..all.len()).filter(open).collect();
+            if open.is_empty() {
+                return Ok(all);
+            }
+            if self.cycle.is_none() {
+                self.cycle = Some(map.linearised(y)?.1);
+            }
+            let cycle = self.cycle.as_mut().expect("it was made");
+            for place in open {
+                known[place] = true;
+                may_jump[place] = map.from_step_to_step(cycle, &self.pairs[place].1)? < JUMPS;
+            }
+        }
+    }
+}
+
+/// The same of a motion whose other states are looked at elsewhere.
 ///
 /// # Errors
-/// A step that does not converge; eigenvalues that are not found.
+/// As [`Largest::of`].
 pub(super) fn largest(
     map: &mut Weighed,
     y: &[f64],
     wanted: usize,
 ) -> Result<Vec<Complex64>, Error> {
-    let mut values: Vec<Complex64> = if map.map.is_small() {
-        let (_, monodromy) = map.monodromy(y)?;
-        eigenvalues(&monodromy)?.into_iter().map(|[re, im]| Complex64::new(re, im)).collect()
-    } else {
-        of_many(map, y, wanted)?
-    };
-    values.retain(|own| own.norm() > NOTHING);
-    values.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im)));
-    Ok(values)
+    Ok(Largest::of(map, y, wanted)?.values())
 }
 
 /// Those that Arnoldi's process finds first: the largest.
-fn of_many(map: &mut Weighed, y: &[f64], wanted: usize) -> Result<Vec<Complex64>, Error> {
-    let (_, mut cycle) = map.linearised(y)?;
+fn of_many(
+    map: &mut Weighed,
+    cycle: &mut LinearCycle,
+    size: usize,
+    wanted: usize,
+) -> Result<Vec<Pair>, Error> {
     let left = LEFT[usize::from(map.map.memory() > 0)];
-    let mut krylov = Krylov::new(&first(y.len()));
+    let mut krylov = Krylov::new(&first(size));
     loop {
         if let Some(next) = krylov.next() {
-            let image = map.change(&mut cycle, next)?;
+            let image = map.change(cycle, next)?;
             krylov.take(image);
         }
         let complete = krylov.next().is_none() || krylov.size() >= PRODUCTS;
@@ -103,12 +169,17 @@ fn of_many(map: &mut Weighed, y: &[f64], wanted: usize) -> Result<Vec<Complex64>
         let mut pairs = ritz_pairs(&krylov.matrix())?;
         pairs.sort_by(|a, b| b.0.norm().total_cmp(&a.0.norm()));
         let beyond = krylov.beyond();
-        let exact = |own: &&(Complex64, f64)| beyond * own.1 <= left;
+        let last = |own: &Pair| own.1.last().map_or(0.0, |own| own.norm());
+        let exact = |own: &&Pair| beyond * last(own) <= left;
         let leading = pairs.iter().take_while(exact).count();
         if complete || leading >= wanted {
             // Those behind one that is not known may have others before them.
             let known = if leading == 0 { pairs.len().min(1) } else { leading };
-            return Ok(pairs[..known].iter().map(|own| own.0).collect());
+            pairs.truncate(known);
+            return Ok(pairs
+                .into_iter()
+                .map(|(own, parts)| (own, krylov.vector(&parts)))
+                .collect());
         }
     }
 }
@@ -125,8 +196,12 @@ fn first(size: usize) -> Vec<f64> {
 }
 
 /// Multipliers with those of steps half as long, each of which is taken once, the nearest pairs first: near by themselves, or by
-/// the law of what is not resolved. What has changed beyond that has no other, and a conjugate has the conjugate of its own.
-pub(super) fn paired(own: &[Complex64], finer: &[Complex64]) -> Vec<Multiplier> {
+/// the law of what is not resolved, which those obey that may jump from step to step. What has changed beyond that has no other, and
+/// a conjugate has the conjugate of its own.
+pub(super) fn paired(
+    (own, may_jump): (&[Complex64], &[bool]),
+    finer: &[Complex64],
+) -> Vec<Multiplier> {
     // Of pairs the one above the real axis.
     let stands = |all: &[Complex64]| -> Vec<usize> {
         (0..all.len()).filter(|&place| all[place].im >= 0.0).collect()
@@ -141,7 +216,7 @@ pub(super) fn paired(own: &[Complex64], finer: &[Complex64]) -> Vec<Multiplier> 
             let lost = [value, other].map(|own| -own.norm().max(NOTHING).ln());
             let unresolved = (lost[1] / (4.0 * lost[0])).ln().abs();
             // What stands at 1 obeys both.
-            let (cost, kind) = match unresolved < motion && value.norm() < 0.999 {
+            let (cost, kind) = match may_jump[i] && unresolved < motion && value.norm() < 0.999 {
                 true => (unresolved, MultiplierKind::Unresolved),
                 false => (motion, MultiplierKind::Motion),
             };
@@ -234,7 +309,7 @@ mod tests {
         let own = [real(0.797), real(0.795), real(0.453), pair(0.39333, 2.0), pair(0.39333, -2.0)];
         let finer =
             [real(0.404), real(0.399), pair(0.39295, 2.001), pair(0.39295, -2.001), real(0.042)];
-        let all = paired(&own, &finer);
+        let all = paired((&own, &[true; 8][..own.len()]), &finer);
         use MultiplierKind::{Motion, Unresolved};
         let kinds: Vec<MultiplierKind> = all.iter().map(|own| own.kind).collect();
         assert_eq!(kinds, [Unresolved, Unresolved, Unresolved, Motion, Motion]);
@@ -249,13 +324,13 @@ mod tests {
         let real = |value: f64| Complex64::new(value, 0.0);
         let own = [pair(0.2, 0.21809).to_vec(), vec![real(6.1e-5), real(5.8e-5)]].concat();
         let finer = [vec![real(0.5754), real(0.5761)], pair(0.198, 0.217).to_vec()].concat();
-        let all = paired(&own, &finer);
+        let all = paired((&own, &[true; 8][..own.len()]), &finer);
         assert_eq!(all[0].finer, Some(finer[2]));
         assert_eq!(all[1].finer, Some(finer[3]));
         assert!(all[2..].iter().all(|own| own.finer.is_none()), "{all:?}");
         assert_eq!(stability(&all), Stability::Stable);
         // One of the largest that is not found again is no verdict.
-        let all = paired(&[real(0.95), real(0.3)], &[real(0.3)]);
+        let all = paired((&[real(0.95), real(0.3)], &[true; 2]), &[real(0.3)]);
         assert_eq!(stability(&all), Stability::Undecided);
         assert_eq!(doubtful(&all).expect("one").value, real(0.95));
     }
@@ -263,7 +338,8 @@ mod tests {
     #[test]
     fn a_multiplier_near_the_circle_is_no_verdict() {
         let one = |value: f64, finer: f64| {
-            stability(&paired(&[Complex64::new(value, 0.0)], &[Complex64::new(finer, 0.0)]))
+            let own = [Complex64::new(value, 0.0)];
+            stability(&paired((&own, &[false]), &[Complex64::new(finer, 0.0)]))
         };
         assert_eq!(one(0.98, 0.985), Stability::Stable);
         assert_eq!(one(0.98, 0.9901), Stability::Undecided);

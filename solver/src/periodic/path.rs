@@ -201,7 +201,7 @@ impl Path<'_> {
             let history = map.map.orbit(&state)?.history;
             Ok((state, history, map.map.cycle().period))
         })?;
-        let all: Vec<Multiplier> = paired(&multipliers, &[]);
+        let all: Vec<Multiplier> = paired((&multipliers, &vec![false; multipliers.len()]), &[]);
         Ok(BranchPoint {
             value: node.value,
             state,

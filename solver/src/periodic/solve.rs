@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::anderson::Anderson;
+use super::metric::norm;
 use super::options::{CycleProgress, Method, PeriodicOptions};
 use super::shooting::Shot;
 use super::weighed::{Weighed, miss};
@@ -16,6 +17,10 @@ const STALLS: usize = 3;
 const MARCHED: [usize; 2] = [8, 2];
 /// Marches that may fail on the way.
 const FAILURES: usize = 4;
+
+/// Multiple of the states that were marched beyond which none is one that a cycle leaves: what grows by the same in every cycle, as the
+/// time that a law counts, changes by nothing beside a value that is large enough.
+const BEYOND: f64 = 1e6;
 
 /// A state that a cycle leaves as it is.
 pub(super) struct Solved {
@@ -32,12 +37,17 @@ struct Best {
     y: Vec<f64>,
     miss: f64,
     stalled: usize,
+    /// Whether cycles are still marched one after the other, and the largest state among these.
+    marches: bool,
+    marched: f64,
 }
 
 impl Best {
     /// Takes a state that the map makes `image` of.
     fn take(&mut self, y: &[f64], image: &[f64]) -> f64 {
-        let missed = miss(y, image);
+        self.marched = self.marched.max(if self.marches { norm(image) } else { 0.0 });
+        let gone = self.marched > 0.0 && norm(image) > BEYOND * self.marched;
+        let missed = if gone { f64::INFINITY } else { miss(y, image) };
         self.stalled = if missed < 0.5 * self.miss { 0 } else { self.stalled + 1 };
         // What is no number is never better.
         if missed < self.miss {
@@ -66,7 +76,8 @@ pub(super) fn solve(
     let usual = if few { Method::Shooting } else { Method::Accelerated };
     let method = options.method.filter(|own| *own != Method::Harmonic).unwrap_or(usual);
     let marched = options.marched.unwrap_or(MARCHED[usize::from(method != Method::Shooting)]);
-    let mut best = Best { y: y.clone(), miss: f64::INFINITY, stalled: 0 };
+    let mut best =
+        Best { y: y.clone(), miss: f64::INFINITY, stalled: 0, marches: true, marched: 0.0 };
     for _ in 0..marched {
         let image = map.apply(&y)?;
         let missed = best.take(&y, &image);
@@ -76,6 +87,7 @@ pub(super) fn solve(
         }
         y = image;
     }
+    best.marches = false;
     let other = match method {
         Method::Shooting => Method::Accelerated,
         _ => Method::Shooting,

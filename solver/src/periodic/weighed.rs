@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
+use num_complex::Complex64;
+
 use super::map::CycleMap;
 use super::metric::{Metric, norm};
 use crate::dynamics::{Changes, LinearStep};
 use crate::error::Error;
-use crate::linalg::Matrix;
+use crate::linalg::{Matrix, dot};
 
 /// A cycle map in weighed coordinates.
 pub(super) struct Weighed<'a, 'm> {
@@ -39,6 +41,11 @@ impl<'a, 'm> Weighed<'a, 'm> {
     /// With a metric that others have, too.
     pub(super) fn with(map: &'a mut CycleMap<'m>, metric: Arc<Metric>) -> Self {
         Weighed { map, metric }
+    }
+
+    /// Its metric, for the same map later.
+    pub(super) fn metric(&self) -> Arc<Metric> {
+        self.metric.clone()
     }
 
     pub(super) fn weighed(&self, x: &[f64]) -> Vec<f64> {
@@ -132,6 +139,56 @@ impl<'a, 'm> Weighed<'a, 'm> {
         }
     }
 
+    /// The mean cosine, in the energy of positions, between a change and the same a step later, over the steps of a cycle.
+    ///
+    /// # Errors
+    /// A step that does not converge.
+    pub(super) fn from_step_to_step(
+        &mut self,
+        cycle: &mut LinearCycle,
+        change: &[Complex64],
+    ) -> Result<f64, Error> {
+        let parts = [0, 1].map(|part| -> Vec<f64> {
+            change.iter().map(|own| if part == 0 { own.re } else { own.im }).collect()
+        });
+        let mut turns = Turns::default();
+        match cycle {
+            LinearCycle::Steps { steps, memory } => {
+                let both = parts.map(|own| self.state(&own));
+                let n = self.map.unknowns();
+                let mut changes = Changes::new(n, 2, |i, j| both[j][i]);
+                for step in steps {
+                    step.apply(&mut changes, memory);
+                    turns.take([0, 1].map(|j| self.metric.weighed_positions(changes.q.col(j))));
+                }
+            }
+            LinearCycle::Differences { y } => {
+                let moved = parts.map(|own| self.positions_beside(y, &own));
+                let [re, im] = moved;
+                let (re, im) = (re?, im?);
+                for step in (1..re.cols).chain([0]) {
+                    turns.take([&re, &im].map(|own| self.metric.weighed_positions(own.col(step))));
+                }
+            }
+        }
+        Ok(turns.mean())
+    }
+
+    /// What a change at y does to the positions over the cycle, by a central difference of any length.
+    fn positions_beside(&mut self, y: &[f64], change: &[f64]) -> Result<Matrix, Error> {
+        let own = norm(y);
+        let size = norm(change);
+        let step = if size > 0.0 { CHANGE * own.max(FROM_NOTHING) / size } else { 0.0 };
+        let mut at = |step: f64| {
+            let moved: Vec<f64> = y.iter().zip(change).map(|(y, own)| y + step * own).collect();
+            let mut x = self.state(&moved);
+            self.map.positions(&mut x)
+        };
+        let (mut after, before) = (at(step)?, at(-step)?);
+        after.data.iter_mut().zip(&before.data).for_each(|(after, before)| *after -= before);
+        Ok(after)
+    }
+
     /// What the derivative at y makes of a change, by a central difference.
     fn difference(&mut self, y: &[f64], change: &[f64]) -> Result<Vec<f64>, Error> {
         let own = norm(y);
@@ -142,6 +199,36 @@ impl<'a, 'm> Weighed<'a, 'm> {
         };
         let (after, before) = (at(step)?, at(-step)?);
         Ok(after.iter().zip(&before).map(|(a, b)| (a - b) / (2.0 * step)).collect())
+    }
+}
+
+/// How far a change turns from step to step.
+#[derive(Default)]
+struct Turns {
+    last: Option<[Vec<f64>; 2]>,
+    sum: f64,
+    steps: usize,
+}
+
+impl Turns {
+    /// Takes the real and the imaginary part after a step.
+    fn take(&mut self, own: [Vec<f64>; 2]) {
+        if let Some(last) = &self.last {
+            let product = |a: &[Vec<f64>; 2], b: &[Vec<f64>; 2]| {
+                a.iter().zip(b).map(|(a, b)| dot(a, b)).sum::<f64>()
+            };
+            let size = (product(last, last) * product(&own, &own)).sqrt();
+            if size > 0.0 {
+                self.sum += product(last, &own) / size;
+                self.steps += 1;
+            }
+        }
+        self.last = Some(own);
+    }
+
+    /// 1 of what does not move.
+    fn mean(&self) -> f64 {
+        if self.steps == 0 { 1.0 } else { self.sum / self.steps as f64 }
     }
 }
 

@@ -100,6 +100,29 @@ fn the_two_spools_have_a_diagram_and_a_map() {
     let (workbench, said) =
         analysed("two-spool", &["campbell.svg", "campbell.roots.svg", "map.svg"]);
     assert!(said.contains("speed of low"), "{said}");
+    // What grows from the lowest speeds on has no threshold among those of further motions, and is said none the less.
+    let said = ran(&workbench, &["stability", "two-spool", "--out", "out", "--no-figures"]).stdout;
+    assert!(said.contains("UNSTABLE at 30 of these 31 speeds: at "), "{said}");
+    // No mean position of a shaft that is round, whatever the films hold without load.
+    ran(
+        &workbench,
+        &[
+            "response",
+            "two-spool",
+            "--speeds",
+            "12000 rpm .. 18000 rpm, 3",
+            "--out",
+            "out",
+            "--no-figures",
+        ],
+    );
+    let orders = numbers(&workbench, "out/response.csv", "order");
+    let sizes = numbers(&workbench, "out/response.csv", "major_um");
+    assert!(
+        orders.iter().all(|own| *own == 1.0) && sizes.iter().all(|own| *own < 200.0),
+        "{orders:?} {sizes:?}"
+    );
+    assert!(sizes.iter().filter(|own| **own > 1.0).count() > sizes.len() / 2, "{sizes:?}");
     let whirl = column(&workbench, "out/map.csv", "whirl");
     let speeds = numbers(&workbench, "out/map.csv", "speed_rpm");
     assert!(whirl.iter().any(|own| own == "backward"));

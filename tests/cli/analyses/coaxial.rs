@@ -84,3 +84,71 @@ pub(super) fn compare(workbench: &Workbench, how: &str, test: &str) -> usize {
     section.finish();
     compared
 }
+
+/// Two rotors on springs of their own at 6000 and 4000 rpm: where no orders are asked for, the unbalance of either counts by its own
+/// turns. √(k/m)/2π = 50.3292 Hz of the slow one is met where that turns at 3019.75 rpm, the fast one half as fast again.
+#[test]
+fn each_spool_excites_by_its_own_turns() {
+    let rotor = |name: &str, speed: &str, stiffness: &str| {
+        format!(
+            "[body.{name}]\nturns = \"prescribed\"\nspeed = \"{speed}\"\nmass = \"10 kg\"\npolar_inertia = \"0.1 kg*m^2\"\n\
+             [joint.of_{name}]\nkind = \"bushing\"\nfirst = {{ body = \"{name}\" }}\n\
+             stiffness = {{ xx = \"{stiffness} N/m\", yy = \"{stiffness} N/m\" }}\n"
+        )
+    };
+    let case = format!(
+        "title = \"two spools\"\n{}{}",
+        rotor("fast", "6000 rpm", "2.25e6"),
+        rotor("slow", "-4000 rpm", "1e6")
+    );
+    let workbench = Workbench::new().file("case.toml", &case);
+    let outcome = ran(
+        &workbench,
+        &[
+            "campbell",
+            "case.toml",
+            "--speeds",
+            "0 rpm .. 12000 rpm, 13",
+            "--out",
+            "out",
+            "--no-figures",
+        ],
+    );
+    assert!(outcome.stdout.contains("order 0.666667: once a turn of slow"), "{}", outcome.stdout);
+    let file = "out/campbell.critical.csv";
+    let (orders, speeds) =
+        (numbers(&workbench, file, "order"), numbers(&workbench, file, "speed_rpm"));
+    let whose = super::column(&workbench, file, "once_a_turn_of");
+    let own = |k: f64| (k / 10.0_f64).sqrt() * 60.0 / std::f64::consts::TAU;
+    for (order, stiffness, name) in
+        [(1.0, 2.25e6, ""), (1.0, 1e6, ""), (2.0 / 3.0, 1e6, "slow"), (2.0 / 3.0, 2.25e6, "slow")]
+    {
+        let exact = own(stiffness) / order;
+        let found = (0..orders.len()).filter(|k| {
+            (orders[*k] - order).abs() < 1e-12 && (speeds[*k] / exact - 1.0).abs() < 1e-8
+        });
+        let found: Vec<usize> = found.collect();
+        // Forward and backward, or along a line.
+        assert!(
+            !found.is_empty() && found.iter().all(|k| whose[*k] == name),
+            "{exact}: {orders:?} {speeds:?} {whose:?}"
+        );
+    }
+    // Those that are asked for, and no others.
+    ran(
+        &workbench,
+        &[
+            "campbell",
+            "case.toml",
+            "--speeds",
+            "0 rpm .. 12000 rpm, 13",
+            "--orders",
+            "2",
+            "--out",
+            "asked",
+            "--no-figures",
+        ],
+    );
+    let orders = numbers(&workbench, "asked/campbell.critical.csv", "order");
+    assert!(!orders.is_empty() && orders.iter().all(|own| *own == 2.0), "{orders:?}");
+}

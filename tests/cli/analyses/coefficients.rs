@@ -2,6 +2,8 @@
 
 use std::fs;
 
+use num_complex::Complex64;
+
 use super::{column, numbers, ran};
 use crate::workbench::Workbench;
 
@@ -85,4 +87,35 @@ fn speeds_are_written_as_they_were_given() {
     let mut found = column(&bench, "out/modes.csv", "speed_rpm");
     found.dedup();
     assert!(found.iter().all(|own| own.ends_with("00")), "{found:?}");
+}
+
+/// A ring of 2 kg between two bushings: z₁ z₂/(z₁ + z₂), z₁ = k₁ + iωc₁ towards the shaft, z₂ = k₂ + iωc₂ − mω² towards the ground, at
+/// once and half the speed.
+#[test]
+fn a_shaft_feels_what_holds_its_bearing() {
+    let case = "title = \"a shaft in a ring\"\n\
+             [body.shaft]\nturns = \"prescribed\"\nspeed = \"6000 rpm\"\nmass = \"10 kg\"\npolar_inertia = \"0.1 kg*m^2\"\n\
+             [body.ring]\nturns = \"no\"\nmass = \"2 kg\"\n\
+             [joint.inner]\nkind = \"bushing\"\nfirst = { body = \"shaft\" }\nsecond = { body = \"ring\" }\n\
+             stiffness = { xx = \"1e7 N/m\", yy = \"2e7 N/m\" }\ndamping = { xx = \"1000 N*s/m\", yy = \"3000 N*s/m\" }\n\
+             [joint.outer]\nkind = \"bushing\"\nfirst = { body = \"ring\" }\n\
+             stiffness = { xx = \"5e7 N/m\", yy = \"4e6 N/m\" }\ndamping = { xx = \"2000 N*s/m\", yy = \"500 N*s/m\" }\n\
+             [analysis.k]\nkind = \"coefficients\"\nspeeds = \"6000 rpm\"\norders = [0.5, 1]\n";
+    let workbench = Workbench::new().file("case.toml", case);
+    ran(&workbench, &["analyse", "case.toml", "--out", "out", "--no-figures"]);
+    let of = |name: &str| numbers(&workbench, "out/k.through.csv", name);
+    assert_eq!(of("order"), [0.5, 1.0]);
+    assert_eq!(super::column(&workbench, "out/k.through.csv", "bodies"), ["ring", "ring"]);
+    for (row, order) in [0.5, 1.0].into_iter().enumerate() {
+        let omega = order * 200.0 * std::f64::consts::PI;
+        for (axis, k1, c1, k2, c2) in [("xx", 1e7, 1e3, 5e7, 2e3), ("yy", 2e7, 3e3, 4e6, 5e2)] {
+            let first = Complex64::new(k1, omega * c1);
+            let second = Complex64::new(k2 - 2.0 * omega * omega, omega * c2);
+            let both = first * second / (first + second);
+            let k = of(&format!("k_{axis}_N_m"))[row];
+            let c = of(&format!("c_{axis}_Ns_m"))[row];
+            assert!((k / both.re - 1.0).abs() < 1e-9, "{axis} {order}: {k} {both}");
+            assert!((c * omega / both.im - 1.0).abs() < 1e-9, "{axis} {order}: {c} {both}");
+        }
+    }
 }

@@ -135,3 +135,37 @@ fn the_curve_of_a_motor_follows_the_speed_of_its_section() {
     assert!((damping / exact - 1.0).abs() < 0.02, "ζ = {damping} for {exact}");
     assert!((found / own - s.norm() / (TAU * own)).abs() < 0.02, "{found} of {own}");
 }
+
+/// Two free bodies on a coupling, one pushed by a couple that nothing holds: both speed up, of which motions across the axis know
+/// nothing. m ẍ + k x = 0 has no damping, whatever θ̈ is.
+#[test]
+fn a_couple_that_is_left_over_is_no_stiffness() {
+    let body = |name: &str, inertia: &str| {
+        format!(
+            "[body.{name}]\nturns = \"free\"\ninitial_speed = \"3000 rpm\"\nmass = \"4 kg\"\npolar_inertia = \"{inertia} kg*m^2\"\n\
+             [joint.of_{name}]\nkind = \"bushing\"\nfirst = {{ body = \"{name}\" }}\n\
+             stiffness = {{ xx = \"1e6 N/m\", yy = \"1e6 N/m\" }}\n"
+        )
+    };
+    let case = |push: &str| {
+        format!(
+            "title = \"a train that speeds up\"\n{}{}[joint.c]\nkind = \"coupling\"\nfirst = {{ body = \"motor\" }}\n\
+             second = {{ body = \"load\" }}\nstiffness = \"1e4 N*m/rad\"\n\
+             [loads.weight]\nbody = \"motor\"\nforce = [\"100 N\", \"0 N\", \"0 N\"]\n{push}",
+            body("motor", "0.05"),
+            body("load", "0.08")
+        )
+    };
+    let push = "[loads.push]\nbody = \"motor\"\ncouple = \"100 N*m\"\n";
+    for push in ["", push] {
+        let workbench = Workbench::new().file("case.toml", &case(push));
+        let outcome =
+            ran(&workbench, &["modes", "case.toml", "--speeds", "3000 rpm", "--out", "out"]);
+        let [hertz, damping] = ["frequency_hz", "damping_ratio"]
+            .map(|column| numbers(&workbench, "out/modes.csv", column));
+        let across = hertz.iter().filter(|own| (**own / (500.0 / TAU) - 1.0).abs() < 1e-9);
+        assert_eq!(across.count(), 4, "{hertz:?}");
+        assert!(damping.iter().all(|own| own.abs() < 1e-9), "{damping:?}");
+        assert!(!outcome.stdout.contains("NOT STABLE"), "{}", outcome.stdout);
+    }
+}

@@ -110,3 +110,79 @@ fn a_march_with_a_state_that_only_integrates_ends_where_its_rate_is_zero() {
     let last = way.last().expect("a row").abs();
     assert!(most > 0.0 && last < 1e-3 * most, "{last} of {most}");
 }
+
+/// A controller that integrates what the speed lacks of 3000 rpm, on a rotor that a couple brakes.
+const SPEED: &str = r#"
+kind = "law"
+name = "speed"
+title = "speed controller"
+source = "own"
+[inputs.omega]
+unit = "rad/s"
+range = [0, 1000]
+[parameters]
+ref = { value = 3000, unit = "rpm" }
+p = { value = 0.5, unit = "N*m*s" }
+i = { value = 20, unit = "N*m" }
+[states.q]
+unit = "rad"
+start = 0
+range = [-3, 3]
+[rates]
+q = "ref - omega"
+[outputs.F_x]
+unit = "N"
+value = "0"
+[outputs.F_y]
+unit = "N"
+value = "0"
+[outputs.M_z]
+unit = "N*m"
+value = "p*(ref - omega) + i*q"
+"#;
+
+fn driven(rotor: &str) -> Workbench {
+    let case = format!(
+        "title = \"a rotor at its speed\"\n[body.rotor]\n{rotor}\nmass = \"4 kg\"\npolar_inertia = \"0.05 kg*m^2\"\n\
+         [joint.hold]\nkind = \"bushing\"\nfirst = {{ body = \"rotor\" }}\n\
+         stiffness = {{ xx = \"1e6 N/m\", yy = \"1e6 N/m\" }}\n\
+         [joint.drive]\nkind = \"bearing\"\njournal = {{ body = \"rotor\" }}\nlaw = \"speed.toml\"\nradial_clearance = \"1 mm\"\n\
+         [loads.brake]\nbody = \"rotor\"\ncouple = \"-10 N*m\"\n\
+         [output.q]\nquantity = \"states\"\njoint = \"drive\"\n\
+         [start]\nkind = \"equilibrium\"\n[march]\ntime_step = \"0.1 ms\"\nsteps = 100\n"
+    );
+    Workbench::new().file("speed.toml", SPEED).file("case.toml", &case)
+}
+
+/// Where the speed is open it is the one at which the rate is zero, with q = 10 N·m over 20 N·m; where it is told, nothing that q does
+/// brings its rate to zero, and a start in equilibrium is refused. Modes at a told speed are those of the bushing.
+#[test]
+fn a_state_that_nothing_brings_to_rest_has_no_equilibrium() {
+    let free = driven("turns = \"free\"");
+    ran(&free, &["run", "case.toml", "--out", "out", "--no-figures"]);
+    let history = free.history("out");
+    assert!((history.last("q_q_rad") - 0.5).abs() < 1e-6, "{:?}", history.names());
+    assert!((history.last("omega_rad_s") - 100.0 * std::f64::consts::PI).abs() < 1e-6);
+    for rotor in [
+        "turns = \"free\"\ninitial_speed = \"1000 rpm\"",
+        "turns = \"prescribed\"\nspeed = \"1000 rpm\"",
+    ] {
+        let bench = driven(rotor);
+        let before = bench.listing();
+        let outcome = bench.whirl(&["run", "case.toml", "--out", "out"]);
+        assert_ne!(outcome.status, 0, "{rotor}: {}", outcome.stdout);
+        for words in ["the state q of its law speed has no equilibrium", "2.0944e2 rad a second"] {
+            assert!(outcome.stderr.contains(words), "{words}: {}", outcome.stderr);
+        }
+        assert_eq!(bench.listing(), before);
+        ran(&bench, &["modes", "case.toml", "--speeds", "1000 rpm", "--out", "modes"]);
+        let hertz = numbers(&bench, "modes/modes.csv", "frequency_hz");
+        let damping = numbers(&bench, "modes/modes.csv", "damping_ratio");
+        let lateral = hertz.iter().zip(&damping).filter(|own| (own.0 - 79.57747).abs() < 1e-4);
+        let lateral: Vec<&f64> = lateral.map(|own| own.1).collect();
+        assert!(
+            lateral.len() == 2 && lateral.iter().all(|own| own.abs() < 1e-9),
+            "{hertz:?} {damping:?}"
+        );
+    }
+}

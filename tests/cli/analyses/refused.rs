@@ -334,3 +334,31 @@ fn a_motion_that_stops_to_grow_beside_another_makes_nothing_stable() {
     assert!(said.contains("one motion stops growing, others do not, above 4500 rpm"), "{said}");
     assert!(said.contains("UNSTABLE at all these speeds"), "{said}");
 }
+
+/// What an analysis came to before does not stand for one that comes to nothing now: its files go, and the page says why.
+#[test]
+fn an_analysis_that_comes_to_nothing_leaves_no_older_results() {
+    let case = |damping: &str| {
+        format!(
+            "title = \"a mass that swings by itself\"\n[body.r]\nturns = \"prescribed\"\nspeed = \"3000 rpm\"\nmass = \"4 kg\"\n\
+             polar_inertia = \"0.01 kg*m^2\"\nunbalance.u = {{ mass = \"1 g\", radius = \"20 mm\" }}\n\
+             [joint.k]\nkind = \"bushing\"\nfirst = {{ body = \"r\" }}\nstiffness = {{ xx = \"1e6 N/m\", yy = \"1e6 N/m\" }}\n\
+             damping = {{ xx = \"{damping} N*s/m\", yy = \"{damping} N*s/m\" }}\n\
+             [analysis.cycle]\nkind = \"periodic\"\nmethod = \"accelerated\"\nmarched = 0\ncycles = 3\nbegin = \"rest\"\n"
+        )
+    };
+    // Three cycles are enough for what is damped critically, and by far not for what is hardly damped.
+    let workbench =
+        Workbench::new().file("case.toml", &case("4000").replace("cycles = 3", "cycles = 400"));
+    let outcome = workbench.whirl(&["analyse", "case.toml", "--out", "out", "--no-figures"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    assert!(workbench.path("out/cycle.csv").is_file());
+    let workbench = workbench.file("case.toml", &case("0.01"));
+    let outcome = workbench.whirl(&["analyse", "case.toml", "--out", "out", "--no-figures"]);
+    assert_eq!(outcome.status, 1, "{}", outcome.stderr);
+    assert!(
+        !workbench.path("out/cycle.csv").exists() && !workbench.path("out/cycle.json").exists()
+    );
+    let page = std::fs::read_to_string(workbench.path("out/report.html")).expect("a page");
+    assert!(page.contains("\"failed\":true"), "the page says nothing");
+}

@@ -298,3 +298,16 @@ fn the_reference_machine_has_the_harmonics_of_another_program() {
     }
     section.finish();
 }
+
+/// A rigid rotor of 10 kg in a half film at 14,000 rpm, beyond its threshold of 11,652 rpm: the march grows slowly into a whirl near the
+/// wall, of 8.5717 ms by an integrator of another program.
+#[test]
+fn a_whirl_that_grows_slowly_is_waited_for() {
+    let case = "title = \"a film\"\ngravity = [\"-9.81 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]\n\
+         [body.rotor]\nturns = \"prescribed\"\nspeed = \"14000 rpm\"\nmass = \"10 kg\"\npolar_inertia = \"0.02 kg*m^2\"\n\
+         [joint.film]\nkind = \"bearing\"\njournal = { body = \"rotor\" }\nlaw = \"ocvirk\"\nradial_clearance = \"50 um\"\n\
+         journal_radius = \"25 mm\"\nlength = \"20 mm\"\n[analysis.cycle]\nkind = \"periodic\"\nself_excited = true\ncycles = 2000\n";
+    let (_, motions) = motions(case);
+    let period = number(&motions[0], "period_s");
+    assert!((period / 8.5717e-3 - 1.0).abs() < 2e-5, "{period}");
+}

@@ -184,3 +184,22 @@ fn a_rotor_that_nothing_tilts_has_its_cycle() {
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
     assert!(outcome.stdout.contains("verdict: sound"), "{}", outcome.stdout);
 }
+
+/// A law that counts the time: nothing closes that, however little of it a cycle is.
+#[test]
+fn a_clock_has_no_cycle() {
+    let law = "kind = \"law\"\nname = \"clock\"\ntitle = \"a spring and a clock\"\nsource = \"own\"\nstored = 'k*e_x^2/2 + p*t'\n\
+               [inputs.e_x]\nunit = \"m\"\nrange = [-1e-3, 1e-3]\n[inputs.e_y]\nunit = \"m\"\nrange = [-1e-3, 1e-3]\n\
+               [parameters.k]\nvalue = 1e5\nunit = \"N/m\"\n[parameters.p]\nvalue = 1\nunit = \"J/s\"\n[states.t]\nunit = \"s\"\nstart = 0\nrange = [0, 1]\n[rates]\nt = '1'\n\
+               [outputs.F_x]\nunit = \"N\"\nvalue = '-k*e_x'\n[outputs.F_y]\nunit = \"N\"\nvalue = '-k*e_y'\n";
+    let case = "title = \"a clock\"\n[body.r]\nturns = \"prescribed\"\nspeed = \"6000 rpm\"\nmass = \"4 kg\"\n\
+                polar_inertia = \"0.01 kg*m^2\"\nunbalance.u = { mass = \"1 g\", radius = \"20 mm\" }\n\
+                [joint.k]\nkind = \"bushing\"\nfirst = { body = \"r\" }\nstiffness = { xx = \"1e6 N/m\", yy = \"1e6 N/m\" }\n\
+                damping = { xx = \"400 N*s/m\", yy = \"400 N*s/m\" }\n\
+                [joint.b]\nkind = \"bearing\"\njournal = { body = \"r\" }\nlaw = \"clock.toml\"\nradial_clearance = \"1 mm\"\n\
+                [analysis.cycle]\nkind = \"periodic\"\ncycles = 60\n";
+    let bench = Workbench::new().file("case.toml", case).file("clock.toml", law);
+    let outcome = bench.whirl(&["analyse", "case.toml", "--out", "out"]);
+    assert_eq!(outcome.status, 1, "{} {}", outcome.stdout, outcome.stderr);
+    assert!(outcome.stderr.contains("no periodic motion was found"), "{}", outcome.stderr);
+}

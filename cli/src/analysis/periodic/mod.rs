@@ -139,6 +139,13 @@ fn facts(motions: &Motions) -> Facts {
         facts.put("largest_multiplier", text::leading(periodic).map(|own| own.value.norm()));
         facts.put("miss", periodic.miss);
         facts.put("cycles", periodic.cycles as f64);
+        let change = |own: whirl_solver::periodic::StepError| own.force.max(own.displacement);
+        facts.put("step_change", periodic.step_error.map(change));
+        let harmonics = periodic.harmonics.and_then(|own| own.change);
+        facts.put("harmonic_change", harmonics.map(change));
+        if !verdict.sound {
+            facts.note("the steps of the motion are NOT SOUND: see the verdict of its analysis");
+        }
         for (place, column) in columns.iter().enumerate().filter(|own| motions::is_summed_up(own.1))
         {
             let [least, most] = motions::range(&periodic.history, place);

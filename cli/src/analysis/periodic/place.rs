@@ -133,8 +133,8 @@ pub(super) fn not_there(error: &Error) -> bool {
 
 /// That there is no motion, and where else to look for it.
 pub(super) fn unfound(reason: String, self_excited: bool) -> Failure {
-    let own = "look for it beyond the threshold at which the machine begins to move by itself (`whirl stability`), in more `cycles`, or from \
-               another `begin`";
+    let own = "look for it beyond the threshold at which the machine begins to move by itself (`whirl stability`), in more `cycles`, from \
+               another `begin`, with more `harmonics`, or `near` its frequency, after more `marched` stretches";
     let help = "look for it from another `begin`, after more `marched` cycles, with more `steps` or the other `method`; if the motion \
                 repeats after several periods, say so by `periods = 2`";
     let help = if self_excited { own } else { help };

@@ -153,7 +153,8 @@ impl Sought<'_> {
         let march = self.case.march.as_ref().filter(|own| own.automatic.is_none());
         let of_march = march.map(|own| (period / own.time_step).round().max(LEAST) as usize);
         let fastest = repeating.iter().map(|own| (own.hertz * period).round() as usize).max();
-        let enough = STEPS.max(EACH * fastest.unwrap_or(0));
+        let periods = self.analysis.periodic.periods;
+        let enough = (periods * STEPS).max(EACH * fastest.unwrap_or(0));
         self.analysis.periodic.steps.or(of_march).unwrap_or(enough)
     }
 

@@ -32,6 +32,10 @@ use crate::signals::Interruption;
 
 /// Share of the largest amplitude from which on an order is shown to people.
 const MAIN: f64 = 0.01;
+/// Columns of orbits.
+const COLUMNS: &str =
+    "speed_rpm,body,order,point,major_um,minor_um,x_um,x_phase_deg,y_um,y_phase_deg\n";
+
 /// The response over the speeds.
 pub(super) fn found(
     case: &Case,
@@ -135,12 +139,19 @@ pub(super) fn found(
         let over = Over { of, ends, analysis, ratios: &ratios };
         let told = |own: &Source| own.size() >= MAIN * of_main;
         notes += &peaks::find(linear, &points, &mut sources, &over, &told, interruption)?;
-        for source in sources.iter_mut().filter(|own| figures && own.order != 0.0) {
+        let drawn = figures || pictures.space.is_some();
+        for source in sources.iter_mut().filter(|own| drawn && own.order != 0.0) {
             let wanted = beside(&source.peaks, ends);
             for speed in wanted.into_iter().take_while(|_| !interruption.asked()) {
                 let here = at(speed, None)?;
                 let equations = linear.linearised(&here)?;
                 let all = linear.response((&here, &equations), source.body, &points)?;
+                let mut sums = vec![0.0; points.len()];
+                for (order, motions) in all.iter().filter(|own| own.0 != 0.0) {
+                    let seen = linear.seen_by_laws((source.body, *order), motions);
+                    sums.iter_mut().zip(&seen).for_each(|(sum, own)| *sum += own.orbit().major);
+                }
+                large.take(linear, (speed, &here), &sums);
                 let own = all.into_iter().find(|own| own.0 == source.order);
                 source.near.extend(own.map(|own| (speed, own.1)));
             }
@@ -152,6 +163,8 @@ pub(super) fn found(
         (format!("{name}.csv"), rows(linear, &points, &speeds, &sources).into_bytes()),
         (format!("{name}.peaks.csv"), peak_rows(linear, &points, &sources).into_bytes()),
     ];
+    let near = near_rows(linear, &points, &sources);
+    files.extend(near.map(|rows| (format!("{name}.near.csv"), rows.into_bytes())));
     if let Some(angle) = analysis.probe_angle {
         let rows = probes::rows(linear, (&points, angle), &speeds, &sources);
         files.push((format!("{name}.probes.csv"), rows.into_bytes()));
@@ -232,31 +245,53 @@ fn still(points: usize) -> Vec<Vibration> {
 }
 
 fn rows(linear: &LinearMachine, points: &[Point], speeds: &[f64], sources: &[Source]) -> String {
-    let mut text = String::from(
-        "speed_rpm,body,order,point,major_um,minor_um,x_um,x_phase_deg,y_um,y_phase_deg\n",
-    );
+    let mut text = String::from(COLUMNS);
     for source in sources {
-        let body = linear.machine().bodies[source.body].name();
-        for (speed, motions) in speeds.iter().zip(&source.motions) {
-            for (point, own) in points.iter().zip(motions) {
-                let (orbit, [x, y]) = (own.orbit(), own.amplitudes);
-                let [major, minor] = [orbit.major, orbit.minor].map(|own| 1e6 * own);
-                writeln!(
-                    text,
-                    "{},{body},{},{},{major},{minor},{},{},{},{}",
-                    words::rpm(*speed),
-                    source.order,
-                    point.name,
-                    1e6 * x.norm(),
-                    x.arg().to_degrees(),
-                    1e6 * y.norm(),
-                    y.arg().to_degrees()
-                )
-                .expect("text can be written");
-            }
-        }
+        write_rows(
+            &mut text,
+            (linear, points),
+            source,
+            speeds.iter().copied().zip(&source.motions),
+        );
     }
     text
+}
+
+/// The same at speeds beside peaks, if there are some.
+fn near_rows(linear: &LinearMachine, points: &[Point], sources: &[Source]) -> Option<String> {
+    let mut text = String::from(COLUMNS);
+    for source in sources {
+        let near = source.near.iter().map(|(speed, motions)| (*speed, motions));
+        write_rows(&mut text, (linear, points), source, near);
+    }
+    (text.len() > COLUMNS.len()).then_some(text)
+}
+
+fn write_rows<'a>(
+    text: &mut String,
+    (linear, points): (&LinearMachine, &[Point]),
+    source: &Source,
+    all: impl Iterator<Item = (f64, &'a Vec<Vibration>)>,
+) {
+    let body = linear.machine().bodies[source.body].name();
+    for (speed, motions) in all {
+        for (point, own) in points.iter().zip(motions) {
+            let (orbit, [x, y]) = (own.orbit(), own.amplitudes);
+            let [major, minor] = [orbit.major, orbit.minor].map(|own| 1e6 * own);
+            writeln!(
+                text,
+                "{},{body},{},{},{major},{minor},{},{},{},{}",
+                words::rpm(speed),
+                source.order,
+                point.name,
+                1e6 * x.norm(),
+                x.arg().to_degrees(),
+                1e6 * y.norm(),
+                y.arg().to_degrees()
+            )
+            .expect("text can be written");
+        }
+    }
 }
 
 fn peak_rows(linear: &LinearMachine, points: &[Point], sources: &[Source]) -> String {
@@ -297,13 +332,16 @@ fn text(
     for source in &main {
         let body = linear.machine().bodies[source.body].name();
         let order = source.order;
+        // Over several speeds the mean position is in files and figures.
+        if order == 0.0 && speeds.len() > 1 {
+            continue;
+        }
         let _ = match order == 0.0 {
             true => writeln!(text, "mean position of {body} and what it moves\n"),
             false => writeln!(text, "order {order} of {body}, zero to peak\n"),
         };
         text.push_str(&match speeds.len() {
             1 => orbits(points, source),
-            _ if order == 0.0 => String::new(),
             _ => peak_table(points, source, interrupted),
         });
         text.push('\n');

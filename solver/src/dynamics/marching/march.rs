@@ -8,7 +8,7 @@ use super::linear_steps::LinearSteps;
 use super::options::MarchOptions;
 use super::outcome::{Failure, Outcome, Progress};
 use super::row::{displacements, write_row};
-use crate::bearing::{Hold, Worst};
+use crate::bearing::Worst;
 use crate::dynamics::iteration::{Halvings, Integrator, Newton, NewtonState, StepReport};
 use crate::dynamics::lengths::{
     MOST_SPLITS, SPARE_FACTORS, Watched, jumps, most_halvings, watched,
@@ -99,7 +99,7 @@ impl<'m> March<'m> {
         machine.set_given(0.0, false, [&mut state.q, &mut state.v, &mut state.a]);
         state.laws = machine.springs.beginning();
         if options.laws_at_rest {
-            state.laws.hold = Hold::Settled;
+            state.laws.settle();
         }
         let released = machine.loads.iter().map(|load| machine.ends(load, &state.v)).collect();
         let begun = March::begin(machine, options, (state, released, 0.0), true);

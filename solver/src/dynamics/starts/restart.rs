@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
 
-use crate::bearing::{Hold, LawStates};
+use crate::bearing::{Hold, LawStates, Remembered};
 use crate::cache::Key;
 use crate::centre_of_mass::CentreOfMass;
 use crate::dynamics::iteration::NewtonState;
@@ -122,6 +122,14 @@ impl LastState {
         self.fitting(machine).map(|_| ())
     }
 
+    /// Whether laws with states and films, here or there, are not the same, so that what they remember begins anew.
+    pub fn begins_anew(&self, machine: &Machine) -> bool {
+        let own = placed_states(machine);
+        let is_known = own.iter().map(|(content, _)| content);
+        !is_known.eq(self.remembered.iter().map(|law| &law.content))
+            || self.films.0 != films(machine)
+    }
+
     /// Time of the state (s).
     pub fn time(&self) -> f64 {
         self.time
@@ -169,13 +177,10 @@ impl LastState {
     fn remember(&self, machine: &Machine, laws: &mut LawStates) {
         *laws = machine.springs.beginning();
         let own = placed_states(machine);
-        let is_known = own.iter().map(|(content, _)| content);
-        let same = is_known.eq(self.remembered.iter().map(|law| &law.content));
-        let (of_films, known) = &self.films;
-        if own.is_empty() && laws.films.is_empty() || !same || *of_films != films(machine) {
+        if own.is_empty() && laws.films.is_empty() || self.begins_anew(machine) {
             return;
         }
-        laws.films.clone_from(known);
+        laws.films.clone_from(&self.films.1);
         for ((_, place), law) in own.into_iter().zip(&self.remembered) {
             let all = [&mut laws.known, &mut laws.rates, &mut laws.lag];
             for (all, own) in all.into_iter().zip(&law.states) {
@@ -303,7 +308,8 @@ fn placed_states(machine: &Machine) -> Vec<(Key, Range<usize>)> {
     let mut first = 0;
     let mut all = Vec::new();
     for law in springs.laws.iter().filter(|law| !law.bound.states.is_empty()) {
-        let states: Vec<&str> = law.bound.states.iter().map(|own| own.name.as_str()).collect();
+        let of = |own: &Remembered| (own.name.clone(), own.unit.clone());
+        let states: Vec<(String, String)> = law.bound.states.iter().map(of).collect();
         let place = first..first + law.springs * states.len();
         first = place.end;
         let joints = joints(machine, law.planes.clone());

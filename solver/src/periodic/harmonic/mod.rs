@@ -25,7 +25,7 @@ use super::in_space::InSpace;
 use super::map::{CycleMap, Orbit};
 use super::metric::Metric;
 use super::motion::{Harmonics, Periodic};
-use super::multipliers::{MORE, largest, name_phase, paired, stability};
+use super::multipliers::{Largest, MORE, largest, name_phase, stability};
 use super::options::{Method, PeriodicOptions};
 use super::solve::Observe;
 use super::weighed::Weighed;
@@ -132,15 +132,31 @@ pub fn self_excited(
     let space = InSpace::new(machine, &speeds(machine)?)?;
     let x = map.beginning(start, false);
     let metric = Metric::new(&mut map, &x)?;
-    let grown = own::grown(&mut map, (&metric, &space), options, &x, observe)?;
     let count = options.harmonics.unwrap_or(HARMONICS);
     let few = count.min(FEW);
-    let from = grown.motion(few).ok_or(PeriodicError::NotBalanced { harmonics: few })?;
-    let balance = Balance::new(machine, options.cycle, (map.speeds(), space));
-    let reference = Some(grown.reference);
-    let cycles = grown.cycles;
+    let mut balance = Balance::new(machine, options.cycle, (map.speeds(), space.clone()));
+    let mut metric = metric;
+    let mut least = options.marched.unwrap_or(own::LEAST);
+    // A march that has not grown enough is no beginning for Newton's method: twice as long.
+    let (from, reference, cycles) = loop {
+        let known = (&metric, &space);
+        let grown = own::grown(&mut map, known, (options, least), &x, observe)?;
+        let (reference, cycles) = (Some(grown.reference), grown.cycles);
+        let from = grown.motion(few).ok_or(PeriodicError::NotBalanced { harmonics: few }.into());
+        let mut search = Search { balance, metric, map: &mut map, options, cycles, reference };
+        let found = from.and_then(|from| search.with(&from, few, observe));
+        Search { balance, metric, .. } = search;
+        match found {
+            Ok(found) => break (found.motion, reference, cycles),
+            Err(Error::Periodic(PeriodicError::NotBalanced { .. }))
+                if cycles < options.most_cycles =>
+            {
+                least = (2 * cycles).min(options.most_cycles);
+            }
+            Err(error) => return Err(error),
+        }
+    };
     let mut search = Search { balance, metric, map: &mut map, options, cycles, reference };
-    let from = search.with(&from, few, observe)?.motion;
     let (own, change) = search.enough(&from, count, observe)?;
     let cycle = Cycle { period: own.motion.period, ..options.cycle };
     let Search { balance, metric, .. } = search;
@@ -266,11 +282,10 @@ impl Search<'_, '_> {
         let state = self.state(&own.motion);
         let history = self.history(&own.motion);
         let Search { map, options, cycles, .. } = self;
-        let values = {
-            let mut weighed = Weighed::new(map, &state)?;
-            let y = weighed.weighed(&state);
-            largest(&mut weighed, &y, options.multipliers)?
-        };
+        let mut weighed = Weighed::new(map, &state)?;
+        let y = weighed.weighed(&state);
+        let largest_of_march = Largest::of(&mut weighed, &y, options.multipliers)?;
+        let metric = weighed.metric();
         let finer = if options.judged {
             let mut twice = map.doubled()?;
             let mut weighed = Weighed::new(&mut twice, &state)?;
@@ -280,7 +295,8 @@ impl Search<'_, '_> {
             Vec::new()
         };
         let Orbit { history: marched, outcome, forces } = map.orbit(&state)?;
-        let mut multipliers = paired(&values, &finer);
+        let mut multipliers =
+            largest_of_march.with((&mut Weighed::with(map, metric), &y), &finer)?;
         if map.is_free() {
             name_phase(&mut multipliers);
         }

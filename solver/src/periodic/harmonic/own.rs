@@ -16,9 +16,11 @@ use crate::periodic::solve::Observe;
 
 /// Part of the displacements, and of the speed, by which a march begins beside the equilibrium.
 const BESIDE: f64 = 0.05;
-/// Stretches marched at least, and the share by which the motion changes in one when it has grown enough.
-const LEAST: usize = 8;
+/// Stretches marched at least, and the share by which the motion may still change when it has grown enough.
+pub(super) const LEAST: usize = 8;
 const GROWN: f64 = 1e-3;
+/// What is left of a change from stretch to stretch at most where more is to be told of all that follow.
+const FALLS: f64 = 0.99;
 /// Share of the largest motion at which it has died.
 const DEAD: f64 = 1e-4;
 /// Stretches in which the period is looked for: it may be three times as long.
@@ -36,20 +38,21 @@ pub(super) struct Grown {
     pub(super) cycles: usize,
 }
 
-/// Marches until the motion no longer grows. The cycle of the map is a stretch of about its period.
+/// Marches until the motion no longer grows, `least` stretches or more. The cycle of the map is a stretch of about its period.
 ///
 /// # Errors
 /// It dies; an interruption; a step that does not converge.
 pub(super) fn grown(
     map: &mut CycleMap,
     (metric, space): (&Metric, &InSpace),
-    options: &PeriodicOptions,
+    (options, least): (&PeriodicOptions, usize),
     x: &[f64],
     observe: Observe,
 ) -> Result<Grown, Error> {
     let (n, cycle) = (map.unknowns(), map.cycle());
     let mut x = beside(x, n, std::f64::consts::TAU / cycle.period);
     let (mut largest, mut before, mut stood) = (0.0_f64, f64::INFINITY, 0);
+    let mut changed = f64::INFINITY;
     let mut last: Option<Vec<[f64; 2]>> = None;
     for stretch in 1..=options.most_cycles {
         let samples = seen(map, space, &mut x)?;
@@ -60,15 +63,18 @@ pub(super) fn grown(
         let size = wide.sum::<f64>().sqrt();
         last = Some(own);
         largest = largest.max(size);
-        stood = if (size - before).abs() <= GROWN * size { stood + 1 } else { 0 };
-        before = size;
+        // All changes that are to come, as they fall.
+        let change = (size - before).abs();
+        let falls = (change / changed).min(FALLS);
+        stood = if change <= GROWN * size * (1.0 - falls) { stood + 1 } else { 0 };
+        (before, changed) = (size, change);
         if observe(&CycleProgress { cycles: stretch, miss: size }).is_break() {
             return Err(PeriodicError::Interrupted { cycles: stretch }.into());
         }
         if size <= DEAD * largest {
             break;
         }
-        if stretch >= options.marched.unwrap_or(LEAST) && stood >= 3 {
+        if stretch >= least && stood >= 3 {
             return taken(map, space, x, stretch);
         }
     }

@@ -12,7 +12,6 @@ mod tangent;
 use self::memory::Memory;
 use super::rotations::{Rotations, Turn, Twisting};
 use super::turning::TurningStart;
-use crate::bearing::Hold;
 use crate::equations::{Equations, SpringTangent, State, frame_of};
 use crate::error::Error;
 use crate::linalg::{add_product, dot, multiply};
@@ -25,6 +24,8 @@ const OF_TERM: f64 = 1e-6;
 const OF_FORCE: f64 = 1e-9;
 /// Forces that are not asked for better than to a share of [`OF_FORCE`], where there are none larger (N).
 const LEAST_FORCE: f64 = 1.0;
+/// A couple (N·m) that is none: a drag by the square of a speed never gets to zero.
+const NO_COUPLE: f64 = 1e-15;
 /// Rounding of a row over the largest force of a spring from which on it stands nowhere: its forces cancel only as it has moved far away.
 const GONE: f64 = 1e-4;
 /// A coordinate (m, rad, or m √kg of a mode) that is farther than any machine moves.
@@ -164,6 +165,13 @@ impl<'m> Balance<'m> {
         let z = balance.unknowns();
         balance.set(&z)?;
         Ok(balance)
+    }
+
+    /// The states of laws where they were evaluated last.
+    pub(super) fn states(&self) -> Vec<f64> {
+        let mut laws = self.state.laws.clone();
+        self.equations.springs.keep_states(&mut laws);
+        laws.known
     }
 
     /// The speed of each body's frame (rad/s); 0 for one that stands.
@@ -319,7 +327,9 @@ impl<'m> Balance<'m> {
             if is_far && share > 0.0 && rounding > GONE * springs * share {
                 self.gone.push(row);
             }
-            self.bound[row] = OF_TERM * size(f64::max)
+            let nothing = if row >= self.flexible { NO_COUPLE } else { 0.0 };
+            self.bound[row] = nothing
+                + OF_TERM * size(f64::max)
                 + OF_FORCE * projected
                 + ROUNDING
                     * f64::EPSILON
@@ -474,7 +484,7 @@ fn twisted(own: &TurningStart) -> Vec<f64> {
 /// The state in the middle with the rotations that are given, the laws settled.
 fn at_rest(machine: &Machine) -> State {
     let mut state = State::new(machine.size());
-    state.laws.hold = Hold::Settled;
+    state.laws.settle();
     machine.set_given(0.0, false, [&mut state.q, &mut state.v, &mut state.a]);
     state
 }

@@ -12,6 +12,7 @@
 mod balance;
 mod rotations;
 mod search;
+mod settled;
 #[cfg(test)]
 mod standing;
 #[cfg(test)]
@@ -22,7 +23,7 @@ use balance::Balance;
 use search::{Found, Nearest, floating, search};
 use turning::TurningStart;
 
-use crate::bearing::{Hold, Plane};
+use crate::bearing::{Hold, LONG, Plane};
 use crate::dynamics::marching::BodyStart;
 #[cfg(doc)]
 use crate::dynamics::marching::MarchOptions;
@@ -79,6 +80,11 @@ pub(crate) fn standing_at(
     if let Err(nearest) = search(&mut balance, from)? {
         return Err(unbalanced(&mut balance, &nearest));
     }
+    // At speeds that are told a controller of the speed has nothing to find.
+    let going_on = settled::unsettled(&mut balance)?;
+    if !going_on.is_empty() && !settled::freeze(&mut balance, &going_on)? {
+        return Err(never_settles(&balance, going_on[0]));
+    }
     // What turns with a body acts on no small motion but by its couple on the rotation.
     let ended: Vec<bool> =
         machine.loads.iter().map(|load| machine.ends(load, &balance.state.v)).collect();
@@ -88,6 +94,8 @@ pub(crate) fn standing_at(
     let left = balance.worst();
     let (eccentricities, unknowns) = (balance.ratios(), balance.unknowns());
     let mut state = balance.state.clone();
+    // Couples that are not in balance load what ties bodies of a train as they accelerate it; its speed is told and stays.
+    state.a[..machine.rotations()].fill(0.0);
     let displacements = balance.eccentricities(&state.q);
     balance.equations.release(&released);
     balance.equations.evaluate(0.0, &state);
@@ -182,6 +190,9 @@ pub fn equilibrium(
         Ok(found) => found,
         Err(nearest) => return Err(unbalanced(&mut balance, &nearest)),
     };
+    if let Some(&place) = settled::unsettled(&mut balance)?.first() {
+        return Err(never_settles(&balance, place));
+    }
     let left = balance.worst();
     if let Some(rows) = floating(&mut balance) {
         let coordinates = rows.iter().map(|&row| coordinate(&balance, row)).collect();
@@ -194,6 +205,19 @@ pub fn equilibrium(
         velocity: balance.state.v[place.flexible.clone()].to_vec(),
     });
     Ok(Equilibrium { bodies: bodies.collect(), eccentricities: balance.ratios(), left, iterations })
+}
+
+/// A state, by its place among all, that never comes to rest.
+fn never_settles(balance: &Balance, place: usize) -> Error {
+    let named = balance.machine.springs.named_state(place);
+    let (plane, law, state) = named.expect("a state of some law");
+    Error::NeverSettles {
+        joint: balance.machine.names_of(plane).0,
+        law: law.to_owned(),
+        state: state.name.clone(),
+        rate: balance.states()[place] / LONG,
+        unit: state.unit.clone(),
+    }
 }
 
 /// What is out of balance where the search came nearest.
