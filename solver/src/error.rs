@@ -119,6 +119,16 @@ pub enum Error {
         /// The law.
         law: String,
     },
+    /// States of a law that no place gives rest.
+    #[error(
+        "{joint}: the states of its law {law} were found at rest nowhere: their rates have no zero where the balance was looked for, or hardly change about it. Begin at rest, or let each rate fall as its state grows"
+    )]
+    NoRest {
+        /// The joint.
+        joint: String,
+        /// The law.
+        law: String,
+    },
     /// A state of a law without equilibrium.
     #[error(
         "{joint}: the state {state} of its law {law} has no equilibrium: where all forces balance it changes by {rate:.4e} {unit} a second, whatever it is. Begin at rest, let its rate fall as it grows, or leave open the speed that it is to bring about"
@@ -437,6 +447,8 @@ impl Error {
             Error::NotStanding { .. }
                 | Error::RunsAway { .. }
                 | Error::NoForce { .. }
+                | Error::NoRest { .. }
+                | Error::NeverSettles { .. }
                 | Error::Jumps { .. }
                 | Error::StiffJoint { .. }
         )

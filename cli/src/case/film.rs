@@ -172,6 +172,11 @@ impl FilmSource {
         own.chain(of_joint).collect()
     }
 
+    /// Whether it does not close, as that of a pad.
+    pub(crate) fn is_arc(&self) -> bool {
+        self.told.arc.is_some()
+    }
+
     /// From where to where it reaches around the bore.
     fn reach(&self) -> Reach {
         let arc = self.told.arc;

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::groups::{Group, groups, moved};
-use crate::case::{Case, JointKind};
+use crate::case::{Case, Joint, JointKind};
 use crate::machine::Built;
 use crate::report::oscillations;
 use crate::version;
@@ -115,12 +115,19 @@ impl About {
             let has_circle = !case.machine.is_mass() || joint.angle.is_none();
             has_circle && !matches!(joint.kind, JointKind::Coupling | JointKind::Gear)
         });
-        let journals = moving.map(|(place, ((_, own), clearance))| Journal {
+        // Pads move, so that the middle of their bores is no middle of the bearing.
+        let is_pad =
+            |joint: &Joint| joint.bearing.law.source.film().is_some_and(|own| own.is_arc());
+        let journals = moving.map(|(place, ((joint, own), clearance))| Journal {
             title: own.title.clone(),
             moved: moved(case, place).to_owned(),
             columns: ["EX", "EY"].map(|quantity| own.column(quantity, "um")),
             forces: ["RX", "RY"].map(|quantity| own.column(quantity, "N")),
-            clearance_um: whirl_text::rounded(1e6 * clearance, 10),
+            clearance_um: if is_pad(joint) {
+                0.0
+            } else {
+                whirl_text::rounded(1e6 * clearance, 10)
+            },
             angle: angle_of(&own.column("X", "um")),
         });
         About {

@@ -264,13 +264,17 @@ function swept() {
     const pick = (words, options) => { const box = add(add(choose, 'label', `${words} `), 'select'); for (const name of options) add(box, 'option', name, { value: name }); box.addEventListener('change', () => show()); return box; };
     const [y, x] = [pick('show', up), pick('over', across)];
     const by = pick('a line for each', ['–', ...sweep.varied.concat('direction').filter((name) => names.includes(name))]);
+    // What has most values lies on the axis.
+    const many = (name) => new Set(rows.map((row) => row[name])).size;
+    const varied = across.filter((name) => sweep.varied.includes(name));
+    if (varied.length) x.value = varied.reduce((best, name) => (many(name) > many(best) ? name : best));
     if (sweep.varied.length > 1) by.value = sweep.varied.find((name) => name !== x.value) || '–';
     let chart = null;
     const show = () => {
       const lines = by.value === '–' || by.value === x.value ? new Map([[y.value, rows]]) : grouped(rows, by.value);
       const few = [...lines].slice(0, 12);
       const sorted = (all) => [...all].filter((row) => typeof row[y.value] === 'number' && typeof row[x.value] === 'number').sort((a, b) => a[x.value] - b[x.value]);
-      const series = few.map(([name, all], k) => ({ ...line(sorted(all), x.value, y.value, name, { style: k % 7 }) })).filter((one) => one.x.length);
+      const series = few.map(([name, all], k) => ({ ...line(sorted(all), x.value, y.value, name, { style: k % 6, dash: DASHES[(k + Math.floor(k / 6)) % 6] }) })).filter((one) => one.x.length);
       const spec = { id: 'sweep-table', title: `${y.value} over ${x.value}`, x: { label: x.value, unit: '1' }, y: { label: y.value, unit: '1' }, series, note: lines.size > few.length ? `the first ${few.length} of ${lines.size} lines` : '' };
       if (!series.length) return;
       if (!chart) chart = new Chart(host, spec);

@@ -64,11 +64,27 @@ function facts() {
     const [title, most] = largest(run.ratios, (name) => extremes(`ratio ${name}`)[1]);
     fact('largest eccentricity', `${shown(100 * most, 3)} % of the clearance`, `${title}, in the whole run${most > 1 ? '; beyond 100 % the parts are pressed together' : ''}`);
   }
+  const films = (prefix, unit) => [...columns.keys()].filter((name) => name.startsWith(prefix) && name.endsWith(unit));
+  const ofFilm = (name) => name.replace(/^(hmin|pmax)_(.*)_(um|MPa)$/, '$2');
+  if (films('hmin_', '_um').length) {
+    const [name, least] = films('hmin_', '_um').map((own) => [own, extremes(own)[0]]).reduce((best, own) => (own[1] < best[1] ? own : best));
+    fact('thinnest film', [least, 'µm'], `${ofFilm(name)}, in the whole run`);
+  }
+  if (films('pmax_', '_MPa').length) {
+    const [name, most] = largest(films('pmax_', '_MPa'), (own) => extremes(own)[1]);
+    fact('largest pressure in a film', [most, 'MPa'], `${ofFilm(name)}, in the whole run`);
+  }
   const forces = about.groups.filter((own) => own.quantity === 'force' && own.lines.every(([name]) => columns.has(name)));
   if (forces.length) {
     const of = (own) => Math.max(...own.lines.map(([name]) => Math.max(...extremes(name).map(Math.abs))));
     const group = forces.reduce((best, own) => (of(own) > of(best) ? own : best));
     fact('largest force component', [of(group), group.unit], `${group.title}, in the whole run`);
+  }
+  const moments = about.groups.filter((own) => own.quantity === 'moment' && own.shown && own.lines.every(([name]) => columns.has(name)));
+  if (moments.length) {
+    const of = (own) => Math.max(...own.lines.map(([name]) => Math.max(...extremes(name).map(Math.abs))));
+    const group = moments.reduce((best, own) => (of(own) > of(best) ? own : best));
+    fact('largest torque', [of(group), group.unit], `${group.title}, in the whole run`);
   }
   const top = strongest();
   if (top) fact('strongest motion', top.words, () => `${top.title}: ${shown(top.amplitude * Units.of(top.unit)[1] * Amplitudes.factor, 3)} ${Units.of(top.unit)[0]} ${Amplitudes.words} at ${shown(top.hertz, 4)} Hz`);
@@ -79,8 +95,8 @@ function facts() {
   // Over a run-up the last revolutions are half a window behind the last point.
   const passed = [largestOrder()].find((own) => own && own.amplitude >= last);
   const slow = largestBelow();
-  if (slow) fact('largest part below 1X, 0-pk', [slow.amplitude, 'µm'], `${slow.title}: ${shown(slow.order, 3)} times the speed of ${shown(slow.rpm, 4)} rpm`);
-  if (passed) fact('largest 1X, 0-pk', [passed.amplitude, 'µm'], `${passed.title}, at ${shown(passed.rpm, 4)} rpm`);
+  if (slow) fact('largest part below 1X, 0-pk', [slow.amplitude, 'µm'], `${slow.title}: ${shown(slow.order, 3)} times the speed of ${shown(slow.rpm, 4)} rpm, ${shown((slow.order * slow.rpm) / 60, 3)} Hz`);
+  if (passed) fact('largest 1X, 0-pk', [passed.amplitude, 'µm'], `${passed.title}, at ${shown(passed.rpm, 4)} rpm; of where 1X is most of what moves`);
   else if (orders.length) {
     const top = orders.reduce((best, own) => (own['1X'].amplitude > best['1X'].amplitude ? own : best));
     const title = about.signals.find((own) => own.columns.some(([name]) => name === top.signal));
@@ -162,6 +178,17 @@ function theCase() {
   }
 }
 
+// Least and largest value of a column over the last cycle.
+function lastCycle(name) {
+  const [own, time] = [columns.get(name), numbers(run.histories.time)];
+  let [least, most] = [Infinity, -Infinity];
+  for (let k = time.length - 1; k >= 0 && time[k] > run.ends - summary.cycle_s; k--) {
+    least = Math.min(least, numbers(own.values || own.least)[k]);
+    most = Math.max(most, numbers(own.values || own.most)[k]);
+  }
+  return [least, most];
+}
+
 function results() {
   if (!summary || !(summary.supports.length || summary.orders)) return;
   const own = part('results', 'The last cycle');
@@ -182,6 +209,8 @@ function results() {
       which === 'min' ? name : '', which, [clean(support.RX_N[which], force), 'N'], [clean(support.RY_N[which], force), 'N'], [clean(support.EX_um[which], way), 'µm'], [clean(support.EY_um[which], way), 'µm'],
       which === 'min' && support.clearance_um > 0 ? [support.clearance_um, 'µm'] : '']));
     table(own, heads, rows, [1]);
+    const moments = about.groups.filter((group) => group.quantity === 'moment' && group.shown && group.lines.every(([name]) => columns.has(name)));
+    if (moments.length) table(own, ['', '', ['torque', 'N·m']], moments.flatMap((group) => group.lines.map(([name]) => lastCycle(name)).flatMap(([least, most]) => [[group.title, 'min', [least, 'N·m']], ['', 'max', [most, 'N·m']]])), [1]);
     if (still.length) add(own, 'p', `Nothing moves or pushes across the axis in ${still.join(', ')}.`, { class: 'soft' });
   }
   if (summary.orders) {

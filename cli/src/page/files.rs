@@ -178,7 +178,7 @@ fn what(name: &str) -> Option<String> {
 }
 
 /// What tables of analyses have, by what follows the name of the analysis.
-const TABLES_OF: [(&str, &str); 14] = [
+const TABLES_OF: [(&str, &str); 15] = [
     ("critical", "critical speeds, and where modes begin or end to grow"),
     (
         "through",
@@ -186,6 +186,7 @@ const TABLES_OF: [(&str, &str); 14] = [
     ),
     ("thresholds", "speeds at which modes begin or end to grow"),
     ("peaks", "peaks of the response, with their amplification"),
+    ("near", "the response beside its peaks"),
     ("probes", "what probes read, over the speed"),
     ("response", "the response to each unbalance, over the speed"),
     ("stability", "the least damped forward mode over stiffness across"),

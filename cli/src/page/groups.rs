@@ -77,9 +77,15 @@ pub(super) fn groups(case: &Case, built: &Built, columns: &[Column]) -> Vec<Grou
         };
         let title = |what: &str| format!("{}: {what}", own.title);
         let axes = ["x, vertical", "y, lateral"];
-        let called = title("eccentricity of the journal in its bore");
+        // Only journals have bores.
+        let (called, quantity) = match moved {
+            "the journal" => ("eccentricity of the journal in its bore", "eccentricity"),
+            "the mass" => ("way of the mass in the stop", "displacement"),
+            _ => ("displacement of its first side against the second", "displacement"),
+        };
         let eccentricity = pair("E", "um", axes);
-        all.add((&called, "eccentricity", "µm", 1.0), eccentricity, shown && has_clearance);
+        let shown_so = shown && has_clearance;
+        all.add((&title(called), quantity, "µm", 1.0), eccentricity, shown_so);
         let forces = pair("R", "N", axes).into_iter().chain([along(own)]).collect();
         let journal = case.machine.joints[place].sides[0].body.unwrap_or(0);
         all.angle = angle(case, &built.machine, journal).filter(|_| plane && !mass);

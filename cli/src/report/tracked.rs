@@ -4,7 +4,7 @@
 //! with the weights of a Hann window in θ. What oscillates m times a revolution is told from the order n where |m − n| ≥ 2/N:
 //! with eight revolutions an oil whirl at 0.48 of the speed is out of 1X, and with two it would be in it. What is left below 1X
 //! is looked through for its largest part. Once and twice the angles of other bodies are fitted, too, where they are 2/N or more from these
-//! orders: what a second spool does is no whirl of the first.
+//! orders: what a second spool does is no whirl of the first. Twice an angle is not below 1X, where a ring would hide the whirl of its film.
 
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
@@ -203,6 +203,10 @@ impl Tracker {
             let ratio = ((last[place] - first[place]) / (last[1] - first[1])).abs();
             for times in BESIDE {
                 let order = times * ratio;
+                // A floating ring turns at about a quarter of the speed, and an oil whirl with twice that.
+                if times > 1.0 && order < 1.0 {
+                    continue;
+                }
                 let apart = APART / (self.half / (0.5 * TAU));
                 if orders.iter().all(|own| (own - order).abs() >= apart) {
                     orders.push(order);

@@ -12,16 +12,20 @@ const fn exponent(n: i32) -> Exponent {
     Exponent::new_raw(n, 1)
 }
 
-/// Exponents of m, kg, s, K and rad. The angle is a number in SI; it is kept to tell rotation from
+/// Exponents of m, kg, s, K, A and rad. The angle is a number in SI; it is kept to tell rotation from
 /// frequency, and ignored wherever other dimensions stand beside it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Dimension {
-    exponents: [Exponent; 5],
+    exponents: [Exponent; ALL],
 }
 
 const MASS: usize = 1;
-const ANGLE: usize = 4;
-const BASE_NAMES: [&str; 5] = ["m", "kg", "s", "K", "rad"];
+const CURRENT: usize = 4;
+const ANGLE: usize = 5;
+const BASE_NAMES: [&str; ALL] = ["m", "kg", "s", "K", "A", "rad"];
+/// How many there are, and those that are no angles.
+const ALL: usize = 6;
+pub(crate) const BASES: usize = 5;
 
 impl Dimension {
     /// A pure number.
@@ -36,6 +40,18 @@ impl Dimension {
     pub const TIME: Dimension = Dimension::of(0, 0, 1);
     /// K.
     pub const TEMPERATURE: Dimension = Dimension::of(0, 0, 0).with(3, 1);
+    /// A.
+    pub const CURRENT: Dimension = Dimension::of(0, 0, 0).with(CURRENT, 1);
+    /// V.
+    pub const VOLTAGE: Dimension = Dimension::of(2, 1, -3).with(CURRENT, -1);
+    /// Ω.
+    pub const RESISTANCE: Dimension = Dimension::of(2, 1, -3).with(CURRENT, -2);
+    /// H.
+    pub const INDUCTANCE: Dimension = Dimension::of(2, 1, -2).with(CURRENT, -2);
+    /// Wb.
+    pub const FLUX: Dimension = Dimension::of(2, 1, -2).with(CURRENT, -1);
+    /// T.
+    pub const FLUX_DENSITY: Dimension = Dimension::of(0, 1, -2).with(CURRENT, -1);
     /// rad.
     pub const ANGLE: Dimension = Dimension::of(0, 0, 0).with(ANGLE, 1);
     /// rad/s.
@@ -76,9 +92,10 @@ impl Dimension {
     pub const INERTIA: Dimension = Dimension::of(2, 1, 0);
 
     const fn of(length: i32, mass: i32, time: i32) -> Self {
-        Dimension {
-            exponents: [exponent(length), exponent(mass), exponent(time), exponent(0), exponent(0)],
-        }
+        let mut exponents = [exponent(0); ALL];
+        (exponents[0], exponents[1], exponents[2]) =
+            (exponent(length), exponent(mass), exponent(time));
+        Dimension { exponents }
     }
 
     const fn with(mut self, base: usize, n: i32) -> Self {
@@ -86,13 +103,13 @@ impl Dimension {
         self
     }
 
-    /// The exponents of m, kg, s, K and rad.
-    pub fn exponents(&self) -> [Exponent; 5] {
+    /// The exponents of m, kg, s, K, A and rad.
+    pub fn exponents(&self) -> [Exponent; ALL] {
         self.exponents
     }
 
-    /// The exponents of m, kg, s and K.
-    pub(crate) fn bases(&self) -> [Exponent; 4] {
+    /// The exponents of m, kg, s, K and A.
+    pub(crate) fn bases(&self) -> [Exponent; BASES] {
         std::array::from_fn(|base| self.exponents[base])
     }
 
@@ -108,7 +125,7 @@ impl Dimension {
 
     /// Of a power; `None` if its exponents are beyond all use.
     pub(crate) fn checked_power(&self, exponent: Exponent) -> Option<Dimension> {
-        let other = Dimension { exponents: [exponent; 5] };
+        let other = Dimension { exponents: [exponent; ALL] };
         self.joined(&other, CheckedMul::checked_mul)
     }
 
@@ -157,7 +174,7 @@ impl Dimension {
     /// Whether a quantity of this dimension may stand where `wanted` is expected: equal, where angles
     /// count only if nothing but time stands beside them (rpm is not Hz, but N·m/rad is N·m).
     pub fn fits(&self, wanted: &Dimension) -> bool {
-        let rotation = [0, 1, 3].iter().all(|&base| self.exponents[base].is_zero());
+        let rotation = [0, 1, 3, CURRENT].iter().all(|&base| self.exponents[base].is_zero());
         if rotation { self == wanted } else { self.without_angle() == wanted.without_angle() }
     }
 
@@ -246,6 +263,12 @@ const KNOWN: &[(Dimension, &str, &str)] = &[
     (Dimension::HEAT_FLOW, "a heat flow over a temperature", "5 W/K"),
     (Dimension::INERTIA, "a moment of inertia", "1 kg*m^2"),
     (Dimension::ANGULAR_ACCELERATION, "an angular acceleration", "600 rpm/s"),
+    (Dimension::CURRENT, "a current", "5 A"),
+    (Dimension::VOLTAGE, "a voltage", "150 V"),
+    (Dimension::RESISTANCE, "a resistance", "0.5 Ohm"),
+    (Dimension::INDUCTANCE, "an inductance", "10 mH"),
+    (Dimension::FLUX, "a magnetic flux", "1 Wb"),
+    (Dimension::FLUX_DENSITY, "a magnetic flux density", "1.2 T"),
 ];
 
 const SYMBOLS: &[(Dimension, &str)] = &[
@@ -256,6 +279,11 @@ const SYMBOLS: &[(Dimension, &str)] = &[
     (Dimension::DAMPING, "N*s/m"),
     (Dimension::PRESSURE, "Pa"),
     (Dimension::VISCOSITY, "Pa*s"),
+    (Dimension::VOLTAGE, "V"),
+    (Dimension::RESISTANCE, "Ohm"),
+    (Dimension::INDUCTANCE, "H"),
+    (Dimension::FLUX, "Wb"),
+    (Dimension::FLUX_DENSITY, "T"),
 ];
 
 #[cfg(test)]

@@ -7,6 +7,7 @@ mod read;
 
 use crate::rational::{Rational, nearest};
 
+pub(crate) use dimension::BASES;
 pub use dimension::{Dimension, Exponent};
 pub use error::UnitError;
 pub use factor::Factor;
@@ -233,6 +234,22 @@ mod tests {
         let odd = Quantity::parse("3 m^2*s").unwrap();
         let error = odd.expect(&Dimension::FORCE).unwrap_err();
         assert_eq!(error.message, "expected a force, but `3 m^2*s` is a quantity in m^2*s");
+    }
+
+    #[test]
+    fn electric_units_go_with_mechanical_ones() {
+        for (a, b) in
+            [("1 V*A", "1 W"), ("1 H", "1 Ohm*s"), ("1 Wb", "1 T*m^2"), ("1 N", "1 T*A*m")]
+        {
+            let [a, b] = [a, b].map(|text| Quantity::parse(text).unwrap());
+            assert_eq!((a.si(), a.dimension()), (b.si(), b.dimension()));
+        }
+        assert_eq!(si("250 mA"), 0.25);
+        assert_eq!(Quantity::parse("3 N/A").unwrap().dimension().si_unit(), "N/A");
+        assert_eq!(Quantity::parse("3 mV").unwrap().dimension().si_unit(), "V");
+        let current = Quantity::parse("3 A").unwrap();
+        let error = current.expect(&Dimension::FORCE).unwrap_err();
+        assert_eq!(error.message, "expected a force, but `3 A` is a current");
     }
 
     #[test]

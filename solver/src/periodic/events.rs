@@ -178,7 +178,7 @@ fn located(
     let jumps = off(&&multiplier) >= PASSES;
     if jumps {
         let alike = dot(&sides[0].tangent, &sides[1].tangent);
-        let goes_on = kind != EventKind::Fold && alike > 0.0 && 1.0 - alike * alike < ALONG;
+        let goes_on = alike > 0.0 && 1.0 - alike * alike < ALONG;
         if !goes_on {
             return corner(path, [a, b], after).map(Some);
         }

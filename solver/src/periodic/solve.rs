@@ -76,6 +76,7 @@ pub(super) fn solve(
     let usual = if few { Method::Shooting } else { Method::Accelerated };
     let method = options.method.filter(|own| *own != Method::Harmonic).unwrap_or(usual);
     let marched = options.marched.unwrap_or(MARCHED[usize::from(method != Method::Shooting)]);
+    let marched = marched.min(options.most_cycles);
     let mut best =
         Best { y: y.clone(), miss: f64::INFINITY, stalled: 0, marches: true, marched: 0.0 };
     for _ in 0..marched {

@@ -3,13 +3,13 @@
 use crate::rational::Rational;
 use num_traits::{CheckedMul, CheckedSub, One, Zero};
 
-use crate::units::{Dimension, Exponent, Factor, Unit};
+use crate::units::{BASES, Dimension, Exponent, Factor, Unit};
 
-/// Scales of the base quantities (m, kg, s, K) in SI, such that every unit given to [`System::of`] is a
+/// Scales of the base quantities (m, kg, s, K, A) in SI, such that every unit given to [`System::of`] is a
 /// product of powers of them: with h in mm and Q in N, lengths are in mm, and masses in N·s²/mm.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct System {
-    scales: [Factor; 4],
+    scales: [Factor; BASES],
 }
 
 /// A unit that does not go with others, by its place among them.
@@ -22,10 +22,10 @@ pub(super) enum Misfit {
 }
 
 /// Bases in the order in which they are solved for: what is left open keeps its SI unit, time first.
-const ORDER: [usize; 4] = [0, 1, 3, 2];
+const ORDER: [usize; BASES] = [0, 1, 3, 4, 2];
 
 struct Row {
-    exponents: [Exponent; 4],
+    exponents: [Exponent; BASES],
     factor: Factor,
 }
 
@@ -55,7 +55,7 @@ impl System {
             solved.push((base, row));
         }
         // Bases that no unit fixes are 1, so that each row gives its own base.
-        let mut scales: [Factor; 4] = Default::default();
+        let mut scales: [Factor; BASES] = Default::default();
         for (base, row) in solved {
             scales[base] = row.factor;
         }
@@ -158,6 +158,7 @@ mod tests {
     fn contradictions_are_found() {
         assert_eq!(system(&["mm", "N", "m"]), Err(Misfit::Contradicts(2)));
         assert_eq!(system(&["mm", "mm/s", "N", "N/m"]), Err(Misfit::Contradicts(3)));
+        assert_eq!(system(&["m", "N", "A", "mA"]), Err(Misfit::Contradicts(3)));
         assert!(system(&["mm", "m/s", "N"]).is_ok());
         assert_eq!(system(&["mm", "m/s", "s"]), Err(Misfit::Contradicts(2)));
     }

@@ -227,6 +227,11 @@ fn unbalanced(balance: &mut Balance, nearest: &Nearest) -> Error {
     }
     if let Some((law, bearing)) = balance.equations.springs.without_value(&balance.machine.springs)
     {
+        let remembers =
+            |own: &Plane| own.bearing == bearing && balance.machine.names_of(own).1 == law;
+        if let Some(plane) = balance.machine.springs.remembering(remembers) {
+            return Error::NoRest { joint: balance.machine.names_of(plane).0, law };
+        }
         return Error::NoForce { step: 0, time: 0.0, law, bearing: bearing + 1 };
     }
     if !balance.gone.is_empty() {
