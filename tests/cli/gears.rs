@@ -135,3 +135,32 @@ fn unbalance_acts_through_the_teeth() {
         }
     }
 }
+
+/// A pinion by a table of its speed drives a wheel that turns freely: the wheel follows by its teeth, in the ratio at every row.
+#[test]
+fn a_wheel_follows_a_pinion_by_a_table() {
+    let body = |name: &str, keys: &str, inertia: &str| {
+        format!(
+            "[body.{name}]\n{keys}\nmass = \"2 kg\"\npolar_inertia = \"{inertia} kg*m^2\"\n\
+             [joint.of_{name}]\nkind = \"bushing\"\nfirst = {{ body = \"{name}\" }}\n\
+             stiffness = {{ xx = \"4e7 N/m\", yy = \"4e7 N/m\" }}\ndamping = {{ xx = \"3000 N*s/m\", yy = \"3000 N*s/m\" }}\n"
+        )
+    };
+    let case = format!(
+        "title = \"gears by a table\"\n{}{}[joint.m]\nkind = \"gear\"\nfirst = {{ body = \"p\" }}\nsecond = {{ body = \"w\" }}\n\
+         teeth = [20, 30]\nmesh_stiffness = \"2e7 N/m\"\nmesh_damping = \"5000 N*s/m\"\n\
+         [march]\ntime_step = \"0.05 ms\"\nduration = \"0.1 s\"\n",
+        body("p", "turns = \"prescribed\"\ntable = \"s.csv\"", "0.003"),
+        body("w", "turns = \"free\"\naxis = [\"0 mm\", \"-50 mm\"]", "0.001")
+    );
+    let bench = Workbench::new()
+        .file("case.toml", &case)
+        .file("s.csv", "time [s], speed [rpm]\n0, 600\n0.03, 900\n0.07, -500\n0.2, -500\n");
+    let outcome = bench.whirl(&["run", "case.toml", "--no-figures", "--out", "out"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    let history = bench.history("out");
+    let (first, last) = (history.column("omega_w_rad_s")[0], history.last("omega_w_rad_s"));
+    let rpm = std::f64::consts::TAU / 60.0;
+    assert!((first / (-400.0 * rpm) - 1.0).abs() < 0.02, "{first}");
+    assert!((last / (500.0 * 2.0 / 3.0 * rpm) - 1.0).abs() < 1e-3, "{last}");
+}

@@ -180,7 +180,7 @@ impl<'d> Table<'d> {
             return middle;
         };
         if !(low < value && value < high) {
-            let message = format!("`{key}` must lie between {low} and {high}, not {value}");
+            let message = format!("`{key}` must lie above {low} and below {high}, not at {value}");
             self.push(node.place.error(Code::BAD_VALUE, message));
         }
         value

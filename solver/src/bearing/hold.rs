@@ -2,7 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::states::LONG;
+/// Time (s) after which a state that only integrates is taken for settled, s = h ṡ: its rate is then this part of it a second,
+/// and forces have no more than that to do with it.
+pub(crate) const LONG: f64 = 1e6;
 
 /// How the states of laws follow from what is known of them.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]

@@ -67,13 +67,13 @@ pub use valid::{Measure, Worst};
 pub(crate) use beside::Poses;
 pub(crate) use bore::axis_motion;
 pub(crate) use bores::Bores;
+pub(crate) use hold::LONG;
 pub(crate) use memory::Alike;
 pub(crate) use mirrors::BlockMemory;
 pub(crate) use on_section::OnJournal;
 pub(crate) use plane::Plane;
 pub(crate) use rounding::SpringRounding;
 pub(crate) use state::TurnedRows;
-pub(crate) use states::LONG;
 pub(crate) use tied::Tied;
 
 /// A journal in its bore, as a case describes it.

@@ -15,10 +15,6 @@ use super::law_memory::LawMemory;
 use super::placed_law::PlacedLaw;
 use super::springs::Springs;
 
-/// Time (s) after which a state that only integrates is taken for settled, s = h ṡ: its rate is then this part of it a second,
-/// and forces have no more than that to do with it.
-pub(crate) const LONG: f64 = 1e6;
-
 /// Multiples of eps · Σ |terms of F| that rounding may leave in F.
 const ROUNDING: f64 = 16.0;
 /// Share of Σ |terms| at which F is solved where rounding holds it up.

@@ -185,7 +185,7 @@ fn speeds(
     let prescribed = bodies.iter().all(|own| !own.is_free());
     for t in times {
         // A body that turns freely has a speed at the start alone.
-        if !prescribed && t != 0.0 && bodies.iter().all(|own| own.speeds.is_none()) {
+        if !prescribed && t != 0.0 {
             continue;
         }
         let [Some(first), Some(second)] = bodies.map(|own| told(own, t)) else { return None };

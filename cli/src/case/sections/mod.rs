@@ -41,6 +41,7 @@ pub(super) fn read(
             table.push(table.written(key).error_here(Code::BAD_VALUE, message).help(help));
         }
     }
+    let (modes, damping) = (table.count_or_one("modes"), table.quantity("damping").unwrap_or(0.0));
     let material = materials.of(table);
     let regions = materials.regions(table);
     let selections = selections::read(table);
@@ -79,8 +80,8 @@ pub(super) fn read(
         rings,
     }));
     Some(Body {
-        modes: table.count_or_one("modes"),
-        damping: table.quantity("damping").unwrap_or(0.0),
+        modes,
+        damping,
         mass_damping: 0.0,
         static_correction: StaticCorrection::default(),
         material,

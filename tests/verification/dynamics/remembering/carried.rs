@@ -155,5 +155,5 @@ fn an_integral_carries_what_stands_if_its_rate_can_be_zero() {
         .replace("[rates]", "a = { value = 1, unit = \"mm\" }\n[rates]");
     let error = held(&always).expect_err("an integral that goes on");
     let error = error.to_string();
-    assert!(error.contains("`taped`") && error.contains("bearing or stop 1"), "{error}");
+    assert!(error.contains("its law taped were found at rest nowhere"), "{error}");
 }
