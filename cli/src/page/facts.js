@@ -153,7 +153,7 @@ function strongest() {
         // The larger circle gives its sense.
         if (other > amplitude[at] || (top && amplitude[at] + other <= top.amplitude)) continue;
         const way = !spectrum.two_sided ? '' : other > 0.9 * amplitude[at] ? ', along a line' : order > 0 ? ' forward' : ' backward';
-        top = { amplitude: amplitude[at] + other, hertz: Math.abs(frequency[at]), unit: signal.unit, title: signal.title, words: `${Math.abs(Math.abs(order) - 1) < 0.005 ? 'the speed' : `${shown(Math.abs(order), 3)} times the speed`}${body ? ` of ${body}` : ''}${way}` };
+        top = { amplitude: amplitude[at] + other, hertz: Math.abs(frequency[at]), unit: signal.unit, title: signal.title, words: `${Math.abs(Math.abs(order) - 1) < 0.005 ? '1X' : `${shown(Math.abs(order), 3)} times the speed`}${body ? ` of ${body}` : ''}${way}` };
       }
     }
   });

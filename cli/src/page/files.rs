@@ -102,12 +102,31 @@ const TABLES: usize = 4 << 20;
 pub(super) fn tables<'a>(folder: &Path, names: impl Iterator<Item = &'a str>) -> Vec<TableFacts> {
     let mut whole = 0;
     let read = |name: &str| {
-        let csv = fs::read_to_string(folder.join(name)).ok()?;
+        let csv = rounded(&fs::read_to_string(folder.join(name)).ok()?);
         let has_room = csv.len() <= TABLE && whole + csv.len() <= TABLES;
         whole += if has_room { csv.len() } else { 0 };
         has_room.then(|| TableFacts { name: name.to_owned(), csv })
     };
     names.filter(|name| name.ends_with(".csv")).filter_map(read).collect()
+}
+
+/// Digits of the numbers of a table on the page.
+const DIGITS: usize = 7;
+
+/// A table with its numbers to so many digits, in as few letters as they take.
+fn rounded(csv: &str) -> String {
+    let shorter = |cell: &str| -> Option<String> {
+        let value: f64 = (cell.len() > DIGITS).then(|| cell.parse().ok()).flatten()?;
+        let value = whirl_text::rounded(value, DIGITS);
+        let [plain, power] = [value.to_string(), format!("{value:e}")];
+        Some(if power.len() < plain.len() { power } else { plain })
+    };
+    let line = |line: &str| -> String {
+        // What is quoted may have commas of its own.
+        let cells = line.split(',').map(|own| shorter(own).unwrap_or_else(|| own.to_owned()));
+        cells.collect::<Vec<_>>().join(",")
+    };
+    csv.lines().map(|own| line(own) + "\n").collect()
 }
 
 /// All of both, by name. Files that the program does not write are not told of.

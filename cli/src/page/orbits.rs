@@ -92,8 +92,8 @@ impl Orbit {
             fx_n: pick(fx),
             fy_n: pick(fy),
             before: Packed::single(places.iter().map(|k| if turns { before(*k) } else { 0.0 })),
-            way_x_um: Packed::single([].into_iter()),
-            way_y_um: Packed::single([].into_iter()),
+            way_x_um: Packed::single([]),
+            way_y_um: Packed::single([]),
             keyphasors,
         }
     }

@@ -130,7 +130,7 @@ impl Largest {
             let cycle = self.cycle.as_mut().expect("it was made");
             for place in open {
                 known[place] = true;
-                may_jump[place] = map.from_step_to_step(cycle, &self.pairs[place].1)? < JUMPS;
+                may_jump[place] = map.step_to_step(cycle, &self.pairs[place].1)? < JUMPS;
             }
         }
     }

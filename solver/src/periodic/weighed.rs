@@ -143,7 +143,7 @@ impl<'a, 'm> Weighed<'a, 'm> {
     ///
     /// # Errors
     /// A step that does not converge.
-    pub(super) fn from_step_to_step(
+    pub(super) fn step_to_step(
         &mut self,
         cycle: &mut LinearCycle,
         change: &[Complex64],
