@@ -102,7 +102,8 @@ const TABLES: usize = 4 << 20;
 pub(super) fn tables<'a>(folder: &Path, names: impl Iterator<Item = &'a str>) -> Vec<TableFacts> {
     let mut whole = 0;
     let read = |name: &str| {
-        let csv = rounded(&fs::read_to_string(folder.join(name)).ok()?);
+        let csv = fs::read_to_string(folder.join(name)).ok()?;
+        let csv = if csv.len() > EXACT { rounded(&csv) } else { csv };
         let has_room = csv.len() <= TABLE && whole + csv.len() <= TABLES;
         whole += if has_room { csv.len() } else { 0 };
         has_room.then(|| TableFacts { name: name.to_owned(), csv })
@@ -110,7 +111,8 @@ pub(super) fn tables<'a>(folder: &Path, names: impl Iterator<Item = &'a str>) ->
     names.filter(|name| name.ends_with(".csv")).filter_map(read).collect()
 }
 
-/// Digits of the numbers of a table on the page.
+/// Bytes up to which a table is as it is, and digits of the numbers of larger ones.
+const EXACT: usize = 1 << 18;
 const DIGITS: usize = 7;
 
 /// A table with its numbers to so many digits, in as few letters as they take.
@@ -235,4 +237,17 @@ fn title(svg: &[u8], name: &str) -> String {
     let words = text.split_once("<text").and_then(|(_, rest)| rest.split_once('>'));
     let words = words.and_then(|(_, rest)| rest.split_once('<')).map(|own| own.0);
     words.filter(|own| !own.is_empty()).unwrap_or(name).to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_of_large_tables_are_short() {
+        let csv = "speed_rpm,what,x_um\n4500,critical speed,0.000013750423\n123456.789012,\"a, b\",-12.5\n";
+        let short =
+            "speed_rpm,what,x_um\n4500,critical speed,1.375042e-5\n123456.8,\"a, b\",-12.5\n";
+        assert_eq!(rounded(csv), short);
+    }
 }
