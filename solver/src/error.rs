@@ -131,7 +131,7 @@ pub enum Error {
     },
     /// A state of a law without equilibrium.
     #[error(
-        "{joint}: the state {state} of its law {law} has no equilibrium: where all forces balance it changes by {rate:.4e} {unit} a second, whatever it is. Begin at rest, let its rate fall as it grows, or leave open the speed that it is to bring about"
+        "{joint}: the state {state} of its law {law} has no equilibrium: where all forces balance it changes by {} {unit} a second, whatever it is. Begin at rest, let its rate fall as it grows, or leave open the speed that it is to bring about", whirl_text::shown(*rate, 5, 1e-3..1e6)
     )]
     NeverSettles {
         /// The joint.

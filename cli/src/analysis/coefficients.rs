@@ -5,7 +5,7 @@ use std::fmt::Write;
 use whirl_solver::linear::{JointCoefficients, LinearMachine, Standstill};
 use whirl_text::{rounded, shown};
 
-use super::facts::Facts;
+use super::facts::{COEFFICIENTS, Facts};
 use super::found::{Found, drawn};
 use super::speeds::Wanted;
 use super::states::{Ended, at_each_speed};
@@ -28,30 +28,16 @@ pub(super) fn found(
     interruption: &Interruption,
     figures: bool,
 ) -> Result<Found, Failure> {
-    let mut all = String::from(
-        "speed_rpm,joint,eccentricity_ratio,attitude_deg,e_x_um,e_y_um,force_x_N,force_y_N,k_xx_N_m,k_xy_N_m,k_yx_N_m,k_yy_N_m,c_xx_Ns_m,c_xy_Ns_m,c_yx_Ns_m,c_yy_Ns_m\n",
+    let mut all = format!(
+        "speed_rpm,joint,eccentricity_ratio,attitude_deg,e_x_um,e_y_um,force_x_N,force_y_N,{}\n",
+        COEFFICIENTS.join(",")
     );
     let mut single: Vec<(String, String)> = Vec::new();
     let mut whole = String::new();
     let mut facts = Facts::default();
     let mut drawing: Vec<(String, Vec<(f64, [f64; 8])>)> = Vec::new();
-    let head = [
-        "joint",
-        "speed (rpm)",
-        "e/c",
-        "attitude (°)",
-        "F_x (N)",
-        "F_y",
-        "k_xx (N/m)",
-        "k_xy",
-        "k_yx",
-        "k_yy",
-        "c_xx (N s/m)",
-        "c_xy",
-        "c_yx",
-        "c_yy",
-    ];
-    let mut rows = vec![head.map(str::to_owned).to_vec()];
+    let head = ["joint", "speed (rpm)", "e/c", "attitude (°)", "F_x (N)", "F_y"];
+    let mut rows = vec![head.iter().chain(&words::OF_PLANE).map(|own| (*own).to_owned()).collect()];
     let mut varying: Vec<(String, String, f64)> = Vec::new();
     let mut felt = Felt::new(wanted.of, analysis);
     let mut work = |speed: f64, at: &Standstill| -> Result<(), Failure> {

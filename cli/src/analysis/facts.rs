@@ -16,7 +16,7 @@ pub(crate) struct Facts {
 }
 
 /// Lists of a column in a file of joints: stiffness and damping along x and y.
-const COEFFICIENTS: [&str; 8] = [
+pub(super) const COEFFICIENTS: [&str; 8] = [
     "k_xx_N_m",
     "k_xy_N_m",
     "k_yx_N_m",

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use whirl_solver::linear::{LinearMachine, Standstill, Through};
 
+use super::facts::COEFFICIENTS;
 use super::orders::Orders;
 use super::words;
 use crate::case::Analysis;
@@ -24,22 +25,11 @@ pub(super) struct Felt<'a> {
 impl<'a> Felt<'a> {
     /// None yet.
     pub(super) fn new(of: Option<usize>, analysis: &'a Analysis) -> Self {
-        let head = [
-            "bearing",
-            "speed (rpm)",
-            "order",
-            "k_xx (N/m)",
-            "k_xy",
-            "k_yx",
-            "k_yy",
-            "c_xx (N s/m)",
-            "c_xy",
-            "c_yx",
-            "c_yy",
-        ];
-        let file = "speed_rpm,bearing,shaft,bodies,order,frequency_hz,k_xx_N_m,k_xy_N_m,k_yx_N_m,k_yy_N_m,c_xx_Ns_m,c_xy_Ns_m,c_yx_Ns_m,c_yy_Ns_m\n";
-        let rows = vec![head.map(str::to_owned).to_vec()];
-        Felt { of, analysis, rows, file: file.to_owned(), last: Vec::new() }
+        let head = ["bearing", "speed (rpm)", "order"];
+        let head = head.iter().chain(&words::OF_PLANE).map(|own| (*own).to_owned()).collect();
+        let columns = COEFFICIENTS.join(",");
+        let file = format!("speed_rpm,bearing,shaft,bodies,order,frequency_hz,{columns}\n");
+        Felt { of, analysis, rows: vec![head], file, last: Vec::new() }
     }
 
     /// Adds those of a speed (rad/s).

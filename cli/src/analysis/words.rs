@@ -146,6 +146,10 @@ pub(super) fn sensed(case: &Case) -> String {
     )
 }
 
+/// Heads of stiffness and damping in the plane, for people.
+pub(super) const OF_PLANE: [&str; 8] =
+    ["k_xx (N/m)", "k_xy", "k_yx", "k_yy", "c_xx (N s/m)", "c_xy", "c_yx", "c_yy"];
+
 /// Where modes begin or end to grow, whether the machine is stable, and speeds at which it does not stand; of a range that was
 /// interrupted, as far as it was reached.
 pub(super) fn thresholds(linear: &LinearMachine, all: &Campbell) -> String {

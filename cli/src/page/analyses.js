@@ -174,17 +174,17 @@ Object.assign(CHARTED, {
     if (!rows?.length) return [];
     const all = [...grouped(rows, 'joint')].filter(([, own]) => own.length > 1).slice(0, 12);
     const x = speedOf(name);
-    for (const [joint, own] of all) {
-      const some = (letter, unit) => ['xx', 'xy', 'yx', 'yy'].map((way, k) => line(own, 'speed_rpm', `${letter.toLowerCase()}_${way}_${unit}`, `${letter}${way}`, { style: k }));
-      new Chart(host, { id: `stiffness-${slug(`${name} ${joint}`)}`, title: `${joint}: stiffness`, sync: `speed ${name}`, x, y: { label: 'stiffness', unit: 'N/m' }, levels: [{ y: 0, name: '' }], series: some('K', 'N_m') });
-      new Chart(host, { id: `damping-${slug(`${name} ${joint}`)}`, title: `${joint}: damping`, sync: `speed ${name}`, x, y: { label: 'damping', unit: 'N·s/m' }, levels: [{ y: 0, name: '' }], series: some('C', 'Ns_m') });
-    }
-    for (const [bearing, own] of grouped(tables.get(`${name}.through.csv`)?.rows || [], 'bearing', 'order')) {
-      if (own.length < 2) continue;
-      const title = `${bearing.replace(/ · 1$/, '').replaceAll('+', ', ').replace(/ · (.*)$/, ' at $1X')}, as the shaft feels them`;
-      const some = (letter, unit) => ['xx', 'xy', 'yx', 'yy'].map((way, k) => line(own, 'speed_rpm', `${letter.toLowerCase()}_${way}_${unit}`, `${letter}${way}`, { style: k }));
-      new Chart(host, { id: `stiffness-through-${slug(`${name} ${bearing}`)}`, title: `${title}: stiffness`, sync: `speed ${name}`, x, y: { label: 'stiffness', unit: 'N/m' }, levels: [{ y: 0, name: '' }], series: some('K', 'N_m') });
-      new Chart(host, { id: `damping-through-${slug(`${name} ${bearing}`)}`, title: `${title}: damping`, sync: `speed ${name}`, x, y: { label: 'damping', unit: 'N·s/m' }, levels: [{ y: 0, name: '' }], series: some('C', 'Ns_m') });
+    const pair = (id, title, own) => {
+      for (const [quantity, letter, of, unit] of [['stiffness', 'K', 'N_m', 'N/m'], ['damping', 'C', 'Ns_m', 'N·s/m']]) {
+        const series = ['xx', 'xy', 'yx', 'yy'].map((way, k) => line(own, 'speed_rpm', `${letter.toLowerCase()}_${way}_${of}`, `${letter}${way}`, { style: k }));
+        new Chart(host, { id: `${quantity}-${id}`, title: `${title}: ${quantity}`, sync: `speed ${name}`, x, y: { label: quantity, unit }, levels: [{ y: 0, name: '' }], series });
+      }
+    };
+    for (const [joint, own] of all) pair(slug(`${name} ${joint}`), joint, own);
+    for (const [, own] of grouped(tables.get(`${name}.through.csv`)?.rows || [], 'bearing', 'order')) {
+      const [{ bearing, order }] = own;
+      const at = order === 1 ? '' : ` at ${shown(order, 6)}X`;
+      if (own.length > 1) pair(`through-${slug(`${name} ${bearing} ${order}`)}`, `${bearing.replaceAll('+', ', ')}${at}, as the shaft feels them`, own);
     }
     return all.length ? [`${name}.svg`] : [];
   },

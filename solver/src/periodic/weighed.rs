@@ -163,39 +163,47 @@ impl<'a, 'm> Weighed<'a, 'm> {
                 }
             }
             LinearCycle::Differences { y } => {
-                let moved = parts.map(|own| self.positions_beside(y, &own));
-                let [re, im] = moved;
-                let (re, im) = (re?, im?);
-                for step in (1..re.cols).chain([0]) {
-                    turns.take([&re, &im].map(|own| self.metric.weighed_positions(own.col(step))));
+                let [re, im] = parts.map(|own| self.positions_beside(y, &own));
+                let both = [re?, im?];
+                let n = self.map.unknowns();
+                let steps = both[0].len() / n.max(1);
+                for step in (1..steps).chain([0]) {
+                    let at = |own: &Vec<f64>| self.metric.weighed_positions(&own[step * n..][..n]);
+                    turns.take(both.each_ref().map(at));
                 }
             }
         }
         Ok(turns.mean())
     }
 
-    /// What a change at y does to the positions over the cycle, by a central difference of any length.
-    fn positions_beside(&mut self, y: &[f64], change: &[f64]) -> Result<Matrix, Error> {
-        let own = norm(y);
-        let size = norm(change);
-        let step = if size > 0.0 { CHANGE * own.max(FROM_NOTHING) / size } else { 0.0 };
-        let mut at = |step: f64| {
-            let moved: Vec<f64> = y.iter().zip(change).map(|(y, own)| y + step * own).collect();
-            let mut x = self.state(&moved);
-            self.map.positions(&mut x)
-        };
-        let (mut after, before) = (at(step)?, at(-step)?);
-        after.data.iter_mut().zip(&before.data).for_each(|(after, before)| *after -= before);
-        Ok(after)
+    /// What a change at y does to the positions over the cycle, a column a step.
+    fn positions_beside(&mut self, y: &[f64], change: &[f64]) -> Result<Vec<f64>, Error> {
+        if norm(change) == 0.0 {
+            return Ok(vec![0.0; self.map.unknowns() * self.map.cycle().steps]);
+        }
+        self.beside(y, change, |own, moved| {
+            let mut x = own.state(moved);
+            Ok(own.map.positions(&mut x)?.data)
+        })
     }
 
-    /// What the derivative at y makes of a change, by a central difference.
+    /// What the derivative at y makes of a change.
     fn difference(&mut self, y: &[f64], change: &[f64]) -> Result<Vec<f64>, Error> {
+        self.beside(y, change, Self::apply)
+    }
+
+    /// The derivative of a function at y along a change, by a central difference.
+    fn beside(
+        &mut self,
+        y: &[f64],
+        change: &[f64],
+        of: impl Fn(&mut Self, &[f64]) -> Result<Vec<f64>, Error>,
+    ) -> Result<Vec<f64>, Error> {
         let own = norm(y);
         let step = if own > 0.0 { CHANGE * own } else { FROM_NOTHING } / norm(change);
         let mut at = |step: f64| {
             let moved: Vec<f64> = y.iter().zip(change).map(|(y, own)| y + step * own).collect();
-            self.apply(&moved)
+            of(self, &moved)
         };
         let (after, before) = (at(step)?, at(-step)?);
         Ok(after.iter().zip(&before).map(|(a, b)| (a - b) / (2.0 * step)).collect())
