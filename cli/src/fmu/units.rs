@@ -4,19 +4,17 @@ use whirl_codegen::units::Unit;
 
 use super::xml::attribute;
 
-/// How the standard calls the base units of [`whirl_codegen::units::Dimension::exponents`].
-const BASES: [&str; 5] = ["m", "kg", "s", "K", "rad"];
-
-/// The element of a unit. One with powers that are no whole numbers is only named.
+/// The element of a unit, whose base units the standard calls by the same names. One with powers that are
+/// no whole numbers is only named.
 pub(super) fn element(text: &str) -> String {
     let name = attribute("name", text);
     let base = Unit::parse(text).ok().and_then(|unit| {
         let exponents = unit.dimension().exponents();
-        if exponents.iter().any(|own| !own.is_integer()) {
+        if exponents.iter().any(|(_, own)| !own.is_integer()) {
             return None;
         }
         let mut all = String::new();
-        for (base, exponent) in BASES.iter().zip(exponents) {
+        for (base, exponent) in exponents {
             let exponent = exponent.to_integer();
             if exponent != 0 {
                 all += &attribute(base, &exponent.to_string());
@@ -44,6 +42,8 @@ mod tests {
             ("N", r#"<Unit name="N"><BaseUnit m="1" kg="1" s="-2"/></Unit>"#),
             ("um", r#"<Unit name="um"><BaseUnit m="1" factor="1e-6"/></Unit>"#),
             ("rad/s", r#"<Unit name="rad/s"><BaseUnit s="-1" rad="1"/></Unit>"#),
+            ("V", r#"<Unit name="V"><BaseUnit m="2" kg="1" s="-3" A="-1"/></Unit>"#),
+            ("K", r#"<Unit name="K"><BaseUnit K="1"/></Unit>"#),
             ("1", r#"<Unit name="1"><BaseUnit/></Unit>"#),
             ("N/mm^1.5", r#"<Unit name="N/mm^1.5"/>"#),
         ];

@@ -103,9 +103,9 @@ impl Dimension {
         self
     }
 
-    /// The exponents of m, kg, s, K, A and rad.
-    pub fn exponents(&self) -> [Exponent; ALL] {
-        self.exponents
+    /// The base units with their exponents: m, kg, s, K, A and rad.
+    pub fn exponents(&self) -> [(&'static str, Exponent); ALL] {
+        std::array::from_fn(|base| (BASE_NAMES[base], self.exponents[base]))
     }
 
     /// The exponents of m, kg, s, K and A.
