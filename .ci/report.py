@@ -4,7 +4,7 @@
 report.py FOLDER… [--shots DIR]: for every folder no message on the console, nothing fetched, axes with units, values of all
 charts over time, the value under the pointer, units that switch, keys that move and zoom. With --shots also pictures, as on
 a desk, on a telephone, in the dark and printed."""
-import base64, csv, json, math, os, shutil, subprocess, sys, tempfile, time
+import base64, csv, json, math, os, re, shutil, subprocess, sys, tempfile, time
 
 CHROMIUM = next((found for name in ('chromium', 'chromium-browser', 'google-chrome') if (found := shutil.which(name))), None)
 FLAGS = ['--headless', '--no-sandbox', '--disable-gpu', '--remote-debugging-pipe', '--no-first-run', '--hide-scrollbars',
@@ -137,7 +137,7 @@ def histories(browser, folder, charts):
                 else:
                     assert near(line['least'][k], min(part), scale) and near(line['most'][k], max(part), scale), (column, k)
             compared += len(parts)
-    compared += over_angle(browser, rows, charts) + envelopes(browser, rows, charts)
+    compared += over_angle(browser, rows, charts) + envelopes(browser, rows, charts) + film_maps(browser, rows)
     # What stands at the pointer.
     shown = [own for own in charts if own['id'].startswith('history-') and own['title'] in groups]
     if shown:
@@ -180,6 +180,29 @@ def over_angle(browser, rows, charts):
                 degrees = 360 * turned['revolutions'] - abs(theta[-1] - theta[row]) * 180 / math.pi
                 assert math.isclose(line['x'][-k], degrees, abs_tol=2e-4 * max(1, turned['revolutions'])), (column, k, line['x'][-k], degrees)
                 assert near(line['y'][-k], known[row], scale), (column, k)
+                compared += 1
+    return compared
+
+
+def film_maps(browser, rows):
+    """The extremes of films at each instant, as their legends tell them."""
+    compared = 0
+    for key, column, unit in (('pressure_mpa', 'pmax_{}_MPa', 'MPa'), ('gap_um', 'hmin_{}_um', 'µm')):
+        told = browser.run(f'''(() => {{
+            const [kind, when] = document.querySelectorAll('#films select');
+            if (!kind) return [];
+            const change = (box, value) => {{ box.value = value; box.dispatchEvent(new Event('change')); }};
+            change(kind, {json.dumps(key)});
+            return [...when.options].map((own) => {{ change(when, own.value); return [parseFloat(own.textContent), whirl.charts.filter((chart) => chart.figure.closest('#films')).map((chart) => [chart.spec.title, chart.legend.textContent])]; }});
+        }})()''')
+        for at, legends in told:
+            k = min(range(len(rows['t_s'])), key=lambda k: abs(rows['t_s'][k] - at))
+            for title, legend in legends:
+                known = rows.get(column.format(title.split(':')[0]))
+                if known is None:
+                    continue
+                own = float(re.search(rf'(?:largest|smallest): (\S+) {unit}', legend).group(1))
+                assert math.isclose(own, known[k], rel_tol=6e-4), (title, at, own, known[k])
                 compared += 1
     return compared
 

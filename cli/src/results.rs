@@ -22,6 +22,8 @@ pub(crate) const SUMMARY: &str = "summary.json";
 pub(crate) const ABOUT: &str = "about.json";
 /// Surfaces of the bodies, and how they move.
 pub(crate) const SHAPES: &str = "shapes.json";
+/// Its oil films on their bores, where the case wants them.
+pub(crate) const FILMS: &str = "films.json";
 /// The analyses that were done, and the case in words.
 pub(crate) const ANALYSES: &str = "analyses.json";
 /// What a sweep was.
@@ -152,6 +154,7 @@ fn names() -> impl Iterator<Item = String> {
         SUMMARY,
         ABOUT,
         SHAPES,
+        FILMS,
         REPORT,
         CHECKPOINT,
         STATE,

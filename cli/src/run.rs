@@ -33,10 +33,10 @@ use crate::errors::Failure;
 use crate::history::HistoryFile;
 use crate::machine::{self, Built};
 use crate::other_files::About as AboutFiles;
-use crate::page::About;
+use crate::page::{About, FilmMaps};
 use crate::progress::{self, ProgressMode, Terminal};
 use crate::report::{Summary, of_orders, stops, supports};
-use crate::results::{ABOUT, REPORT, Results, SHAPES, SUMMARY};
+use crate::results::{ABOUT, FILMS, REPORT, Results, SHAPES, SUMMARY};
 use crate::signals::Interruption;
 use crate::simulate::{End, FolderStore, Simulated, simulate};
 use crate::told::Told;
@@ -188,6 +188,9 @@ fn report(
                     None => shapes,
                 };
                 problems.extend(results.write(SHAPES, moved.json().as_bytes()).err());
+            }
+            if let Some(maps) = motions.as_ref().and_then(FilmMaps::of) {
+                problems.extend(results.write(FILMS, maps.json().as_bytes()).err());
             }
             problems.extend(motions.and_then(|own| write_fields(&own, results)));
             problems.extend(files.write_npz(&history, results));

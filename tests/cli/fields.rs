@@ -4,6 +4,9 @@ use std::f64::consts::PI;
 use std::fs;
 use std::path::Path;
 
+use serde_json::Value;
+
+use crate::report::{numbers, page};
 use crate::workbench::Workbench;
 
 const MACHINE: &str = include_str!("bodies/surfaces.toml");
@@ -277,6 +280,16 @@ steps = 80
 cycle_frequency = "50 Hz"
 "#;
 
+/// A map of the page has, frame by frame, the numbers of a file in another unit, to a 65535th of what they span.
+fn hold(levels: &Value, frame: usize, known: &[f64], factor: f64) {
+    let [least, most] = ["least", "most"].map(|end| levels[end].as_f64().expect("a number"));
+    let parts = numbers(&levels["parts"]);
+    for (part, known) in parts[frame * known.len()..].iter().zip(known) {
+        let own = least + part / 65535.0 * (most - least);
+        assert!((own - factor * known).abs() <= 1e-5 * (most - least), "{own} {known}");
+    }
+}
+
 /// Maps have the extremes that the columns of the history have, at their places, and the least and most over the frames.
 #[test]
 fn maps_of_films_hold_what_their_columns_hold() {
@@ -292,7 +305,10 @@ fn maps_of_films_hold_what_their_columns_hold() {
         let line = history.lines().nth(row).expect("a row");
         line.split(',').nth(place).expect("a cell").parse().expect("a number")
     };
+    let (_, data) = page(&bench, "out");
     for (name, nodes, cells, filled) in [("oil", 120, 96, true), ("pad", 65, 48, false)] {
+        let all = data["films"]["films"].as_array().expect("films");
+        let shown = all.iter().find(|own| own["name"] == name).expect("the film");
         let frames = listed(&folder.join(format!("film_{name}.pvd")));
         assert_eq!(frames.len(), 5, "{name}");
         let (mut most, mut least) = (vec![f64::NEG_INFINITY; nodes], vec![f64::INFINITY; nodes]);
@@ -334,6 +350,18 @@ fn maps_of_films_hold_what_their_columns_hold() {
         let largest = Vtu::read(&folder.join(format!("film_{name}_largest.vtu")));
         assert_eq!(largest.numbers("largest_pressure_Pa"), most, "{name}");
         assert_eq!(largest.numbers("smallest_gap_m"), least, "{name}");
+        hold(&shown["largest_pressure_mpa"], 0, &most, 1e-6);
+        hold(&shown["smallest_gap_um"], 0, &least, 1e6);
+        for (place, (time, file)) in frames.iter().enumerate() {
+            let vtu = Vtu::read(&folder.join(file));
+            assert!((shown["time"][place].as_f64().expect("a time") - time).abs() < 1e-9);
+            hold(&shown["pressure_mpa"], place, &vtu.numbers("pressure_Pa"), 1e-6);
+            hold(&shown["gap_um"], place, &vtu.numbers("gap_m"), 1e6);
+            if filled {
+                hold(&shown["fill"], place, &vtu.numbers("fill"), 1.0);
+            }
+        }
+        assert_eq!(shown["fill"].is_null(), !filled, "{name}");
     }
     let one = FILMS.replace("[start]", "[fields]\nframes = 2\nfilms = [\"pad\"]\n[start]");
     let bench = Workbench::new().file("case.toml", &one);

@@ -4,40 +4,36 @@ use std::io;
 use std::path::Path;
 
 use whirl_solver::bearing::FilmPlace;
-use whirl_solver::machine::Machine;
 
-use super::frames::{Frame, MAPS};
 use super::vtu::{self, Array, Cells, Values};
 
-/// Writes the files of the films of some bearings, by their places and names.
+/// A film in all frames.
+pub(crate) struct PlayedFilm<'a> {
+    pub(crate) name: String,
+    pub(crate) place: FilmPlace<'a>,
+    /// Time (s), then pressures (Pa), gaps (m) and fills at the nodes, in the order of time.
+    pub(crate) frames: Vec<(f64, &'a [f64])>,
+}
+
+/// Writes the files of a film: one a frame, one that lists them, and one of its extremes.
 ///
 /// # Errors
 /// What cannot be written.
-pub(super) fn write(
-    folder: &Path,
-    machine: &Machine,
-    (wanted, frames): (&[(usize, String)], &[Frame]),
-) -> io::Result<()> {
-    let mut first = 0;
-    for film in machine.springs.films() {
-        let begin = first;
-        first += MAPS * film.grid.nodes();
-        let Some((_, name)) = wanted.iter().find(|own| own.0 == film.bearing) else { continue };
-        let name = format!("film_{name}");
-        let cells = Cells::between(film.grid);
-        let (mut listed, mut extremes) = (Vec::with_capacity(frames.len()), Extremes::of(&film));
-        for (number, frame) in frames.iter().enumerate() {
-            let maps = &frame.films[begin..first];
-            extremes.add(maps);
-            let file = format!("{name}_{number:04}.vtu");
-            vtu::write(&folder.join(&file), &cells, &arrays(&film, maps))?;
-            listed.push((frame.time, file));
-        }
-        vtu::collection(&folder.join(format!("{name}.pvd")), &listed)?;
-        if !frames.is_empty() {
-            let arrays = extremes.arrays(&film);
-            vtu::write(&folder.join(format!("{name}_largest.vtu")), &cells, &arrays)?;
-        }
+pub(super) fn write(folder: &Path, film: &PlayedFilm) -> io::Result<()> {
+    let (name, place) = (format!("film_{}", film.name), &film.place);
+    let cells = Cells::between(place.grid);
+    let mut listed = Vec::with_capacity(film.frames.len());
+    let mut extremes = Extremes::of(place);
+    for (number, (time, maps)) in film.frames.iter().enumerate() {
+        extremes.add(maps);
+        let file = format!("{name}_{number:04}.vtu");
+        vtu::write(&folder.join(&file), &cells, &arrays(place, maps))?;
+        listed.push((*time, file));
+    }
+    vtu::collection(&folder.join(format!("{name}.pvd")), &listed)?;
+    if !film.frames.is_empty() {
+        let arrays = extremes.arrays(place);
+        vtu::write(&folder.join(format!("{name}_largest.vtu")), &cells, &arrays)?;
     }
     Ok(())
 }

@@ -11,11 +11,13 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
+use whirl_solver::bearing::FilmPlace;
 use whirl_solver::mesh::Mesh;
 use whirl_solver::stress::von_mises;
 
+pub(crate) use self::films::PlayedFilm;
 pub(crate) use self::frames::{FRAMES, FrameWriter, Schedule};
-use self::frames::{Frame, read};
+use self::frames::{Frame, MAPS, read};
 use self::motion::motion;
 use self::stresses::Envelope;
 pub(crate) use self::stresses::LargestStress;
@@ -137,6 +139,25 @@ impl<'a> Motions<'a> {
         })
     }
 
+    /// The films whose maps are wanted.
+    pub(crate) fn films(&self) -> Vec<PlayedFilm<'_>> {
+        let mut first = 0;
+        let mut played = |place: FilmPlace<'_>| {
+            let begin = first;
+            first += MAPS * place.grid.nodes();
+            let end = first;
+            let (_, name) = self.films.iter().find(|own| own.0 == place.bearing)?;
+            let maps = self.frames.iter().map(|own| (own.time, &own.films[begin..end]));
+            Some((name.clone(), maps.collect::<Vec<_>>()))
+        };
+        let all = self.built.machine.springs.films().into_iter();
+        let all = all.filter_map(|place| {
+            let (name, frames) = played(place)?;
+            Some(PlayedFilm { name, place, frames })
+        });
+        all.collect()
+    }
+
     /// Writes the files of all bodies: one a frame, one of the largest stresses, and one a body that lists those of frames
     /// with their times.
     ///
@@ -166,6 +187,6 @@ impl<'a> Motions<'a> {
                 vtu::write(&folder.join(format!("{name}_largest.vtu")), &cells, &arrays)?;
             }
         }
-        films::write(&folder, machine, (&self.films, &self.frames))
+        self.films().iter().try_for_each(|film| films::write(&folder, film))
     }
 }

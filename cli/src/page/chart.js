@@ -339,10 +339,9 @@ class Chart {
       const y = inner.top + inner.height * (1 - (k + 1) / 60);
       out.push(`<rect x="${x}" y="${y.toFixed(1)}" width="${w}" height="${(inner.height / 60 + 0.5).toFixed(1)}" fill="rgb(${colour((k + 0.5) / 60)})"/>`);
     }
-    const factor = this.axis('z').factor;
-    for (let db = 0; db >= -DECIBELS; db -= 20) {
-      const y = inner.top + (inner.height * -db) / DECIBELS;
-      out.push(`<text x="${x + w + 3}" y="${(y + (db ? 3 : 9)).toFixed(1)}">${shown(map.largest * factor * 10 ** (db / 20), 2)}</text>`);
+    for (const [share, text] of steps(map, this.axis('z').factor)) {
+      const y = inner.top + inner.height * (1 - share);
+      out.push(`<text x="${x + w + 3}" y="${(y + (share < 1 ? 3 : 9)).toFixed(1)}">${text}</text>`);
     }
   }
 
@@ -354,7 +353,7 @@ class Chart {
     if (this.cursor !== null && spec.map) {
       const own = spec.map.at(this.cursor[0], this.cursor[1]);
       const z = this.axis('z');
-      if (own) parts.push(`<span><b>${shown(own.x * ax.factor)}</b> ${escaped(ax.unit)}, <b>${shown(own.y * ay.factor)}</b> ${escaped(ay.unit)}: <b>${shown(own.value * z.factor, 4)}</b> ${escaped(z.unit)} ${Amplitudes.words}</span>`);
+      if (own) parts.push(`<span><b>${shown(own.x * ax.factor)}</b> ${escaped(ax.unit)}, <b>${shown(own.y * ay.factor)}</b> ${escaped(ay.unit)}: <b>${shown(own.value * z.factor, 4)}</b> ${escaped(kindOf(z.unit))}${spec.z.amplitude ? ` ${Amplitudes.words}` : ''}</span>`);
     } else if (this.cursor !== null) {
       parts.push(`<span>${escaped(spec.x.short || spec.x.label)} <b>${this.told(this.cursor * ax.factor, 6)}</b> ${escaped(ax.unit === '1' ? '' : ax.unit)}</span>`);
     }
@@ -493,31 +492,3 @@ Chart.seen = new IntersectionObserver((entries) => {
     if (own && !own.over) own.render();
   }
 }, { rootMargin: '600px' });
-
-// Colours of amplitudes over so many dB: dark to light, told apart without colour.
-const DECIBELS = 60;
-const SCALE = [[13, 8, 35], [60, 15, 92], [120, 28, 109], [178, 50, 90], [222, 89, 52], [247, 151, 29], [250, 214, 96], [252, 253, 200]];
-function colour(share) {
-  const at = Math.min(Math.max(share, 0), 1) * (SCALE.length - 1);
-  const k = Math.min(Math.floor(at), SCALE.length - 2);
-  return SCALE[k].map((own, c) => Math.round(own + (at - k) * (SCALE[k + 1][c] - own)));
-}
-
-// A map as a PNG: `columns` cells from left to right, rows wherever `row` finds them.
-function picture(map) {
-  const canvas = document.createElement('canvas');
-  [canvas.width, canvas.height] = [map.columns, 240];
-  const context = canvas.getContext('2d');
-  const image = context.createImageData(canvas.width, canvas.height);
-  for (let j = 0; j < canvas.height; j++) {
-    const y = map.view.y1 - ((j + 0.5) / canvas.height) * (map.view.y1 - map.view.y0);
-    const row = map.row(y);
-    for (let i = 0; i < map.columns; i++) {
-      const db = 20 * Math.log10(Math.max(map.value(row, i) / map.largest, 1e-9));
-      const own = colour(1 + db / DECIBELS);
-      image.data.set([...own, 255], 4 * (j * canvas.width + i));
-    }
-  }
-  context.putImageData(image, 0, 0);
-  return canvas.toDataURL('image/png');
-}

@@ -10,6 +10,7 @@ mod analyses;
 mod bodies;
 mod encode;
 mod files;
+mod film_maps;
 mod groups;
 mod kept;
 mod marks;
@@ -31,18 +32,20 @@ use serde_json::Value;
 pub(crate) use self::about::{About, Section};
 pub(crate) use self::analyses::{Analyses, AnalysisFacts};
 use self::files::{FigureFacts, FileFacts, MotionFacts, TableFacts};
+pub(crate) use self::film_maps::FilmMaps;
 pub(crate) use self::moving::{MOTIONS, Moving};
 use self::run::RunData;
 pub(crate) use self::shapes::Shapes;
 pub(crate) use self::sweeps::SweepFacts;
 use crate::history::{self, HistoryFile};
-use crate::results::{ABOUT, ANALYSES, SHAPES, SUMMARY, SWEEP};
+use crate::results::{ABOUT, ANALYSES, FILMS, SHAPES, SUMMARY, SWEEP};
 
 const PAGE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
 /// In the order in which they are run.
-const SCRIPTS: [&str; 10] = [
+const SCRIPTS: [&str; 12] = [
     include_str!("data.js"),
+    include_str!("map.js"),
     include_str!("chart.js"),
     include_str!("marks.js"),
     include_str!("scene.js"),
@@ -50,6 +53,7 @@ const SCRIPTS: [&str; 10] = [
     include_str!("lateral.js"),
     include_str!("facts.js"),
     include_str!("run.js"),
+    include_str!("films.js"),
     include_str!("analyses.js"),
     include_str!("page.js"),
 ];
@@ -64,6 +68,8 @@ struct Data {
     run: Option<RunData>,
     /// shapes.json, as it is.
     shapes: Option<Value>,
+    /// films.json, as it is.
+    films: Option<Value>,
     analyses: Option<Analyses>,
     sweep: Option<SweepFacts>,
     tables: Vec<TableFacts>,
@@ -93,7 +99,7 @@ pub(crate) fn made(folder: &Path) -> Result<String, String> {
         let own = text.map(|text| serde_json::from_str(&text)).transpose();
         own.map_err(|why| cannot(name, &why))
     };
-    let (summary, shapes) = (json(SUMMARY)?, json(SHAPES)?);
+    let (summary, shapes, films) = (json(SUMMARY)?, json(SHAPES)?, json(FILMS)?);
     let path = folder.join(history::NAME);
     let run = match &about {
         Some(about) if path.exists() => HistoryFile::open(&path)
@@ -111,13 +117,24 @@ pub(crate) fn made(folder: &Path) -> Result<String, String> {
         )
     })?;
     let title = format!("{name}: {title}");
-    let (files, figures) = files::all(folder).map_err(|why| cannot("", &why))?;
+    let (files, figures) = files::all(folder, analyses.as_ref()).map_err(|why| cannot("", &why))?;
     let of_analyses = analyses.iter().flat_map(Analyses::files);
     let tables = files::tables(folder, of_analyses.chain(sweep.as_ref().map(|_| "table.csv")));
     let of_analyses = analyses.iter().flat_map(Analyses::files);
     let motions = files::motions(folder, of_analyses)?;
-    let data =
-        Data { about, summary, run, shapes, analyses, sweep, tables, motions, figures, files };
+    let data = Data {
+        about,
+        summary,
+        run,
+        shapes,
+        films,
+        analyses,
+        sweep,
+        tables,
+        motions,
+        figures,
+        files,
+    };
     let data = serde_json::to_string(&data).expect("the keys are strings");
     // No text of a case ends the element, or is markup.
     Ok(filled(&title, &data.replace('<', "\\u003c")))

@@ -16,7 +16,7 @@ function files() {
 page.replaceChildren();
 // Of a run-up what goes over the speed comes first: no cycle of it is like another one.
 const speeds = [tracked, reversed, envelopes, waterfalls];
-const cycles = [results, histories, orbits, overAngle, spectra];
+const cycles = [results, histories, orbits, overAngle, filmMaps, spectra];
 const ofRun = run?.tracked.length ? [...speeds, ...cycles] : [...cycles, ...speeds];
 for (const make of [head, theCase, machine, ...ofRun, swept, analysed, energy, drawings, files]) make();
 add(page, 'footer', `whirl ${about.version}`);
