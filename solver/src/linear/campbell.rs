@@ -87,6 +87,15 @@ impl LinearMachine {
         range: &Range,
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Campbell, Error> {
+        self.campbell_within((range, 0.0), goes_on)
+    }
+
+    /// The same with critical speeds to a share of the width of their peaks.
+    pub(super) fn campbell_within(
+        &self,
+        (range, width): (&Range, f64),
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Campbell, Error> {
         let Along { points, lost, slow } = self.along(range, goes_on)?;
         // Films carry least at the first speeds, so that the last one says more.
         if let (true, Some((_, error))) = (points.is_empty(), lost.last()) {
@@ -100,8 +109,8 @@ impl LinearMachine {
             }
             !interrupted.load(Ordering::Relaxed)
         };
-        let roots =
-            Roots { machine: self, range, slow: slow.as_ref(), points: &points, goes_on: &goes_on };
+        let slow = slow.as_ref();
+        let roots = Roots { machine: self, range, slow, points: &points, width, goes_on: &goes_on };
         let mut followed = Followed { roots: &roots, unclear: Vec::new() };
         let branches = followed.branches()?;
         let criticals = followed.criticals(&branches, &range.orders)?;

@@ -22,6 +22,10 @@ const NEAREST: f64 = 1e-9;
 const FARTHEST: f64 = 1e-3;
 const A_DECADE: i32 = 3;
 const HALVINGS: usize = 8;
+/// Parts of a bound at which the change is looked for below it, by how much further down where it was there already, and halvings.
+const PARTS: [f64; 3] = [1.0, 0.4, 0.1];
+const FURTHER: f64 = 0.2;
+const FEW_HALVINGS: usize = 7;
 /// Share of the largest stiffness of the machine that is nothing.
 const NOTHING: f64 = 1e-9;
 /// Rate that tells damping from stiffness (1/s).
@@ -84,6 +88,38 @@ impl LinearMachine {
         let mut probe = Probe::new(machine, at);
         let joints = machine.monitors.iter().zip(probe.within());
         joints.map(|(joint, within)| Limit { joint: joint.name.clone(), within }).collect()
+    }
+
+    /// The same below bounds (m) on the amplitudes of the joints, to a hundredth, and none of a joint that is linear up to its own:
+    /// of use where amplitudes are known, and faster.
+    pub fn limits_below(&self, at: &Standstill, bounds: &[f64]) -> Vec<Limit> {
+        let machine = self.machine_of(at);
+        let mut probe = Probe::new(machine, at);
+        let joints = machine.monitors.iter().zip(probe.below(bounds));
+        joints.map(|(joint, within)| Limit { joint: joint.name.clone(), within }).collect()
+    }
+
+    /// Names of the joints that push nowhere up to their limits and do beyond them: of those whose clearance nothing closes.
+    pub(super) fn open(&self, at: &Standstill, limits: &[Limit]) -> Vec<String> {
+        let mut probe = Probe::new(self.machine_of(at), at);
+        let mut stiffest = |share: f64| -> Vec<f64> {
+            let amplitudes: Vec<f64> =
+                limits.iter().map(|own| share * own.within.unwrap_or(0.0)).collect();
+            let mut all = vec![0.0_f64; limits.len()];
+            for direction in 0..DIRECTIONS {
+                probe.stand(&amplitudes, direction, false);
+                for (most, [k, _]) in all.iter_mut().zip(probe.coefficients()) {
+                    *most = most.max(k[0][0].abs()).max(k[1][1].abs());
+                }
+            }
+            all
+        };
+        let (inside, outside) = (stiffest(0.5), stiffest(1.5));
+        let all = limits.iter().zip(inside).zip(outside);
+        let open = all.filter(|((limit, inside), outside)| {
+            limit.within.is_some() && *outside > 0.0 && *inside <= NOTHING * outside
+        });
+        open.map(|((limit, _), _)| limit.joint.clone()).collect()
     }
 
     /// The joints whose laws are used at a state where they may not be believed, with what is beyond its limit.
@@ -252,12 +288,25 @@ impl<'m> Probe<'m> {
                 *between = Some([before, at(step)]);
             }
         }
-        for _ in 0..HALVINGS {
+        self.halved(&first, between, HALVINGS)
+    }
+
+    /// The amplitudes at which K or C change between two of each joint, after so many halvings.
+    fn halved(
+        &mut self,
+        first: &[Coefficients],
+        mut between: Vec<Option<[f64; 2]>>,
+        halvings: usize,
+    ) -> Vec<Option<f64>> {
+        for _ in 0..halvings {
+            if between.iter().all(Option::is_none) {
+                break;
+            }
             let middle = |own: &Option<[f64; 2]>| {
                 own.map_or(0.0, |[a, b]| if a > 0.0 { (a * b).sqrt() } else { 0.5 * b })
             };
             let amplitudes: Vec<f64> = between.iter().map(middle).collect();
-            let changed = self.changed(&first, &amplitudes);
+            let changed = self.changed(first, &amplitudes);
             for ((between, amplitude), changed) in between.iter_mut().zip(amplitudes).zip(changed) {
                 if let Some(own) = between {
                     own[usize::from(changed)] = amplitude;
@@ -265,6 +314,39 @@ impl<'m> Probe<'m> {
             }
         }
         between.into_iter().map(|own| own.map(|[_, last]| last)).collect()
+    }
+
+    /// Amplitudes below bounds at which K or C have changed by a tenth.
+    fn below(&mut self, bounds: &[f64]) -> Vec<Option<f64>> {
+        let count = self.joints.len();
+        self.stand(&vec![0.0; count], 0, false);
+        let first = self.coefficients();
+        let bounds: Vec<f64> = bounds[..count].iter().map(|own| own.min(FARTHEST)).collect();
+        // Of each joint the nearest amplitude at which it has changed, and the largest below where it has not.
+        let mut between: Vec<Option<[f64; 2]>> = vec![None; count];
+        let mut part = PARTS[0];
+        for number in 0.. {
+            part = PARTS.get(number).copied().unwrap_or(FURTHER * part);
+            let open = |own: &Option<[f64; 2]>| own.is_some_and(|[least, _]| least == 0.0);
+            let is_deep = number >= PARTS.len();
+            if is_deep && !between.iter().any(open) {
+                break;
+            }
+            let amplitudes: Vec<f64> = bounds.iter().map(|own| part * own).collect();
+            let changed = self.changed(&first, &amplitudes);
+            for ((between, amplitude), changed) in between.iter_mut().zip(&amplitudes).zip(changed)
+            {
+                match between {
+                    _ if changed => *between = Some([0.0, *amplitude]),
+                    Some([least, _]) if *least == 0.0 => *least = *amplitude,
+                    _ => {}
+                }
+            }
+            if is_deep && amplitudes.iter().all(|own| *own < NEAREST) {
+                break;
+            }
+        }
+        self.halved(&first, between, FEW_HALVINGS)
     }
 
     /// By how much forces jump where the journals stand and move.

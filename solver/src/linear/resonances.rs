@@ -11,6 +11,8 @@ const UNDAMPED: f64 = 1e-7;
 const MOST: usize = 100;
 /// Speeds at which modes are looked for.
 const SPEEDS: usize = 31;
+/// Share of their half width to which critical speeds are found: peaks are looked for about them.
+const WIDTH: f64 = 0.05;
 
 /// A damped critical speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,7 +60,7 @@ impl LinearMachine {
         }
         let mut speeds: Vec<f64> = (0..SPEEDS).map(at).collect();
         speeds[SPEEDS - 1] = *last;
-        self.campbell(&Range { speeds, count, ..range.clone() }, goes_on)
+        self.campbell_within((&Range { speeds, count, ..range.clone() }, WIDTH), goes_on)
     }
 
     /// How many modes are slower than a frequency (rad/s) at a speed; none where the machine does not stand there, or where it was

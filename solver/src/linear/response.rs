@@ -25,7 +25,7 @@ const SAMPLES: usize = 96;
 /// What is smaller than this share of the largest is nothing.
 const NOTHING: f64 = 1e-6;
 /// Amplitudes up to which a motion is rounding (m).
-const LEAST: f64 = 1e-12;
+const LEAST: f64 = 1e-10;
 /// Share of the forces that act that is rounding of them.
 const ROUNDING: f64 = 1e-9;
 

@@ -74,6 +74,8 @@ pub(super) struct Roots<'a> {
     pub(super) range: &'a Range,
     pub(super) slow: Option<&'a Slow>,
     pub(super) points: &'a [Point],
+    /// Share of ζ of a mode to which a speed is found, where it may be wide: 0 to find all to [`FOUND`].
+    pub(super) width: f64,
     /// Asked before every speed, and at one that takes long.
     pub(super) goes_on: &'a (dyn Fn() -> bool + Sync),
 }
@@ -157,6 +159,7 @@ impl Roots<'_> {
         let share = if signs.contains(&0) { EDGE } else { FOUND };
         for k in 0..tries(near) {
             let is_met = signs[1] != 0 && right.value == 0.0;
+            let share = share.max(self.width * right.mode.damping_ratio().abs());
             if is_met || (right.speed - left.speed).abs() <= share * right.speed.abs() {
                 break;
             }
@@ -190,7 +193,8 @@ impl Roots<'_> {
         }
         // Where a mode ends between the speeds another one may have been followed.
         let end = if left.value.abs() < right.value.abs() { left } else { right };
-        if end.value.abs() <= ROOT * end.mode.value.norm() {
+        let rest = ROOT.max(self.width * end.mode.damping_ratio().abs());
+        if end.value.abs() <= rest * end.mode.value.norm() {
             found.push(Root { speed: end.speed, mode: end.mode, rises });
         }
         Ok(())

@@ -22,7 +22,13 @@ impl Large {
         (speed, at): (f64, &Standstill),
         amplitudes: &[f64],
     ) {
-        let limits = linear.limits(at);
+        // Only what is farther beyond its limit than any before is looked for.
+        let bound = |(place, amplitude): (usize, &f64)| match self.0.get(place) {
+            Some(Some(worst)) => amplitude * worst.within / worst.amplitude,
+            _ => *amplitude,
+        };
+        let bounds: Vec<f64> = amplitudes.iter().enumerate().map(bound).collect();
+        let limits = linear.limits_below(at, &bounds);
         self.0.resize_with(limits.len(), || None);
         for (place, (worst, (limit, &amplitude))) in
             self.0.iter_mut().zip(limits.into_iter().zip(amplitudes)).enumerate()

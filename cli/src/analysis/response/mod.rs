@@ -32,6 +32,10 @@ use crate::signals::Interruption;
 
 /// Share of the largest amplitude from which on an order is shown to people.
 const MAIN: f64 = 0.01;
+/// Share of it below which an order is left out altogether: balls that turn with their cage leave traces at many.
+const TRACE: f64 = 1e-4;
+/// Share of it from which on peaks of an order are sought between the speeds.
+const SOUGHT: f64 = 1e-3;
 /// Columns of orbits.
 const COLUMNS: &str =
     "speed_rpm,body,order,point,major_um,minor_um,x_um,x_phase_deg,y_um,y_phase_deg\n";
@@ -132,15 +136,21 @@ pub(super) fn found(
     }
     sources.iter_mut().for_each(|own| own.motions.resize(speeds.len(), still(points.len())));
     sources.sort_by(|a, b| a.body.cmp(&b.body).then(a.order.total_cmp(&b.order)));
+    let moving = sources.iter().filter(|own| own.order != 0.0).map(Source::size);
+    let most = moving.fold(0.0, f64::max);
+    sources.retain(|own| own.size() >= TRACE * most);
     if let ([first, .., last], false, [_, _, ..]) =
         (wanted.speeds.as_slice(), interrupted, speeds.as_slice())
     {
         let (of_main, ends) = (largest(&sources), [*first, *last]);
         let over = Over { of, ends, analysis, ratios: &ratios };
         let told = |own: &Source| own.size() >= MAIN * of_main;
-        notes += &peaks::find(linear, &points, &mut sources, &over, &told, interruption)?;
+        let sought = |own: &Source| own.order != 0.0 && own.size() >= SOUGHT * most;
+        let asked = (&sought as &dyn Fn(&Source) -> bool, &told as &dyn Fn(&Source) -> bool);
+        notes += &peaks::find(linear, &points, &mut sources, &over, asked, interruption)?;
         let drawn = figures || pictures.space.is_some();
-        for source in sources.iter_mut().filter(|own| drawn && own.order != 0.0) {
+        let shown = |own: &&mut Source| own.order != 0.0 && own.size() >= MAIN * most;
+        for source in sources.iter_mut().filter(|own| drawn && shown(own)) {
             let wanted = beside(&source.peaks, ends);
             for speed in wanted.into_iter().take_while(|_| !interruption.asked()) {
                 let here = at(speed, None)?;

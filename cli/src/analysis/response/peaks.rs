@@ -21,7 +21,7 @@ pub(super) struct Over<'a> {
     pub(super) ratios: &'a [f64],
 }
 
-/// Finds the peaks of all sources, and what is said of them; `told`: of which sources something is said.
+/// Finds the peaks of some sources, and what is said of them: of which they are sought, and of which something is said.
 ///
 /// # Errors
 /// Those of the machine at the speeds.
@@ -30,11 +30,11 @@ pub(super) fn find(
     points: &[Point],
     sources: &mut [Source],
     over: &Over,
-    told: &dyn Fn(&Source) -> bool,
+    (sought, told): (&dyn Fn(&Source) -> bool, &dyn Fn(&Source) -> bool),
     interruption: &Interruption,
 ) -> Result<String, Error> {
     let order = |own: &Source| own.order * over.ratios[own.body];
-    let mut orders: Vec<f64> = sources.iter().map(order).filter(|own| *own != 0.0).collect();
+    let mut orders: Vec<f64> = sources.iter().filter(|own| sought(own)).map(order).collect();
     orders.sort_by(f64::total_cmp);
     orders.dedup();
     if orders.is_empty() {
@@ -60,7 +60,7 @@ pub(super) fn find(
     bodies.dedup();
     for body in bodies {
         let places: Vec<usize> = (0..sources.len())
-            .filter(|&own| sources[own].body == body && sources[own].order != 0.0)
+            .filter(|&own| sources[own].body == body && sought(&sources[own]))
             .collect();
         let wanted: Vec<f64> = places.iter().map(|&own| sources[own].order).collect();
         let mut near: Option<Standstill> = None;
