@@ -69,7 +69,7 @@ pub(crate) struct Plane {
     pub(crate) phase: f64,
 }
 
-/// An impeller, a row of blades, or a seal with known stiffness across.
+/// An impeller, a row of blades, or a seal with known cross-coupled stiffness.
 #[derive(Debug, Clone)]
 pub(crate) struct Stage {
     pub(crate) name: String,
@@ -78,7 +78,7 @@ pub(crate) struct Stage {
     pub(crate) source: StageSource,
 }
 
-/// From what its stiffness across follows.
+/// From what its cross-coupled stiffness follows.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum StageSource {
     /// N/m.
@@ -258,6 +258,12 @@ fn stage((name, table): (String, Table)) -> Option<Stage> {
                         table.conflict("stiffness", key);
                     }
                 }
+                if across == 0.0 {
+                    let message = "a `stiffness` of 0 N/m is none";
+                    let help = "write its q, or leave the stage out";
+                    let place = table.written("stiffness");
+                    table.push(place.error_here(Code::BAD_VALUE, message).help(help));
+                }
                 StageSource::Given(across)
             }
             None => {
@@ -305,6 +311,14 @@ fn variant((name, table): (String, Table)) -> Variant {
         for own in set.iter().filter(|own| !own.text().contains('=')) {
             let message = format!("`{}` has no `=`", own.text());
             let help = "write a key of the case and its value: \"joint.left.radial_clearance = 90 um\"";
+            table.push(own.error_here(Code::BAD_VALUE, message).help(help));
+        }
+        for own in set.iter().filter(|own| own.text().trim_start().starts_with("analysis.")) {
+            let message = format!(
+                "`{}` is a key of an analysis, and variants are of the machine",
+                own.text().split('=').next().unwrap_or_default().trim()
+            );
+            let help = "write another `[analysis.NAME]` with that value";
             table.push(own.error_here(Code::BAD_VALUE, message).help(help));
         }
         Variant { name, set }

@@ -7,7 +7,6 @@ use super::modes::Mode;
 use super::response::{Point, Vibration};
 use super::round::LinearMachine;
 use crate::error::Error;
-use crate::linalg::dot;
 
 /// Unbalance in the plane of a point of a body that turns.
 #[derive(Debug, Clone, Copy)]
@@ -87,33 +86,5 @@ impl LinearMachine {
             }
         }
         own
-    }
-
-    /// The static displacement by an acceleration of a body along x or y of space, of what is linear about a state, and by it
-    /// the forces on its points: of each joint the load that it carries (N).
-    ///
-    /// # Errors
-    /// Nothing holds the machine.
-    pub fn loads_by_acceleration(
-        &self,
-        (at, equations): (&Standstill, &Linearised),
-        body: usize,
-        acceleration: [f64; 2],
-    ) -> Result<Vec<f64>, Error> {
-        let centre = self.machine.bodies[body].centre_of_mass();
-        let mut force = vec![Complex64::ZERO; equations.mass.rows];
-        let block = self.block(equations.angles, body);
-        for (sum, moved) in force[block].iter_mut().zip(centre.node.shapes.data.chunks_exact(3)) {
-            *sum += centre.mass * dot(&moved[..2], &acceleration);
-        }
-        let moved = equations.moved_by(0.0, &force)?;
-        let joints = self.coefficients(at);
-        let points = self.points();
-        let loads = joints.iter().zip(&points).map(|(joint, point)| {
-            let [x, y] = self.vibration(at, point, &moved).amplitudes.map(|own| own.re);
-            let along = |row: [f64; 2]| row[0] * x + row[1] * y;
-            along(joint.stiffness[0]).hypot(along(joint.stiffness[1]))
-        });
-        Ok(loads.collect())
     }
 }

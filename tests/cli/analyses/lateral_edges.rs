@@ -105,3 +105,60 @@ fn modes_in_a_plane_are_judged_and_place_unbalance() {
     let count = |name: &str| names.iter().filter(|own| own.as_str() == name).count();
     assert_eq!([count("mode 1"), count("mode 2")], [1, 2], "{names:?}");
 }
+
+/// Without gravity in the case the journals carry the weight of the rotor none the less, also where their clearances stand open: the
+/// drum's two add up to its 12 kg. Each unbalance stands once.
+#[test]
+fn the_weight_is_carried_beyond_clearances() {
+    let case = "include = \"two-spool.toml\"\n[analysis.api]\nkind = \"lateral\"\nof = \"high\"\nminimum_speed = \"6000 rpm\"\nmaximum_speed = \"9000 rpm\"\n";
+    let bench = Workbench::new().file("case.toml", case);
+    let said = ran(&bench, &["lateral", "case.toml", "--no-figures", "--out", "out"]).stdout;
+    // By statics of the beam on its two bearings, at 200 mm and 550 mm, about its centre of mass.
+    let line = said.lines().find(|own| own.starts_with("static loads: ")).expect("loads");
+    let loads: Vec<f64> = line.split_whitespace().filter_map(|own| own.parse().ok()).collect();
+    assert_eq!(loads.len(), 2, "{line}");
+    assert!((loads[0] + loads[1] - 12.0).abs() < 0.01, "{line}");
+    assert!(!said.contains("more than the mass"), "{said}");
+    let of = |name: &str| numbers(&bench, "out/api.unbalance.csv", name);
+    let names = column(&bench, "out/api.unbalance.csv", "unbalance");
+    let placed = |mode: &str| -> Vec<[f64; 2]> {
+        let (z, phase) = (of("z_mm"), of("phase_deg"));
+        (0..z.len()).filter(|&k| names[k] == mode).map(|k| [z[k], phase[k] - phase[0]]).collect()
+    };
+    assert_ne!(placed("mode 1"), placed("mode 2"));
+    assert!(of("load_kg").iter().all(|own| *own > 1.0), "{:?}", of("load_kg"));
+}
+
+/// Critical speeds are looked for as far as margins reach, whatever `speeds` are listed: one below them does not pass unseen.
+#[test]
+fn narrow_speeds_hide_no_critical_speed() {
+    let fails = |speeds: &str| {
+        let case = CASE
+            .replace("kind = \"lateral\"", "kind = \"lateral\"\nunbalance_modes = [2]")
+            .replace("speeds = \"0 rpm .. 10000 rpm, 51\"", speeds)
+            .replace("minimum_speed = \"7000 rpm\"", "minimum_speed = \"3050 rpm\"");
+        let bench = bench(&case);
+        let said = lateral(&bench);
+        let margins = lines(&bench, "mode 2", "separation margin", "joint.DE 45 deg");
+        let first = margins.first().unwrap_or_else(|| panic!("{said}"));
+        assert!(said.contains("6.8.2.10 separation margin at joint.DE 45 deg: "), "{said}");
+        first.clone()
+    };
+    let (whole, narrow) = (fails(""), fails("speeds = \"3040 rpm .. 10000 rpm, 20\""));
+    assert_eq!((whole.3.as_str(), narrow.3.as_str()), ("NO", "NO"));
+    assert!((whole.1 / narrow.1 - 1.0).abs() < 1e-6, "{whole:?} {narrow:?}");
+}
+
+/// Variants are of the machine: keys of an analysis would change nothing. A stage without stiffness is none.
+#[test]
+fn what_would_do_nothing_is_refused() {
+    let refused = |case: &str, what: &str| {
+        let outcome = bench(case).whirl(&["lateral", "case.toml", "--out", "out"]);
+        assert!(outcome.status == 2 && outcome.stderr.contains(what), "{}", outcome.stderr);
+    };
+    let variant =
+        format!("{CASE}[analysis.api.variants.b]\nset = [\"analysis.api.edition = 7\"]\n");
+    refused(&variant, "`analysis.api.edition` is a key of an analysis");
+    let stage = CASE.replace("stiffness = \"1e5 N/m\"", "stiffness = \"0 N/m\"");
+    refused(&stage, "a `stiffness` of 0 N/m is none");
+}

@@ -1,4 +1,4 @@
-//! Bode plots of the probes with the speed range and the margins, and the logarithmic decrement over stiffness across.
+//! Bode plots of the probes with the speed range and the margins, and the logarithmic decrement over cross-coupled stiffness.
 
 use whirl_solver::linear::Peak;
 
@@ -109,7 +109,7 @@ fn decrement(all: &[Done]) -> Option<Panel> {
     let expected = all.first()?.stability.as_ref()?.expected;
     Some(Panel {
         title: "least damped forward mode at N_mc".to_owned(),
-        x: "stiffness across Q (N/m)".to_owned(),
+        x: "cross-coupled stiffness Q (N/m)".to_owned(),
         y: "logarithmic decrement (1)".to_owned(),
         lines,
         marks: vec![Mark { x: expected, name: "Q_A".to_owned() }],

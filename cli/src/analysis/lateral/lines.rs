@@ -131,6 +131,28 @@ pub(super) fn facts(lines: &[&Line]) -> Facts {
     facts
 }
 
+/// Lines that fail of which the verdict tells.
+const MOST_FAILED: usize = 8;
+
+/// A line that fails, for people.
+fn failed(own: &Line) -> String {
+    let number = |value: f64| shown(value, 5, 1e-4..1e7);
+    let unit = if own.unit == "1" { String::new() } else { format!(" {}", own.unit) };
+    let limit = own.limit.map_or(String::new(), |limit| format!(", limit {}{unit}", number(limit)));
+    let at = if own.place.is_empty() { String::new() } else { format!(" at {}", own.place) };
+    let speed =
+        own.speed.map_or(String::new(), |speed| format!(", {} rpm", shown(speed, 6, 1e-3..1e7)));
+    let of = [own.variant.as_str(), own.unbalance.as_str()];
+    let of: Vec<&str> = of.into_iter().filter(|own| !own.is_empty()).collect();
+    format!(
+        "  {} {}{at}: {}{unit}{limit}{speed} ({})\n",
+        own.clause,
+        own.quantity,
+        number(own.value),
+        of.join(", ")
+    )
+}
+
 /// What all lines come to.
 pub(super) fn verdict(lines: &[Line]) -> String {
     let count = |pass: Pass| lines.iter().filter(|own| own.pass == pass).count();
@@ -142,7 +164,16 @@ pub(super) fn verdict(lines: &[Line]) -> String {
     match count(Pass::No) {
         0 => format!("PASSES: all {judged} lines that have a limit{of_level_two}\n"),
         some => {
-            format!("DOES NOT PASS: {some} of {judged} lines that have a limit{of_level_two}\n")
+            let mut text = format!(
+                "DOES NOT PASS: {some} of {judged} lines that have a limit{of_level_two}\n"
+            );
+            for own in lines.iter().filter(|own| own.pass == Pass::No).take(MOST_FAILED) {
+                text += &failed(own);
+            }
+            if some > MOST_FAILED {
+                text += &format!("  and {} more\n", some - MOST_FAILED);
+            }
+            text
         }
     }
 }

@@ -27,7 +27,7 @@ use self::response::{Close, Probe};
 use super::found::{Found, drawn};
 use super::speeds::{FINE, Wanted};
 use super::words;
-use crate::case::{Analysis, Case, CaseText, Lateral, Variant};
+use crate::case::{Analysis, Case, CaseText, Lateral, StageSource, Variant};
 use crate::errors::Failure;
 use crate::machine;
 use crate::report::table;
@@ -36,6 +36,9 @@ use crate::values::level::as_toml;
 
 /// How far speeds reach, of the trip speed, where the case does not say it.
 const BEYOND: f64 = 1.25;
+/// How far they reach at least, of N_ma and of N_mc: margins of 16 % below and 26 % above may be asked for.
+const BELOW: f64 = 0.8;
+const ABOVE: f64 = 1.3;
 
 /// The table of all variants; without the text of the case that of the case as it is.
 pub(super) fn found(
@@ -92,6 +95,7 @@ pub(super) fn found(
         text,
         "API 617, edition {edition}: N_ma {low} rpm, N_mc {high} rpm, trip {trip} rpm"
     );
+    text += &given(lateral);
     for done in &all {
         let _ = writeln!(text, "\n{}\n", heading(done, lateral));
         text += &told_unbalance(&done.unbalance);
@@ -164,7 +168,9 @@ fn of_variant(
         [] => (0..FINE).map(|k| BEYOND * lateral.trip * k as f64 / (FINE - 1) as f64).collect(),
         own => own.iter().map(|own| own.abs()).collect(),
     };
-    speeds.extend([lateral.minimum, lateral.maximum, lateral.trip]);
+    // Critical speeds are looked for as far as margins may be asked for, and some way further for their widths.
+    let reach = [BELOW * lateral.minimum, ABOVE * lateral.maximum];
+    speeds.extend(reach.into_iter().chain([lateral.minimum, lateral.maximum, lateral.trip]));
     speeds.sort_by(f64::total_cmp);
     speeds.dedup_by(|a, b| (*a - *b).abs() <= 1e-12 * b.abs());
     // From y to x they are negative, as the speed of the case.
@@ -228,6 +234,47 @@ fn closes(model: &Model, lateral: &Lateral) -> Result<Vec<Close>, Failure> {
         all.push(Close { point: model.point(name)?, clearance: *clearance });
     }
     Ok(all)
+}
+
+/// What the case gives beside the speeds, a line each.
+fn given(lateral: &Lateral) -> String {
+    let mut text = String::new();
+    let number = |value: f64| shown(value, 5, 1e-4..1e7);
+    let mut line = |words: String| {
+        let _ = writeln!(text, "given: {words}");
+    };
+    for (name, clearance) in &lateral.clearances {
+        line(format!("diametral clearance at {} {} um", name.text(), number(1e6 * clearance)));
+    }
+    for own in &lateral.stages {
+        let millimetres = |value: f64| format!("{} mm", number(1e3 * value));
+        let words = match own.source {
+            StageSource::Given(q) => format!("q {} N/m", number(q)),
+            StageSource::Impeller { power, diameter, width, density_ratio } => format!(
+                "impeller, {} kW, diameter {}, width {}, density ratio {}",
+                number(1e-3 * power),
+                millimetres(diameter),
+                millimetres(width),
+                number(density_ratio)
+            ),
+            StageSource::Blades { power, diameter, height } => format!(
+                "blades, {} kW, pitch diameter {}, height {}",
+                number(1e-3 * power),
+                millimetres(diameter),
+                millimetres(height)
+            ),
+        };
+        let at = own.z.map_or(String::new(), |z| format!(" at z = {}", millimetres(z)));
+        line(format!("stage {}{at}: {words}", own.name));
+    }
+    if let Some(density) = lateral.gas_density {
+        line(format!("average density of the gas {} kg/m^3", number(density)));
+    }
+    for own in &lateral.variants {
+        let set: Vec<&str> = own.set.iter().map(Located::text).collect();
+        line(format!("variant {}: {}", own.name, set.join(", ")));
+    }
+    text
 }
 
 fn heading(done: &Done, lateral: &Lateral) -> String {

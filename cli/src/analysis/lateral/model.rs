@@ -9,7 +9,7 @@ use whirl_solver::output::{Motion, Wanted};
 use whirl_text::shown;
 
 use crate::analysis::stations;
-use crate::case::{Analysis, Case, Joint, JointKind, Lateral, NamedBody, Output};
+use crate::case::{Analysis, Case, Gravity, Joint, JointKind, Lateral, NamedBody, Output};
 use crate::errors::Failure;
 use crate::machine::{self, PlannedBody};
 
@@ -168,21 +168,26 @@ impl Model {
             notes: String::new(),
         };
         if !without_seals {
-            model.load(lateral)?;
+            let by_weight = || under_weight(own, analysis, (of, sense * lateral.maximum), cache);
+            model.load(lateral, by_weight)?;
         }
         Ok(model)
     }
 
     /// The loads of the journals (kg): as the case says, as the joints carry them at N_mc, or by the weight along x where
     /// nothing loads them.
-    fn load(&mut self, lateral: &Lateral) -> Result<(), Failure> {
-        let joints = self.linear.coefficients(&self.at);
+    fn load(
+        &mut self,
+        lateral: &Lateral,
+        by_weight: impl FnOnce() -> Result<Vec<f64>, Failure>,
+    ) -> Result<(), Failure> {
         let weight = self.linear.machine().bodies[self.of].centre_of_mass().mass * GRAVITY;
-        let mut found: Vec<f64> =
-            joints.iter().map(|own| own.force[0].hypot(own.force[1])).collect();
-        if self.journals.iter().all(|own| found[own.joint] < NOTHING * weight) {
-            let at = (&self.at, &self.equations);
-            found = self.linear.loads_by_acceleration(at, self.of, [GRAVITY, 0.0])?;
+        let mut found = carried(&self.linear, &self.at);
+        let is_told = |own: &Journal| lateral.journal_loads.iter().any(|told| told.0 == own.joint);
+        if self.journals.iter().all(|own| found[own.joint] < NOTHING * weight)
+            && !self.journals.iter().all(is_told)
+        {
+            found = by_weight()?;
         }
         for own in &mut self.journals {
             let told = lateral.journal_loads.iter().find(|told| told.0 == own.joint);
@@ -231,6 +236,36 @@ impl Model {
             Failure::Input(errors)
         })
     }
+}
+
+/// What each joint carries across the axis (N) in a state.
+fn carried(linear: &LinearMachine, at: &Standstill) -> Vec<f64> {
+    linear.coefficients(at).iter().map(|own| own.force[0].hypot(own.force[1])).collect()
+}
+
+/// The same where the machine hangs along −x, with its body at a speed (rad/s).
+///
+/// # Errors
+/// As the machine's; it does not stand there.
+fn under_weight(
+    mut case: Case,
+    analysis: &Analysis,
+    (of, speed): (usize, f64),
+    cache: Option<&Cache>,
+) -> Result<Vec<f64>, Failure> {
+    let place = case.machine.bodies[of].name.clone();
+    case.machine.gravity = Some(Gravity { acceleration: [-GRAVITY, 0.0, 0.0], place });
+    let linear =
+        LinearMachine::new(machine::build_planned(&case, cache, &mut Vec::new())?.machine)?;
+    let at = linear.standing(&linear.speeds(of, speed, &analysis.ratios), None);
+    let at = at.map_err(|error| Failure::Argument {
+        message: format!(
+            "nothing in the case loads the journals, and its weight along x cannot: {error}"
+        ),
+        help: "give the case its `gravity`, or the loads of all journals by `journal_loads`"
+            .to_owned(),
+    })?;
+    Ok(carried(&linear, &at))
 }
 
 /// As [`super::foreseen`].

@@ -86,9 +86,12 @@ pub(super) fn placed(
     for mode in modes.iter().filter(counts) {
         let motion = |own: &(f64, Point)| model.linear.motion_in(&model.at, &own.1, mode);
         let shape: Vec<Vibration> = model.stations.iter().map(motion).collect();
-        // Where bearings are softer in one direction both motions of a pair are nearly in a plane: one of them counts.
+        // Where bearings are softer in one direction both motions of a pair are nearly in a plane: one of them counts. And so
+        // does one of those by which the same unbalance stands at the same places, as modes of what the body stands on.
+        let places = signless(antinodes(model, &shape));
         let is_second = mode.whirl(model.sense) == Whirl::None
-            && shapes.iter().any(|own| likeness(own, &shape) > ALIKE);
+            && shapes.iter().any(|own| likeness(own, &shape) > ALIKE)
+            || shapes.iter().any(|own| signless(antinodes(model, own)) == places);
         if !is_second {
             shapes.push(shape);
         }
@@ -129,6 +132,12 @@ pub(super) fn placed(
         });
     }
     Ok((all, notes))
+}
+
+/// Places with their signs against that of the first.
+fn signless(all: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    let first = all.first().map_or(1.0, |own| own.1);
+    all.into_iter().map(|(z, sign)| (z, first * sign)).collect()
 }
 
 /// Cosine between two shapes along the axis, whatever their directions across.

@@ -1,4 +1,4 @@
-//! Stability of level I, the least logarithmic decrement of forward modes over stiffness across, and of level II.
+//! Stability of level I, the least logarithmic decrement of forward modes over cross-coupled stiffness, and of level II.
 
 use whirl_solver::linear::{Mode, Point, Whirl};
 
@@ -28,7 +28,7 @@ pub(super) struct Stability {
     pub(super) notes: String,
 }
 
-/// Where stiffness across acts: points, and what share of all each has.
+/// Where cross-coupled stiffness acts: points, and what share of all each has.
 type Across = Vec<(Point, f64)>;
 
 /// Finds both.
@@ -57,11 +57,13 @@ pub(super) fn found(
             pass,
         });
     };
+    let total: f64 = lateral.stages.iter().map(|own| across(own, lateral.maximum)).sum();
     if lateral.stages.is_empty() {
         all.notes += "note: no `stages`: stability of level I is left out\n";
+    } else if !(total > 0.0) {
+        all.notes += "note: the stages together have no cross-coupled stiffness that drives a forward whirl: stability of level I is left out\n";
     } else {
         let shares = shares(bare, lateral);
-        let total: f64 = lateral.stages.iter().map(|own| across(own, lateral.maximum)).sum();
         let decrement = |q: f64| decrement(bare, analysis, (&shares, q));
         let curve: Vec<(f64, Option<f64>)> = (0..STEPS)
             .map(|k| 10.0 * total * k as f64 / (STEPS - 1) as f64)
@@ -71,9 +73,9 @@ pub(super) fn found(
             curve.into_iter().filter_map(|(q, own)| Some((q, own?))).collect();
         for own in &lateral.stages {
             let q = across(own, lateral.maximum);
-            add("stiffness across q_A", &own.name, Some(rpm), q, None, "N/m", Pass::None);
+            add("cross-coupled stiffness q_A", &own.name, Some(rpm), q, None, "N/m", Pass::None);
         }
-        add("stiffness across Q_A", "", Some(rpm), total, None, "N/m", Pass::None);
+        add("cross-coupled stiffness Q_A", "", Some(rpm), total, None, "N/m", Pass::None);
         if let Some(expected) = decrement(total)? {
             let pass = if expected >= standard::DECREMENT { Pass::Yes } else { Pass::LevelTwo };
             let limit = Some(standard::DECREMENT);
@@ -112,7 +114,7 @@ pub(super) fn found(
         all.expected = total;
     }
     // What no law of the case stands for goes on to level II.
-    let with_stages = lateral.seals.is_empty() && !lateral.stages.is_empty();
+    let with_stages = lateral.seals.is_empty() && total > 0.0;
     let shares = if with_stages { shares(model, lateral) } else { Vec::new() };
     let q = if with_stages { all.expected } else { 0.0 };
     let mut add = |value: f64| {
