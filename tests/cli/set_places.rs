@@ -251,3 +251,37 @@ fn a_bar_has_no_cylinders_and_no_axis() {
     assert!(outcome.stdout.contains("no cylinders about an axis along z"), "{}", outcome.stdout);
     assert!(!outcome.stdout.contains("axis = ["), "{}", outcome.stdout);
 }
+
+/// The rotor with its axis elsewhere: sets of journals that go around another one are errors, and a warning tells of bushings.
+#[test]
+fn journals_and_bushings_go_around_the_axis() {
+    let moved = "[body.rotor]\naxis = [\"0.5 mm\", \"0 mm\"]\n";
+    let case = |joint: &str| {
+        format!(
+            "title = \"a rotor\"\n{STEEL}{moved}turns = \"prescribed\"\nspeed = \"6000 rpm\"\nmesh = \"rotor.msh\"\nunits = \"mm, N, t\"\nmaterial = \"steel\"\nmodes = 4\naxial_restraint = \"FRONT\"\nsets.FRONT = {{ radius = \"10 mm\", z = [\"3 mm\", \"11 mm\"] }}\nsets.BACK = {{ radius = \"12 mm\", z = [\"57.3 mm\", \"60.1 mm\"] }}\n{joint}"
+        )
+    };
+    let bushing = |name: &str, set: &str| {
+        format!(
+            "[joint.{name}]\nkind = \"bushing\"\nfirst = {{ body = \"rotor\", sets = \"{set}\" }}\nstiffness = {{ xx = \"1e7 N/m\", yy = \"1e7 N/m\" }}\n"
+        )
+    };
+    let checked =
+        |joint: &str| bench().file("case.toml", &case(joint)).whirl(&["check", "case.toml"]);
+    let film = "[joint.front]\nkind = \"bearing\"\njournal = { body = \"rotor\", sets = \"FRONT\" }\nlaw = \"ocvirk\"\nradial_clearance = \"50 um\"\njournal_radius = \"10 mm\"\nlength = \"8 mm\"\n";
+    let outcome = checked(&format!("{film}{}", bushing("back", "BACK")));
+    assert_eq!(outcome.status, 2, "{}", outcome.stdout);
+    for words in ["0.5 mm off the axis about which `rotor` turns", "axis = [\"0 mm\", \"0 mm\"]"] {
+        assert!(outcome.stderr.contains(words), "{words}: {}", outcome.stderr);
+    }
+    let outcome = checked(&format!("{}{}", bushing("front", "FRONT"), bushing("back", "BACK")));
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    for words in ["0.5 mm off the axis about which it turns", "axis = [\"0 mm\", \"0 mm\"]"] {
+        assert!(outcome.stderr.contains(words), "{words}: {}", outcome.stderr);
+    }
+    // About its own axis nothing is said.
+    let right = case(&format!("{}{}", bushing("front", "FRONT"), bushing("back", "BACK")));
+    let right = right.replace(moved, "[body.rotor]\n");
+    let outcome = bench().file("case.toml", &right).whirl(&["check", "case.toml"]);
+    assert!(outcome.status == 0 && !outcome.stderr.contains("off the axis"), "{}", outcome.stderr);
+}

@@ -185,11 +185,20 @@ fn nothing(mesh: &Mesh, selection: &Selection) -> (String, String) {
             let axis = AXES[across];
             let message =
                 format!("no face of {origin} is in the plane {axis} = {} ± {}", mm(at), mm(within));
+            let there = along().filter(|own| (own - at).abs() <= within).count();
+            let rest = match (there, nearest) {
+                (0, nearest) => format!(
+                    "its nodes nearest to the plane are at {axis} = {}",
+                    mm(nearest.unwrap_or(0.0))
+                ),
+                (count, _) => format!(
+                    "{count} of its nodes are in the plane, and no face at its outside has all of its own there"
+                ),
+            };
             let help = format!(
-                "the mesh reaches from {axis} = {} to {}; its nodes nearest to the plane are at {axis} = {}",
+                "the mesh reaches from {axis} = {} to {}; {rest}",
                 mm(along().fold(f64::INFINITY, f64::min)),
-                mm(along().fold(f64::NEG_INFINITY, f64::max)),
-                mm(nearest.unwrap_or(0.0))
+                mm(along().fold(f64::NEG_INFINITY, f64::max))
             );
             (message, help)
         }

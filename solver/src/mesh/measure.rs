@@ -1,5 +1,15 @@
 //! Circles, radii and sections measured from nodes.
 
+use std::f64::consts::TAU;
+
+/// What is nearer to the outermost point of a rim than this part of its radius may be of it, and rounds until it is known.
+const RIM: f64 = 0.03;
+const RIMS: usize = 30;
+/// Points of a rim at least, the widest angle between two (rad), and how far they may be off its circle, in radii.
+const LEAST: usize = 8;
+const WIDEST: f64 = 1.6;
+const ROUND: f64 = 2e-3;
+
 /// A circle through points of a plane, as near to them as can be.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Circle {
@@ -33,6 +43,34 @@ pub fn circle(points: &[[f64; 2]]) -> Option<Circle> {
     let distance = |&[u, v]: &[f64; 2]| (u - offset[0]).hypot(v - offset[1]);
     let deviation = offsets.iter().map(|p| (distance(p) - radius).abs()).fold(0.0, f64::max);
     Some(Circle { centre: [mean[0] + offset[0], mean[1] + offset[1]], radius, deviation })
+}
+
+/// The circle on which the outermost of some points stand all around, as those of a journal or of the end of a shaft do, with or
+/// without points inside; `None` where they do not: on one side alone, on a square, or fewer than eight.
+pub fn rim(points: &[[f64; 2]]) -> Option<Circle> {
+    let away =
+        |circle: &Circle, [x, y]: &[f64; 2]| (x - circle.centre[0]).hypot(y - circle.centre[1]);
+    let mut own = points.to_vec();
+    let mut found = circle(&own)?;
+    for _ in 0..RIMS {
+        let reach = points.iter().map(|point| away(&found, point)).fold(0.0, f64::max);
+        let is_outside = |point: &&[f64; 2]| away(&found, point) >= (1.0 - RIM) * reach;
+        let next: Vec<[f64; 2]> = points.iter().filter(is_outside).copied().collect();
+        let is_same = next.len() == own.len();
+        own = next;
+        found = circle(&own)?;
+        if is_same {
+            break;
+        }
+    }
+    let mut angles: Vec<f64> =
+        own.iter().map(|[x, y]| (y - found.centre[1]).atan2(x - found.centre[0])).collect();
+    angles.sort_by(f64::total_cmp);
+    let last = angles.last()? - TAU;
+    let before = std::iter::once(last).chain(angles.iter().copied());
+    let widest = before.zip(&angles).map(|(a, b)| b - a).fold(0.0, f64::max);
+    (own.len() >= LEAST && widest < WIDEST && found.deviation <= ROUND * found.radius)
+        .then_some(found)
 }
 
 /// Radius of the full circle with the radius of gyration of the points' convex hull, √(2 I_p/A).
@@ -92,8 +130,6 @@ fn convex_hull(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::TAU;
-
     use super::*;
 
     fn around(centre: [f64; 2], radius: f64, angles: &[f64]) -> Vec<[f64; 2]> {
@@ -111,6 +147,26 @@ mod tests {
             assert!((found - known).abs() < 1e-14, "{circle:?}");
         }
         assert!((circle.radius - 0.034).abs() < 1e-14 && circle.deviation < 1e-14);
+    }
+
+    #[test]
+    fn a_rim_is_found_around_what_is_inside_and_not_on_one_side_of_it() {
+        let all = |count: u32| -> Vec<f64> {
+            (0..count).map(|k| TAU * f64::from(k) / f64::from(count)).collect()
+        };
+        let centre = [3e-3, -1e-3];
+        let disc: Vec<[f64; 2]> = (1..=6)
+            .flat_map(|k| around(centre, 0.012 / 6.0 * f64::from(k), &all(6 * k)))
+            .chain([[3.5e-3, 4e-3], [9e-3, 1e-3]])
+            .collect();
+        let found = rim(&disc).expect("a rim");
+        assert!((found.radius - 0.012).abs() < 1e-12, "{found:?}");
+        assert!((found.centre[0] - 3e-3).hypot(found.centre[1] + 1e-3) < 1e-12, "{found:?}");
+        // Twelve points on a half of it, four all around, and a square.
+        assert_eq!(rim(&around(centre, 0.012, &all(24)[..12])), None);
+        assert_eq!(rim(&around(centre, 0.012, &all(4))), None);
+        let square: Vec<[f64; 2]> = (0..81).map(|k| [f64::from(k % 9), f64::from(k / 9)]).collect();
+        assert_eq!(rim(&square), None);
     }
 
     #[test]

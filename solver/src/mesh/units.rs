@@ -19,7 +19,7 @@ impl Default for MeshUnits {
 
 /// Systems that programs use: as a case writes them, and in SI units. Of two that fit the first is the likelier one: steel in
 /// mm, N, kg would be rubber in mm, mN, kg.
-const SYSTEMS: [(&str, MeshUnits); 6] = [
+const SYSTEMS: [(&str, MeshUnits); 7] = [
     ("m, N, kg", MeshUnits { length: 1.0, force: 1.0, mass: 1.0 }),
     ("mm, N, t", MeshUnits { length: 1e-3, force: 1.0, mass: 1e3 }),
     ("mm, N, kg", MeshUnits { length: 1e-3, force: 1.0, mass: 1.0 }),
@@ -33,12 +33,18 @@ const SYSTEMS: [(&str, MeshUnits); 6] = [
             mass: 4.448_221_615_260_5 / 0.0254,
         },
     ),
+    ("in, lbf, lb", MeshUnits { length: 0.0254, force: 4.448_221_615_260_5, mass: 0.453_592_37 }),
 ];
 
 /// Densities of solids (kg/m³): from foams to osmium.
 const DENSITY: std::ops::Range<f64> = 5.0..25e3;
 /// √(E/ρ) of materials of machines (m/s): from elastomers to beryllium.
 const SOUND: std::ops::Range<f64> = 30.0..15e3;
+/// Density of metals heavier than titanium (kg/m³), and √(E/ρ) below which there is none (m/s): lead has 1200.
+const METAL: f64 = 5e3;
+const HARD: f64 = 700.0;
+/// The lightest plastics (kg/m³): other units are not those in which something would be a foam.
+const PLASTIC: f64 = 500.0;
 
 impl MeshUnits {
     /// A length in m.
@@ -68,13 +74,17 @@ impl MeshUnits {
 
     /// Whether a material of this E and ρ in Pa and kg/m³ could be one.
     pub(super) fn is_material(e: f64, rho: f64) -> bool {
-        DENSITY.contains(&rho) && SOUND.contains(&(e / rho).sqrt())
+        let sound = (e / rho).sqrt();
+        DENSITY.contains(&rho) && SOUND.contains(&sound) && (rho < METAL || sound >= HARD)
     }
 
     /// The usual system in which E and ρ, as these units make them, would be those of a material.
     pub(super) fn likely(&self, e: f64, rho: f64) -> Option<&'static str> {
         let (e, rho) = (e / self.modulus(1.0), rho / self.density(1.0));
-        let fits = |units: &MeshUnits| MeshUnits::is_material(units.modulus(e), units.density(rho));
+        let fits = |units: &MeshUnits| {
+            let (e, rho) = (units.modulus(e), units.density(rho));
+            MeshUnits::is_material(e, rho) && rho >= PLASTIC && (e / rho).sqrt() >= HARD
+        };
         SYSTEMS.iter().find(|(_, units)| fits(units)).map(|(name, _)| *name)
     }
 }
@@ -110,10 +120,15 @@ mod tests {
             (206e6, 7.85e-6, "mm, mN, kg"),
             (206e3, 7.85e-6, "mm, N, kg"),
             (29.9e6, 7.35e-4, "in, lbf, lbf*s^2/in"),
+            (30e6, 0.283, "in, lbf, lb"),
         ] {
             assert_eq!(si.likely(e, rho), Some(system), "{e} {rho}");
         }
-        assert_eq!(si.likely(1.0, 1e30), None);
+        // Nothing, E in GPa beside t/mm³, and N/mm² beside g/cm³.
+        for (e, rho) in [(1.0, 1e30), (206.0, 7.85e-9), (206e3, 7.85)] {
+            assert_eq!(si.likely(e, rho), None, "{e} {rho}");
+        }
+        assert!(!MeshUnits::is_material(206e6, 7850.0) && MeshUnits::is_material(5e6, 1100.0));
     }
 
     #[test]

@@ -182,4 +182,10 @@ fn what_is_odd_but_readable_is_a_warning() {
             "cube.bdf:36:1: GRIP is left out (2 cards)\n  help: is GRID meant?",
         ]
     );
+    // Beside elements that are left out, whose nodes are no loose ones: node 99 is.
+    let text = GOOD.replace(NODE_9, &format!("GRID,99\n{NODE_9}"));
+    let warnings = super::good(&text).warnings;
+    let loose: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+    let loose: Vec<&String> = loose.iter().filter(|own| own.contains("in no cell")).collect();
+    assert!(loose.len() == 1 && loose[0].contains("left out: 99"), "{loose:?}");
 }

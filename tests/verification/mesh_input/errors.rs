@@ -170,6 +170,11 @@ fn every_error_says_where_what_and_how_to_fix_it() {
         ),
         (
             "200e9, 0.3",
+            "200e9, 0, 0, 3",
+            "cube.inp:33:14: *ELASTIC of Steel has 4 values on its line\n  help: write decimals with points, such as 0.3, and one line of values with their temperature at most",
+        ),
+        (
+            "200e9, 0.3",
             "200e9, 0.3\n190e9, 0.3",
             "cube.inp:34:1: *ELASTIC has 2 lines\n  help: keep one line, or write the temperature of each behind its Poisson's ratio",
         ),

@@ -44,7 +44,7 @@ pub(super) fn compare(
         let (journal, bore) = (about(own.sides.bodies[0])?, about(own.sides.bodies[1])?);
         let names = joined.is_named().then(|| joint.sides.each_ref().map(|side| side.place.text()));
         let (meshes, extent) = ([journal.as_deref(), bore.as_deref()], own.extent(joint, bodies));
-        bearing::compare((place, &own.bearing), names, meshes, extent, errors);
+        bearing::compare((place, &own.bearing, of_journal), names, meshes, extent, errors);
     }
     Ok(())
 }

@@ -4,6 +4,7 @@ mod attached;
 mod bodies;
 mod clearance;
 mod compare;
+mod eccentric;
 mod idle;
 mod joints;
 mod of_case;
@@ -86,6 +87,7 @@ impl JoinedPlan {
             let placed = joined.joints.iter().zip(&joints);
             warnings.extend(placed.filter_map(|(joint, own)| own.torque_on_frame(joint, &bodies)));
             compare::compare(joined, &joints, &bodies, warnings, &mut errors)?;
+            eccentric::warn(joined, &bodies, warnings);
         }
         let (mut drives, mut loads) = (Vec::new(), Vec::new());
         for drive in &joined.drives {

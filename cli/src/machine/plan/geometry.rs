@@ -11,6 +11,7 @@ use whirl_solver::mesh::Mesh;
 use whirl_solver::model::LoadAction;
 
 pub(in crate::machine) use self::place::nodes_of;
+pub(in crate::machine) use self::sets::rim_of;
 
 use self::place::single;
 use crate::case::{self, Spread};

@@ -43,6 +43,8 @@ pub(super) struct Bulk {
     mass_factor: Option<(f64, LinePosition)>,
     /// Cards that are left out, with their number and the first of them.
     pub(super) left_out: BTreeMap<String, (usize, LinePosition)>,
+    /// Whole numbers of these cards, among which are the nodes of elements.
+    pub(super) named: Vec<u64>,
     /// Cards that tie nodes.
     pub(super) ties: Vec<RawCard>,
     /// Which equations count.
@@ -68,6 +70,7 @@ pub(super) fn read(
         names: Names::default(),
         mass_factor: None,
         left_out: BTreeMap::new(),
+        named: Vec::new(),
         ties: Vec::new(),
         chosen: Chosen::default(),
         unknown: BTreeMap::new(),
@@ -218,7 +221,12 @@ impl Bulk {
         };
         match meaning(&card.name) {
             Meaning::Control => {}
-            Meaning::LeftOut => note(&mut self.left_out),
+            Meaning::LeftOut => {
+                note(&mut self.left_out);
+                // Behind the label of the element or the number of the set.
+                let fields = card.fields.iter().skip(1);
+                self.named.extend(fields.filter_map(|field| numbers::whole(field.text)));
+            }
             Meaning::Unknown => note(&mut self.unknown),
             Meaning::Tie => self.ties.extend(tie_card::read(card, report)),
             Meaning::Refused(what, help) => {

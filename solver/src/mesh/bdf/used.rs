@@ -15,7 +15,7 @@ pub(super) struct Used {
 }
 
 impl Bulk {
-    /// Warns of nodes in no cell, unless other elements that are left out may have them.
+    /// Warns of nodes in no cell, but for those that elements that are left out have.
     pub(super) fn used(&self, report: &mut MeshReport) -> Used {
         let mut place = vec![usize::MAX; self.grids.len()];
         let nodes = self.cells.list.iter().flat_map(|cell| &cell.nodes);
@@ -32,12 +32,13 @@ impl Bulk {
         let mut others: Vec<u64> = self.spiders.iter().map(|spider| spider.reference).collect();
         others.extend(self.masses.iter().map(|mass| mass.node));
         others.extend(self.ties.iter().flat_map(RawCard::nodes));
+        others.extend(&self.named);
         others.sort_unstable();
         let unused: Vec<usize> = (0..place.len())
             .filter(|&node| place[node] == usize::MAX)
             .filter(|&node| others.binary_search(&self.grids.label(node)).is_err())
             .collect();
-        if let Some(&first) = unused.first().filter(|_| self.left_out.is_empty()) {
+        if let Some(&first) = unused.first() {
             let labels = list(unused.iter().map(|&node| self.grids.label(node)));
             let what = format!("{} in no cell, left out: {labels}", count(unused.len(), "node"));
             let help = "delete them, or add the cells that they belong to";

@@ -88,6 +88,14 @@ fn property(card: &Card, material: &mut RawMaterial, report: &mut MeshReport) {
         return;
     }
     let line: &[Token] = card.lines.first().map_or(&[], Vec::as_slice);
+    // Behind the values of one line stands a temperature at most: more are the halves of decimal commas.
+    if let Some(more) = line.get(wanted.len() + 1) {
+        let what = format!("*{} of {name} has {} values on its line", card.keyword, line.len());
+        let help = "write decimals with points, such as 0.3, and one line of values with their temperature at most";
+        report.error(*more, what, help);
+        material.broken = true;
+        return;
+    }
     for (place, &(symbol, title)) in wanted.iter().enumerate() {
         let Some(token) = line.get(place) else {
             let at = line.last().map_or(card.place, |token| *token);

@@ -94,12 +94,14 @@ impl RawMaterial {
             return;
         }
         let value = |symbol: &str| self.values.get(symbol).copied();
-        let likely = match (value("E"), value("rho")) {
+        let odd = match (value("E"), value("rho")) {
             (Some((e, _)), Some((rho, place))) if rho > 0.0 && !MeshUnits::is_material(e, rho) => {
-                units.likely(e, rho).map(|system| (system, e, rho, place))
+                Some((e, rho, place))
             }
             _ => None,
         };
+        let likely = odd
+            .and_then(|(e, rho, place)| units.likely(e, rho).map(|system| (system, e, rho, place)));
         let line = |system: &str| format!("write `units = \"{system}\"` beside `mesh` in the case");
         let doubts = self.material().implausible_properties();
         for doubt in &doubts {
@@ -122,15 +124,23 @@ impl RawMaterial {
                 }
             }
         }
-        if let Some((system, e, rho, place)) = likely.filter(|_| doubts.is_empty()) {
-            let what = format!(
-                "material {} has E = {} Pa and ρ = {} kg/m³, which looks like other units",
-                self.name,
-                rounded(e, 6),
-                rounded(rho, 6)
-            );
-            report.warn(place, what, line(system));
-        }
+        let Some((e, rho, place)) = odd.filter(|_| doubts.is_empty()) else { return };
+        let numbers = format!(
+            "material {} has E = {} Pa and ρ = {} kg/m³",
+            self.name,
+            rounded(e, 6),
+            rounded(rho, 6)
+        );
+        let (what, help) = match likely {
+            Some((system, ..)) => {
+                (format!("{numbers}, which looks like other units"), line(system))
+            }
+            None => {
+                let help = "look whether E is in GPa, or ρ in g/cm³, among other units of the file";
+                (format!("{numbers}, which no solid has together"), help.to_owned())
+            }
+        };
+        report.warn(place, what, help);
     }
 }
 

@@ -10,7 +10,7 @@ use whirl_solver::mesh::Mesh;
 use self::comparison::Comparison;
 use self::planes::Length;
 use super::place::digits;
-use super::sets::{Bore, Journal};
+use super::sets::{Bore, Journal, rim_of};
 use super::stations::{self, Extent};
 use crate::case::Bearing;
 use crate::machine::wording::mm;
@@ -18,10 +18,10 @@ use crate::machine::wording::mm;
 /// To this part the radius of a generated shaft's section is known: see `mesh::shaft`.
 const SECTION_DIGITS: f64 = 2e-4;
 
-/// Notes whatever in a bearing does not fit together; `bodies`: names of those of journal and bore, where the case names
+/// Notes whatever in a bearing, whose journal turns about an axis of its mesh (m), does not fit together; `bodies`: names of those of journal and bore, where the case names
 /// bodies; `extent`: where its rings may stand.
 pub(in crate::machine) fn compare(
-    (place, bearing): (usize, &Bearing),
+    (place, bearing, axis): (usize, &Bearing, [f64; 2]),
     bodies: Option<[&str; 2]>,
     [shaft, support]: [Option<&Mesh>; 2],
     extent: Extent,
@@ -30,7 +30,10 @@ pub(in crate::machine) fn compare(
     let means = shaft.and_then(|mesh| Journal::means(mesh, &bearing.journal));
     let journal = shaft.and_then(|mesh| Journal::find(mesh, &bearing.journal));
     let bore = support.and_then(|mesh| Bore::find(mesh, &bearing.bore));
-    let mut own = Comparison { place, whole: bearing, bodies, errors };
+    let mut own = Comparison { place, whole: bearing, axis, bodies, errors };
+    if let Some(mesh) = shaft {
+        own.rims_on_axis(mesh);
+    }
     if let Some(journal) = &journal {
         own.on_axis(journal);
     }
@@ -73,6 +76,38 @@ impl Comparison<'_, '_> {
             );
             let help = "name a node on the centre line x = y = 0, or move the mesh so that its axis lies there";
             self.note(set, message, help.to_string());
+        }
+    }
+
+    /// The rims of sets that go all around stand about the axis.
+    fn rims_on_axis(&mut self, mesh: &Mesh) {
+        let sets = &self.whole.journal;
+        for (place, set) in sets.iter().enumerate() {
+            let noted =
+                sets[..place].iter().any(|other| other.text().eq_ignore_ascii_case(set.text()));
+            let Some(circle) = rim_of(mesh, set).filter(|_| !noted) else { continue };
+            let [x, y] = circle.centre;
+            if x.hypot(y) <= self.off_axis(mesh).max(circle.deviation) {
+                continue;
+            }
+            let message = format!(
+                "the nodes of `{}` stand about x = {}, y = {}: {} off the axis about which {} turns",
+                set.text(),
+                mm(x),
+                mm(y),
+                mm(x.hypot(y)),
+                self.shaft()
+            );
+            let help = match self.bodies {
+                Some([name, _]) => format!(
+                    "if the whole mesh stands there, write `axis = [\"{}\", \"{}\"]` in [body.{name}]; else name nodes about x = y = 0",
+                    mm(x + self.axis[0]),
+                    mm(y + self.axis[1])
+                ),
+                None => "name nodes about x = y = 0, or move the mesh so that its axis lies there"
+                    .to_owned(),
+            };
+            self.note(set, message, help);
         }
     }
 

@@ -3,7 +3,7 @@
 use whirl_codegen::diagnostic::Located;
 use whirl_solver::bearing::spline_passes;
 use whirl_solver::mesh::Mesh;
-use whirl_solver::mesh::measure::{mean_radius, section_radius};
+use whirl_solver::mesh::measure::{Circle, mean_radius, rim, section_radius};
 
 use super::place::{nodes_of, single};
 
@@ -88,6 +88,13 @@ impl<'a> Bore<'a> {
         let largest = points().map(|[x, y]| x.hypot(y)).fold(0.0, f64::max);
         [mean_radius(points()), largest]
     }
+}
+
+/// The circle on which the outermost nodes of a set stand, if they go all around.
+pub(in crate::machine) fn rim_of(mesh: &Mesh, set: &Located) -> Option<Circle> {
+    let nodes = nodes_of(mesh, set)?;
+    let across = |&node: &usize| [mesh.nodes()[node][0], mesh.nodes()[node][1]];
+    rim(&nodes.iter().map(across).collect::<Vec<[f64; 2]>>())
 }
 
 /// Whether three sets have the same nodes.

@@ -14,6 +14,8 @@ pub(super) struct Comparison<'a, 'e> {
     /// Of the bearing, counted from 0.
     pub(super) place: usize,
     pub(super) whole: &'a case::Bearing,
+    /// x and y of the axis of the journal's body, from which its mesh counts (m).
+    pub(super) axis: [f64; 2],
     /// Names of the bodies of journal and bore, where the case names bodies.
     pub(super) bodies: Option<[&'a str; 2]>,
     pub(super) errors: &'e mut Diagnostics,
