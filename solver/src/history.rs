@@ -126,7 +126,7 @@ fn columns_for(bearings: &[JointColumns], turning: &[&str], driven: &[&str]) -> 
     ];
     let at = |label: &str| match label.strip_prefix('_') {
         Some(name) => format!("joint {name}"),
-        None => format!("support {label}"),
+        None => format!("bearing or stop {label}"),
     };
     for (prefix, suffix, unit, what) in quantities {
         for JointColumns { label, .. } in bearings {

@@ -129,7 +129,7 @@ fn a_run_of_the_reference_machine_writes_everything() {
     let bench = Workbench::new().file("case.toml", SHORT);
     let outcome = bench.whirl(&["run", "case.toml"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-    assert!(outcome.stdout.contains("Support 4"), "{}", outcome.stdout);
+    assert!(outcome.stdout.contains("Bearing 4"), "{}", outcome.stdout);
     let history = bench.history_text("results/case");
     assert!(history.starts_with(FIRST_COLUMNS));
     assert_eq!(history.lines().count(), 41);

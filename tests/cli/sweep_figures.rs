@@ -137,7 +137,7 @@ fn clearances_are_drawn_where_there_are_some() {
                     springs.radial_clearance = [\"20 um\", \"30 um\"]\n";
     let bench = bench.file("study.toml", bearings);
     drawn(&bench, &[]);
-    shows(&svg(&bench, "eccentricity"), &["radial clearance", "Support 4"]);
+    shows(&svg(&bench, "eccentricity"), &["radial clearance", "Bearing 4"]);
 }
 
 /// Figures are functions of the journal, which survives a kill at any moment.

@@ -17,6 +17,9 @@ use crate::figures::{Figure, Line, Panel, Style};
 use crate::report::table;
 use crate::signals::Interruption;
 
+/// Share of the largest that is rounding, and a displacement (m) by which forces of joints are nothing.
+const ROUNDING: f64 = 1e-9;
+const LENGTH: f64 = 1e-6;
 /// Columns that the `table` of a bushing reads.
 const OF_BUSHING: &str = "speed [rpm],k_xx [N/m],k_xy [N/m],k_yx [N/m],k_yy [N/m],c_xx [N*s/m],c_xy [N*s/m],c_yx [N*s/m],c_yy [N*s/m]\n";
 
@@ -77,13 +80,25 @@ pub(super) fn found(
                 writeln!(whole, "{rpm},{label},{numbers}").expect("text can be written");
             }
             let mut cells = vec![
-                label.clone(),
+                words::joint(&label),
                 words::speed(speed),
                 own.eccentricity.map_or("-".to_owned(), |own| format!("{own:.4}")),
                 own.attitude.map_or("-".to_owned(), |own| format!("{:.2}", own.to_degrees())),
             ];
-            cells.extend(own.force.map(|value| shown(value, 5, 1e-3..1e6)));
-            cells.extend(values.map(|value| format!("{value:.4e}")));
+            // What is nothing beside the largest of its kind is rounding.
+            let clean =
+                |value: f64, most: f64| if value.abs() > ROUNDING * most { value } else { 0.0 };
+            let most = |all: &[f64]| all.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+            let [k, c] = [most(&values[..4]), most(&values[4..])];
+            cells.extend(own.force.map(|value| shown(clean(value, k * LENGTH), 5, 1e-3..1e6)));
+            let cleaned = values.iter().enumerate().map(|(place, &value)| {
+                // Damping may be rounding of the stiffness.
+                clean(value, if place < 4 { k } else { c.max(ROUNDING * k) })
+            });
+            cells.extend(cleaned.map(|value| match value {
+                0.0 => "0".to_owned(),
+                value => format!("{value:.4e}"),
+            }));
             rows.push(cells);
             if !single.iter().any(|(name, _)| *name == label) {
                 single.push((label.clone(), OF_BUSHING.to_owned()));
@@ -120,7 +135,7 @@ pub(super) fn found(
         files.push((format!("{name}.through.csv"), file.into_bytes()));
     }
     text.push_str(&notes);
-    let sensed = words::sensed(case);
+    let sensed = words::stateful(linear) + &words::sensed(case);
     text.push_str(&words::at_the_speed(linear));
     text.push_str(&sensed);
     if !whole.is_empty() {
@@ -159,7 +174,7 @@ fn figure(case: &Case, body: &str, all: &[(String, Vec<(f64, [f64; 8])>)]) -> Fi
                 name: axes.to_owned(),
             });
             panels.push(Panel {
-                title: format!("{label}: {quantity}"),
+                title: format!("{}: {quantity}", words::joint(label)),
                 x: format!("speed of {body} (rpm)"),
                 y: format!("{letter} ({unit})"),
                 lines: lines.collect(),

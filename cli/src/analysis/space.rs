@@ -6,7 +6,7 @@ use std::thread;
 use num_complex::Complex64;
 use whirl_solver::body::BodyNode;
 use whirl_solver::cache::Cache;
-use whirl_solver::linear::{LinearMachine, Mode, Orbit, Standstill, Whirl};
+use whirl_solver::linear::{LinearMachine, Mode, Orbit, Standstill, Way, Whirl};
 use whirl_solver::machine::Field;
 
 use super::words;
@@ -169,8 +169,23 @@ impl InSpace<'_> {
         let turned = Complex64::from_polar(1.0 / largest.0.max(f64::MIN_POSITIVE), largest.1);
         moved.iter_mut().flatten().flatten().for_each(|own| *own *= turned);
         let unstable = if mode.grows() { ". It GROWS: the machine is not stable here" } else { "" };
-        let words = format!("{}{unstable}", told_whirl(whirl, mode.sense));
-        self.add(told, words, None, &moved);
+        let way = match whirl {
+            "" => linear
+                .linearised(at)
+                .and_then(|own| linear.way(&own.turning, &own.mass, mode))
+                .unwrap_or(Way::Lateral),
+            _ => Way::Lateral,
+        };
+        let how = match way {
+            Way::Torsional => "About the axis: torsion".to_owned(),
+            Way::Axial => "Along the axis".to_owned(),
+            Way::Lateral => told_whirl(whirl, mode.sense),
+        };
+        let mut told = told;
+        if way != Way::Lateral && !told.name.contains(words::way(way)) {
+            told.name = format!("{}, {}", told.name, words::way(way));
+        }
+        self.add(told, format!("{how}{unstable}"), None, &moved);
     }
 
     /// Adds a response to an order of the rotation of a body, if there is room; phases count from its angle.
@@ -248,7 +263,7 @@ fn told_whirl(whirl: &str, sense: f64) -> String {
         "forward" => format!("Forward whirl, with the rotation: {way} as seen along +z"),
         "backward" => format!("Backward whirl, against the rotation: {way} as seen along +z"),
         _ if sense.abs() > CIRCULAR => format!("It goes round {way} as seen along +z"),
-        _ => "To and fro, in a plane or along or about the axis".to_owned(),
+        _ => "To and fro in a plane".to_owned(),
     }
 }
 

@@ -89,7 +89,7 @@ impl<'a> Felt<'a> {
     /// A table for people and a file, if there is such a bearing.
     pub(super) fn told(self) -> Option<(String, String)> {
         (self.rows.len() > 1).then(|| {
-            let words = "as the shafts feel them, with pads, rings and other bodies between moving at the order of the speed";
+            let words = "as seen by the shaft, while pads, rings and other bodies between move at the order of the speed";
             (format!("\n{words}\n\n{}", table(&self.rows)), self.file)
         })
     }

@@ -10,6 +10,12 @@ use whirl_text::{as_given, rounded, shown};
 
 use crate::case::Case;
 
+/// A joint by its name; bearings of a shaft in its support have numbers.
+pub(super) fn joint(label: &str) -> String {
+    let numbered = label.bytes().all(|own| own.is_ascii_digit());
+    if numbered { format!("bearing {label}") } else { label.to_owned() }
+}
+
 /// rad/s in rpm.
 pub(super) fn rpm(speed: f64) -> f64 {
     as_given(speed * 60.0 / TAU)
@@ -128,6 +134,19 @@ pub(super) fn at_the_speed(linear: &LinearMachine) -> String {
     }
     format!(
         "note: coefficients of {} depend on the frequency: these are those at the frequency of the rotation\n",
+        joints.join(", ")
+    )
+}
+
+/// Which joints have laws with states, whose forces at a frequency are others, if there are any.
+pub(super) fn stateful(linear: &LinearMachine) -> String {
+    let joints = linear.with_states();
+    if joints.is_empty() {
+        return String::new();
+    }
+    format!(
+        "note: the laws of {} have states: the table is of motions that are slow beside these, at 0 Hz, without what the states do against faster ones; \
+         modes, responses and runs have all of it\n",
         joints.join(", ")
     )
 }

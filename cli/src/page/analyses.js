@@ -35,8 +35,16 @@ function grouped(rows, ...by) {
 // Phases without jumps of a whole turn.
 function unwrapped(values) {
   const all = Float64Array.from(values);
-  for (let k = 1; k < all.length; k++) if (Number.isFinite(all[k - 1])) all[k] -= 360 * Math.round((all[k] - all[k - 1]) / 360);
-  return all;
+  let before = NaN;
+  for (let k = 0; k < all.length; k++) {
+    if (!Number.isFinite(all[k])) continue;
+    if (Number.isFinite(before)) all[k] -= 360 * Math.round((all[k] - before) / 360);
+    before = all[k];
+  }
+  // As near to zero as they can be.
+  const known = all.filter(Number.isFinite);
+  const turns = known.length ? Math.round((Math.min(...known) + Math.max(...known)) / 720) : 0;
+  return turns ? all.map((own) => own - 360 * turns) : all;
 }
 
 const line = (rows, x, y, name, more) => ({ name, x: rows.map((row) => row[x]), y: rows.map((row) => (typeof row[y] === 'number' ? row[y] : NaN)), ...more });
@@ -95,10 +103,10 @@ const CHARTED = {
     const thresholds = (tables.get(`${name}.critical.csv`)?.rows || []).filter((row) => row.what !== 'critical speed').map((row) => ({ x: row.speed_rpm, name: `${row.what} ${shown(row.speed_rpm, 5)}` }));
     const grows = (rpm) => rows.some((row) => row.speed_rpm === rpm && row.log_decrement < -1e-6);
     const always = speeds.every(grows) ? 'UNSTABLE at all these speeds; ' : '';
-    const note = `${always}${[['forward', 'solid: forward whirl'], ['backward', 'dashed: backward'], ['-', 'dotted: neither']].filter(([kind]) => kinds.includes(kind)).map(([, words]) => words).join(', ')}${letters ? `; ${letters}` : ''}${above ? `; ${above} more ${above === 1 ? 'mode' : 'modes'} above` : ''}`;
+    const note = `${always}${[['forward', 'solid: forward whirl'], ['backward', 'dashed: backward'], ['-', 'dotted: neither']].filter(([kind]) => kinds.includes(kind)).map(([, words]) => words).join(', ')}${letters ? `; ${letters}` : ''}${above ? `; ${above} more ${above === 1 ? 'mode' : 'modes'} above` : ''}; lines are numbered by their frequencies at ${shown(ends[0], 5)} rpm, over all bodies and directions`;
     new Chart(host, {
       id: `campbell-${slug(name)}`, title: 'Natural frequencies', zero: true, sync: `speed ${name}`, x, y: { label: 'frequency', unit: 'Hz' },
-      series: [...modes.map(([branch, own], k) => ({ ...whirled(own, 'frequency_hz', `mode ${branch}`, k % 6), tag: branch })), ...across], note,
+      series: [...modes.map(([branch, own], k) => ({ ...whirled(own, 'frequency_hz', `line ${branch}`, k % 6), tag: branch })), ...across], note,
       dots: critical.filter((row) => row.frequency_hz <= top).sort((a, b) => (b.whirl === 'forward') - (a.whirl === 'forward')).map((row) => ({ x: row.speed_rpm, y: row.frequency_hz, style: row.damping_ratio > 0.2 ? 6 : 1, name: critical.some((one) => one.damping_ratio > 0.2) ? 'critical speed (black: amplification 1/(2ζ) below 2.5)' : 'critical speed', label: `${shown(row.speed_rpm, 5)} ${letter(row)}`.trim() })),
       marks: thresholds,
     });
@@ -108,7 +116,7 @@ const CHARTED = {
     const near = (own) => (squeezed ? own.map((row) => (row.log_decrement > MUCH ? { ...row, log_decrement: NaN } : row)) : own);
     new Chart(host, {
       id: `decrement-${slug(name)}`, title: 'Damping: unstable below zero', sync: `speed ${name}`, x, y: { label: 'log decrement', unit: '1' }, levels: [{ y: 0, name: '', framed: true }], marks: thresholds,
-      series: modes.map(([branch, own], k) => ({ ...whirled(near(own), 'log_decrement', `mode ${branch}`, k % 6), tag: branch })), note: [always.replace('; ', ''), squeezed ? `decrements above ${MUCH} are left out` : ''].filter(Boolean).join('; '),
+      series: modes.map(([branch, own], k) => ({ ...whirled(near(own), 'log_decrement', `line ${branch}`, k % 6), tag: branch })).filter((one) => Array.from(one.y).some(Number.isFinite)), note: [always.replace('; ', ''), squeezed ? `decrements above ${MUCH}, of motions that are gone within a cycle, are left out` : ''].filter(Boolean).join('; '),
     });
     return [`${name}.svg`];
   },
@@ -116,7 +124,14 @@ const CHARTED = {
     const rows = tables.get(`${name}.csv`)?.rows;
     if (!rows?.length) return [];
     const moves = (own) => own.some((row) => row.major_um > 1e-6);
-    const all = [...grouped(rows, 'body', 'point', 'order')].filter(([, own]) => own.length > 1 && moves(own)).sort(([, a], [, b]) => (a[0].order === 0) - (b[0].order === 0)).slice(0, 24);
+    const high = (own) => own.reduce((most, row) => Math.max(most, row.major_um), 0);
+    const every = [...grouped(rows, 'body', 'point', 'order')].filter(([, own]) => own.length > 1 && moves(own));
+    const largest = Math.max(...every.filter(([, own]) => own[0].order !== 0).map(([, own]) => high(own)), 0);
+    // Once a turn of each body first, then by their size; what is small beside the largest is in the file.
+    const rank = (own) => (own[0].order === 1 ? 0 : own[0].order === 0 ? 2 : 1);
+    const told = every.filter(([, own]) => own[0].order === 0 || high(own) >= 0.01 * largest).sort(([, a], [, b]) => rank(a) - rank(b) || (rank(a) === 1 ? high(b) - high(a) : 0));
+    const all = told.slice(0, 24);
+    const unstable = [...((analyses?.analyses || []).find((own) => own.name === name)?.text || '').matchAll(/^UNSTABLE above ([\d.]+) rpm/gm)].map((own) => ({ x: Number(own[1]), name: 'unstable above' }));
     const several = new Set(rows.map((row) => row.body)).size > 1;
     const found = tables.get(`${name}.peaks.csv`)?.rows || [];
     const beside = grouped(tables.get(`${name}.near.csv`)?.rows || [], 'body', 'point', 'order');
@@ -135,7 +150,7 @@ const CHARTED = {
           ? [line(own, 'speed_rpm', 'x_um', 'x'), line(own, 'speed_rpm', 'y_um', 'y')].map((one, k) => ({ ...one, y: one.y.map((value, at) => value * Math.cos((Math.PI * own[at][`${'xy'[k]}_phase_deg`]) / 180)) }))
           : [line(own, 'speed_rpm', 'x_um', 'x'), line(own, 'speed_rpm', 'y_um', 'y'), line(own, 'speed_rpm', 'major_um', 'major semi-axis of the orbit', { style: 6, dash: '2 3' })],
         dots: peaks.map((row) => ({ x: row.speed_rpm, y: row.major_um, style: 1, name: 'peak', label: `${shown(row.speed_rpm, 5)} rpm` })),
-        note: peaks.length ? 'peaks are of the major semi-axis' : '',
+        marks: unstable, note: peaks.length ? 'peaks are of the major semi-axis' : '',
       });
       if (order !== 0) new Chart(host, {
         id: `bode-phase-${id}`, title: `${title}: phase`, sync: `speed ${name}`, x, y: { label: 'phase', unit: '°' },
@@ -143,8 +158,9 @@ const CHARTED = {
         return { ...phase, y: unwrapped(phase.y.map((value, k) => (own[k][`${axis}_um`] > 0 ? value : NaN))) }; }),
       });
     }
+    if (every.length > all.length) add(host, 'p', `${every.length - all.length} more curves, ${told.length > all.length ? 'the smaller ones' : 'below 1 % of the largest'}, are in ${name}.csv.`, { class: 'soft wide' });
     if (found.length) {
-      const more = add(host, 'div');
+      const more = add(host, 'div', undefined, { class: 'wide' });
       add(more, 'h3', 'Peaks');
       const several_ = several || new Set(found.map((row) => row.order)).size > 1;
       table(more, ['point', ...(several_ ? ['order'] : []), `speed${whose(name)} (rpm)`, ['major semi-axis', 'µm'], 'amplification factor'], found.filter((row) => row.order > 0 && (typeof row.major_um !== 'number' || row.major_um > 0.01 * Math.max(...found.map((own) => own.major_um || 0)))).slice(0, 60).map((row) => [row.point.replace(/^(joint|output)\./, '$1 '), ...(several_ ? [`${row.order}X of ${row.body}`] : []), shown(row.speed_rpm, 5), typeof row.major_um === 'number' ? [row.major_um, 'µm'] : 'undamped', typeof row.amplification_factor === 'number' ? `${shown(row.amplification_factor, 4)}${/^(below|above)$/.test(row.half_power) ? ` (by the side ${row.half_power})` : ''}` : '–']), several_ ? [1] : []);
@@ -155,9 +171,10 @@ const CHARTED = {
     const rows = tables.get(`${name}.csv`)?.rows;
     if (!rows || rows.length < 2) return [];
     const marks = (tables.get(`${name}.thresholds.csv`)?.rows || []).map((row) => ({ x: row.speed_rpm, name: `${row.what} ${shown(row.speed_rpm, 5)}` }));
+    const least = (column) => rows.reduce((best, row) => (typeof row[column] === 'number' && !(best?.[column] <= row[column]) ? row : best), undefined);
     const chart = (id, title, column) => new Chart(host, {
       id: `${id}-${slug(name)}`, title: `${title}: unstable below zero`, sync: `speed ${name}`, x: speedOf(name), y: { label: 'log decrement', unit: '1' }, marks, levels: [{ y: 0, name: '', framed: true }],
-      series: [line(rows, 'speed_rpm', column, 'log decrement')],
+      series: [line(rows, 'speed_rpm', column, 'log decrement')], note: least(column) ? `least: ${shown(least(column)[column], 4)} at ${shown(least(column).speed_rpm, 5)} rpm` : '',
     });
     // Pads and rings may be ten times less damped than the rotor, or more.
     const apart = rows.some((row) => row.body_log_decrement !== row.least_log_decrement);
@@ -180,11 +197,11 @@ Object.assign(CHARTED, {
         new Chart(host, { id: `${quantity}-${id}`, title: `${title}: ${quantity}`, sync: `speed ${name}`, x, y: { label: quantity, unit }, levels: [{ y: 0, name: '' }], series });
       }
     };
-    for (const [joint, own] of all) pair(slug(`${name} ${joint}`), joint, own);
+    for (const [joint, own] of all) pair(slug(`${name} ${joint}`), /^\d+$/.test(joint) ? `Bearing ${joint}` : joint, own);
     for (const [, own] of grouped(tables.get(`${name}.through.csv`)?.rows || [], 'bearing', 'order')) {
       const [{ bearing, order }] = own;
       const at = order === 1 ? '' : ` at ${shown(order, 6)}X`;
-      if (own.length > 1) pair(`through-${slug(`${name} ${bearing} ${order}`)}`, `${bearing.replaceAll('+', ', ')}${at}, as the shaft feels them`, own);
+      if (own.length > 1) pair(`through-${slug(`${name} ${bearing} ${order}`)}`, `${bearing.replaceAll('+', ', ')}${at}, as seen by the shaft`, own);
     }
     return all.length ? [`${name}.svg`] : [];
   },
@@ -293,11 +310,11 @@ function swept() {
 }
 
 // Lines that tell what an analysis comes to, and among them what must not be missed.
-const DANGER = /^UNSTABLE|NOT STABLE|^DOES NOT PASS|too large for a linear/;
-const FOUND = /^stable |^a further motion|^one motion stops|^no critical speed|critically damped|joints are linear, within|^all modes are|^in operation|amplitudes are not computed|^PASSES/;
+const DANGER = /^UNSTABLE|NOT STABLE|^DOES NOT PASS|too large for a linear|vary by (?:[2-9]\d|\d{3,}) %/;
+const FOUND = /^stable |^a further motion|^one motion stops|^no critical speed|critically damped|joints are linear, within|nothing closes the clearance|^all modes are|^in operation|amplitudes are not computed|^PASSES/;
 
 // Sentences of the terminal without the quotes of its commands.
-const plain = (words, sentence = true) => (sentence ? words.replace(/`([^`]+)`/g, '$1') : words);
+const plain = (words, sentence = true) => (sentence ? words.replace(/`([^`]+)`/g, '$1').replace(/^(left out: .*? rpm), as no equilibrium was found .*$/, '$1, where no equilibrium was found') : words);
 
 // Lines as the terminal has them; notes, which are sentences, wrap.
 function worded(parent, lines) {

@@ -74,6 +74,12 @@ impl AnalysisFacts {
 }
 
 impl Analyses {
+    /// The kind of an analysis by its name.
+    pub(super) fn kind_of(&self, name: &str) -> Option<&str> {
+        let own = self.analyses.iter().find(|own| own.name == name);
+        own.map(|own| own.kind.as_str())
+    }
+
     /// Those that a folder has; none where nothing was analysed there, or by another version of the program.
     pub(crate) fn of(folder: &Path) -> Option<Self> {
         let text = fs::read_to_string(folder.join(ANALYSES)).ok()?;

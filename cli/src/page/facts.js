@@ -30,9 +30,21 @@ function foundBox() {
     if (failed) note(name, `came to nothing: ${text}`);
     if (interrupted) note(name, 'interrupted: what was found up to then');
     const danger = failed ? [] : text.split('\n').filter((line) => DANGER.test(line));
-    bad ||= failed || interrupted || danger.length > 0;
-    danger.slice(0, 3).forEach((line) => note(name, line));
-    if (danger.length > 3) note(name, `${danger.length - 3} more of these lines are in its words`);
+    bad ||= failed || interrupted;
+    // What the run presses together stands open in the state of the analysis.
+    const open = (failed ? '' : text).match(/nothing closes the clearance of (.+): without stiffness/)?.[1].split(', ').map((own) => own.replace(/^\S+ /, '')) || [];
+    const closed = open.filter((own) => columns.has(`ratio ${own}`) && extremes(`ratio ${own}`)[1] > 1);
+    if (closed.length) { bad = true; note(name, `nothing closes the clearance of ${closed.join(', ')} in the state of this analysis, but the run does: what is found here does not describe the motion of the run`); }
+    // One bearing that moves too far stands for all, and a run that is here has the answer.
+    const far = danger.filter((line) => /too large for a linear/.test(line));
+    const rest = danger.filter((line) => !far.includes(line));
+    bad ||= rest.length > 0;
+    // Of what does not pass the first lines.
+    const all = failed ? [] : text.split('\n');
+    const fails = all.slice(all.findIndex((line) => /^DOES NOT PASS/.test(line)) + 1).filter((line) => /^ {2}\d/.test(line)).slice(0, 3).map((line) => line.trim());
+    rest.slice(0, 3).forEach((line) => note(name, /^DOES NOT PASS/.test(line) && fails.length ? `${line}: ${fails.join('; ')}` : line));
+    if (rest.length > 3) note(name, `${rest.length - 3} more such lines stand in its chapter`);
+    if (far.length) note(name, far[0].replace(/ Run it in time.*$/, summary ? ' The run on this page is without that limit.' : '$&') + (far.length > 1 ? ` So do ${far.length - 1} more.` : ''));
     if (!summary && !failed) text.split('\n').filter((line) => /^PASSES|^stable at all/.test(line)).slice(0, 1).forEach((line) => note(name, line));
   }
   if (!lines.size) return;
@@ -56,13 +68,18 @@ function facts() {
   const { march, time } = summary;
   fact('simulated', `${shown(time.simulated_s, 4)} s`, `${march.steps}${march.complete ? '' : ` of ${march.steps_asked}`} steps in ${shown(time.march_wall_s, 3)} s`);
   const [first, ...rest] = about.steady.split(/[:,] /);
-  // A run-up is not meant to come to rest.
-  if (!run?.tracked.length) fact('steady state', first, rest.join(', '));
+  // A run-up is not meant to come to rest, nor is a run of one cycle.
+  const settled = /^steady/.test(about.steady);
+  if ((settled || !run?.tracked.length) && !wholeRun()) fact('steady state', first, rest.join(', '));
   if (!run) return;
   const largest = (names, of) => names.map((name) => [name, of(name)]).reduce((best, own) => (own[1] > best[1] ? own : best), ['', -Infinity]);
   if (run.ratios.length) {
     const [title, most] = largest(run.ratios, (name) => extremes(`ratio ${name}`)[1]);
-    fact('largest eccentricity', `${shown(100 * most, 3)} % of the clearance`, `${title}, in the whole run${most > 1 ? '; beyond 100 % the parts are pressed together' : ''}`);
+    const pressed = most > 1 ? '; beyond 100 % the parts are pressed together' : '';
+    if (settled) {
+      const [last, now] = largest(run.ratios, (name) => lastCycle(`ratio ${name}`)[1]);
+      fact('largest eccentricity', `${shown(100 * now, 3)} % of the clearance`, `${last}, in the last cycle; ${shown(100 * most, 3)} % in the whole run${pressed}`);
+    } else fact('largest eccentricity', `${shown(100 * most, 3)} % of the clearance`, `${title}, in the whole run${pressed}`);
   }
   const films = (prefix, unit) => [...columns.keys()].filter((name) => name.startsWith(prefix) && name.endsWith(unit));
   const ofFilm = (name) => name.replace(/^(hmin|pmax)_(.*)_(um|MPa)$/, '$2');
@@ -78,7 +95,10 @@ function facts() {
   if (forces.length) {
     const of = (own) => Math.max(...own.lines.map(([name]) => Math.max(...extremes(name).map(Math.abs))));
     const group = forces.reduce((best, own) => (of(own) > of(best) ? own : best));
-    fact('largest force component', [of(group), group.unit], `${group.title}, in the whole run`);
+    const now = (own) => Math.max(...own.lines.map(([name]) => Math.max(...lastCycle(name).map(Math.abs))));
+    const last = forces.reduce((best, own) => (now(own) > now(best) ? own : best));
+    if (settled) fact('largest force component', [now(last), last.unit], () => `${last.title}, in the last cycle; ${shown(of(group) * Units.of(group.unit)[1], 4)} ${Units.of(group.unit)[0]} in the whole run`);
+    else fact('largest force component', [of(group), group.unit], `${group.title}, in the whole run`);
   }
   const moments = about.groups.filter((own) => own.quantity === 'moment' && own.shown && own.lines.every(([name]) => columns.has(name)));
   if (moments.length) {
@@ -95,7 +115,8 @@ function facts() {
   // Over a run-up the last revolutions are half a window behind the last point.
   const passed = [largestOrder()].find((own) => own && own.amplitude >= last);
   const slow = largestBelow();
-  if (slow) fact('largest part below 1X, 0-pk', [slow.amplitude, 'µm'], `${slow.title}: ${shown(slow.order, 3)} times the speed of ${shown(slow.rpm, 4)} rpm, ${shown((slow.order * slow.rpm) / 60, 3)} Hz`);
+  if (slow) fact('largest part below 1X, 0-pk', [slow.amplitude, 'µm'], `${slow.title}: ${shown(slow.order, 3)} times the speed of ${shown(slow.rpm, 4)} rpm, ${shown((slow.order * slow.rpm) / 60, 3)} Hz${slow.rings ? ', a motion that keeps this frequency and rings down' : ''}`);
+  if (top && /^1X/.test(top.words)) return;
   if (passed) fact('largest 1X, 0-pk', [passed.amplitude, 'µm'], `${passed.title}, at ${shown(passed.rpm, 4)} rpm; of where 1X is most of what moves`);
   else if (orders.length) {
     const top = orders.reduce((best, own) => (own['1X'].amplitude > best['1X'].amplitude ? own : best));
@@ -127,7 +148,15 @@ function largestBelow() {
     for (const signal of all.signals.filter((own) => own.column.endsWith('_um'))) {
       const title = about.signals.find((own) => own.columns.some(([name]) => name === signal.column))?.title || signal.column;
       const [overall, order] = [numbers(signal.overall), numbers(signal.below_order)];
-      numbers(signal.below).forEach((amplitude, k) => { if (amplitude > 0.2 * overall[k] && (!top || amplitude > top.amplitude)) top = { amplitude, rpm: rpm[k], order: order[k], title }; });
+      const below = numbers(signal.below);
+      // What keeps its frequency while it fades rings down.
+      const hertz = (k) => (order[k] * rpm[k]) / 60;
+      const rings = (k) => {
+        let faded = k;
+        while (faded + 1 < below.length && below[faded + 1] < below[faded] && Math.abs(hertz(faded + 1) - hertz(k)) < 0.05 * hertz(k)) faded++;
+        return below[faded] < 0.5 * below[k];
+      };
+      below.forEach((amplitude, k) => { if (amplitude > 0.2 * overall[k] && (!top || amplitude > top.amplitude)) top = { amplitude, rpm: rpm[k], order: order[k], title, rings: rings(k) }; });
     }
   }
   return top;
@@ -137,7 +166,7 @@ function largestBelow() {
 function strongest() {
   let top = null;
   // Of what runs up a spectrum mixes speeds.
-  const varies = new Set(run.envelopes.flatMap((all) => all.signals.map((own) => own.column)));
+  const varies = new Set(/^steady/.test(about.steady) ? [] : run.envelopes.flatMap((all) => all.signals.map((own) => own.column)));
   run.spectra.forEach((spectrum, k) => {
     const signal = about.signals[k];
     if (signal.unit !== 'µm' || !(spectrum.turning_hz > 0) || signal.columns.some(([name]) => varies.has(name))) return;
@@ -189,10 +218,13 @@ function lastCycle(name) {
   return [least, most];
 }
 
+// Whether the last cycle is all of the run.
+const wholeRun = () => summary.cycle_s >= 0.98 * summary.time.simulated_s;
+
 function results() {
   if (!summary || !(summary.supports.length || summary.orders)) return;
-  const own = part('results', 'The last cycle');
-  add(own, 'p', `A cycle is ${shown(1e3 * summary.cycle_s, 5)} ms: ${plain(about.cycle)}. ${about.steady[0].toUpperCase()}${about.steady.slice(1)}.`);
+  const own = part('results', wholeRun() ? 'The whole run' : 'The last cycle');
+  if (!wholeRun()) add(own, 'p', `A cycle is ${shown(1e3 * summary.cycle_s, 5)} ms: ${plain(about.cycle)}. ${about.steady[0].toUpperCase()}${about.steady.slice(1)}.`);
   const moving = summary.supports;
   if (moving.length && about.words[0]?.title === 'The mass') {
     table(own, ['', '', ['force', 'N'], ['displacement of the mass', 'mm']], moving.flatMap((support, k) => ['min', 'mean', 'max'].map((which) => [which === 'min' ? `Stop ${k + 1}` : '', which, [support.RX_N[which], 'N'], [1e-3 * support.X_um[which], 'mm']])), [1]);
@@ -220,7 +252,14 @@ function results() {
     const named = (name) => { const signal = about.signals.find((one) => one.columns.some(([column]) => column === name)); return signal ? `${signal.title}: ${signal.quantity} ${signal.columns.find(([column]) => column === name)[1]}` : name; };
     const unit = (name) => about.signals.find((one) => one.columns.some(([column]) => column === name))?.unit || '';
     const heads = ['', '1X, 0-pk', '', 'phase (°)', '2X, 0-pk', '', 'phase (°)', 'revolutions'];
-    const rows = () => signals.filter((one) => one['1X'].amplitude > 0 || one['2X'].amplitude > 0).map((one) => {
+    // A revolution of a run-up is none of an order, and what is small beside the rest is the end of a fit.
+    const runsUp = new Set(/^steady/.test(about.steady) ? [] : [...run?.tracked || [], ...run?.envelopes || []].flatMap((all) => all.signals.map((one) => one.column)));
+    const counts = (one) => {
+      if (runsUp.has(one.signal) && one.revolutions < 2) return false;
+      const [least, most] = columns.has(one.signal) ? lastCycle(one.signal) : [0, 0];
+      return Math.max(one['1X'].amplitude, one['2X'].amplitude) > 0.005 * (most - least);
+    };
+    const rows = () => signals.filter(counts).map((one) => {
       const u = unit(one.signal);
       return [named(one.signal), [one['1X'].amplitude, u], Units.of(u)[0], shown(one['1X'].phase_deg, 4), [one['2X'].amplitude, u], Units.of(u)[0], shown(one['2X'].phase_deg, 4), String(one.revolutions)];
     });

@@ -8,10 +8,11 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::about::LAYOUT;
+use super::analyses::Analyses;
 use super::encode::base64;
 use super::moving::MOTIONS;
 use crate::history;
-use crate::results::{ABOUT, ANALYSES, REPORT, SHAPES, STATE, SUMMARY, SWEEP};
+use crate::results::{ABOUT, ANALYSES, FILMS, REPORT, SHAPES, STATE, SUMMARY, SWEEP};
 
 /// Figures of runs that a page draws itself.
 const DRAWN: [&str; 10] = [
@@ -74,7 +75,7 @@ pub(super) fn motions<'a>(
     names: impl Iterator<Item = &'a str>,
 ) -> Result<Vec<MotionFacts>, String> {
     let mut whole = 0;
-    let mut all = Vec::new();
+    let mut all: Vec<MotionFacts> = Vec::new();
     for name in names.filter(|name| name.ends_with(MOTIONS)) {
         let path = folder.join(name);
         let Ok(facts) = fs::metadata(&path) else { continue };
@@ -85,9 +86,14 @@ pub(super) fn motions<'a>(
         let cannot =
             |why: &dyn std::fmt::Display| format!("cannot read `{}`: {why}", path.display());
         let text = fs::read_to_string(&path).map_err(|why| cannot(&why))?;
-        let content: Value = serde_json::from_str(&text).map_err(|why| cannot(&why))?;
+        let mut content: Value = serde_json::from_str(&text).map_err(|why| cannot(&why))?;
         if content["layout"] != LAYOUT {
             return Err(cannot(&"it is of another version of the program: analyse the case again"));
+        }
+        // Surfaces that are those of an earlier file stand there.
+        let earlier = all.iter().find(|own| own.content["shapes"] == content["shapes"]);
+        if let Some(MotionFacts { name, .. }) = earlier {
+            content["shapes"] = Value::String(name.clone());
         }
         all.push(MotionFacts { name: name.to_owned(), content });
     }
@@ -135,7 +141,10 @@ fn rounded(csv: &str) -> String {
 ///
 /// # Errors
 /// The folder cannot be read.
-pub(super) fn all(folder: &Path) -> io::Result<(Vec<FileFacts>, Vec<FigureFacts>)> {
+pub(super) fn all(
+    folder: &Path,
+    analyses: Option<&Analyses>,
+) -> io::Result<(Vec<FileFacts>, Vec<FigureFacts>)> {
     let mut names: Vec<String> = fs::read_dir(folder)?
         .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
         .filter(|name| !name.starts_with('.') && name != REPORT)
@@ -146,7 +155,7 @@ pub(super) fn all(folder: &Path) -> io::Result<(Vec<FileFacts>, Vec<FigureFacts>
     for name in names {
         let path = folder.join(&name);
         let Ok(facts) = fs::metadata(&path) else { continue };
-        let Some(what) = what(&name) else { continue };
+        let Some(what) = what(&name, analyses) else { continue };
         if !facts.is_file() {
             continue;
         }
@@ -164,7 +173,7 @@ pub(super) fn all(folder: &Path) -> io::Result<(Vec<FileFacts>, Vec<FigureFacts>
 }
 
 /// What a file is, by its name; none of one that is not of the program.
-fn what(name: &str) -> Option<String> {
+fn what(name: &str, analyses: Option<&Analyses>) -> Option<String> {
     if let Some(copy) = history::FORMATS.iter().find(|own| own.name == name) {
         return Some(copy.meaning.to_owned());
     }
@@ -177,6 +186,7 @@ fn what(name: &str) -> Option<String> {
             "the case in words, and what the columns are: from it `whirl report` makes this page again"
         }
         SHAPES => "surfaces of the bodies, and how they move, for this page",
+        FILMS => "oil films on their bores in the frames of the run, for this page",
         SWEEP => "what varies in the sweep",
         "table.csv" => "the table: a row a point",
         "table.parquet" => "the same, for programs that read many rows",
@@ -189,7 +199,7 @@ fn what(name: &str) -> Option<String> {
         _ => match name.rsplit_once('.')?.1 {
             "svg" => "a figure",
             "png" => "the same figure as an image",
-            "csv" => return Some(of_table(name)),
+            "csv" => return Some(of_table(name, analyses)),
             "parquet" => "the table for programs that read columns",
             "mat" => "the table for MATLAB",
             _ => return None,
@@ -198,19 +208,22 @@ fn what(name: &str) -> Option<String> {
     Some(own.to_owned())
 }
 
+/// Tables of coefficients that are of all joints.
+const OF_ALL: [&str; 2] = ["through", "5x5"];
+
 /// What tables of analyses have, by what follows the name of the analysis.
 const TABLES_OF: [(&str, &str); 15] = [
     ("critical", "critical speeds, and where modes begin or end to grow"),
     (
         "through",
-        "stiffness and damping of bearings with bodies of their own, as their shafts feel them",
+        "stiffness and damping of bearings with bodies of their own, as seen by their shafts",
     ),
     ("thresholds", "speeds at which modes begin or end to grow"),
     ("peaks", "peaks of the response, with their amplification"),
     ("near", "the response beside its peaks"),
     ("probes", "what probes read, over the speed"),
     ("response", "the response to each unbalance, over the speed"),
-    ("stability", "the least damped forward mode over stiffness across"),
+    ("stability", "the least damped forward mode over cross-coupled stiffness"),
     ("unbalance", "the unbalances that were used"),
     ("modes", "shapes of the modes"),
     ("interference", "where excitations meet modes"),
@@ -220,10 +233,17 @@ const TABLES_OF: [(&str, &str); 15] = [
     ("events", "where something changes on a branch"),
 ];
 
-fn of_table(name: &str) -> String {
+fn of_table(name: &str, analyses: Option<&Analyses>) -> String {
     let stem = name.strip_suffix(".csv").unwrap_or(name);
+    let kind = |own: &str| analyses.and_then(|all| all.kind_of(own));
     match stem.split_once('.') {
         None => format!("the main table of the analysis `{stem}`"),
+        // Joints may have any name.
+        Some((of, joint)) if kind(of) == Some("coefficients") && !OF_ALL.contains(&joint) => {
+            format!(
+                "stiffness and damping of the joint `{joint}` over the speed, as a bushing reads them"
+            )
+        }
         Some((of, what)) => match TABLES_OF.iter().find(|own| own.0 == what) {
             Some((_, words)) => format!("{words}, of `{of}`"),
             None => format!("the part `{what}` of the analysis `{of}`, as a table"),

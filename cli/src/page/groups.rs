@@ -80,7 +80,7 @@ pub(super) fn groups(case: &Case, built: &Built, columns: &[Column]) -> Vec<Grou
         // Only journals have bores.
         let (called, quantity) = match moved {
             "the journal" => ("eccentricity of the journal in its bore", "eccentricity"),
-            "the mass" => ("way of the mass in the stop", "displacement"),
+            "the mass" => ("displacement of the mass in the stop", "displacement"),
             _ => ("displacement of its first side against the second", "displacement"),
         };
         let eccentricity = pair("E", "um", axes);
@@ -114,7 +114,7 @@ pub(super) fn groups(case: &Case, built: &Built, columns: &[Column]) -> Vec<Grou
         all.add((&own.title, own.quantity, own.unit, 1.0), own.lines, shown);
     }
     all.angle = None;
-    all.add(("Couples of prescribed rotations", "couple", "N·m", 1.0), of("_Nm", "M_"), false);
+    all.add(("Couples of prescribed rotations", "couple", "N·m", 1.0), of("_Nm", "M_"), true);
     for own in columns.iter().filter(|own| own.unit == "J" || own.unit == "W") {
         let quantity = if own.unit == "J" { "energy" } else { "power" };
         let lines = vec![(own.name.clone(), quantity.to_owned())];

@@ -18,6 +18,10 @@ function lateral(own, name, tables, lines) {
   const [said, ...rest] = verdict.split(':');
   add(box, 'strong', said === 'PASSES' ? 'Passes' : 'Does not pass');
   add(box, 'p', `${rest.join(':').trim()}. ${range}.`);
+  const fails = lines.slice(lines.indexOf(verdict) + 1).filter((line) => line.startsWith('  '));
+  if (fails.length) { const list = add(box, 'ul'); for (const line of fails) add(list, 'li', line.trim()); }
+  const given = lines.filter((line) => line.startsWith('given: '));
+  if (given.length) { const list = add(own, 'ul', undefined, { class: 'plain' }); for (const line of given) add(list, 'li', line.replace('given: ', '')); }
   const variants = [...new Set(all.map((row) => row.variant))];
   const several = variants.length > 1;
   const lead = (row) => (several ? [row.variant] : []);
@@ -83,22 +87,28 @@ function bodes(grid, name, { all, readings, speeds, several }) {
 function clearances(grid, name, { some, readings, speeds, several }) {
   for (const [key, own] of grouped(readings.filter((row) => !row.place.endsWith(' deg')), 'variant', 'unbalance')) {
     const limit = (place) => some.find((row) => row.quantity.startsWith('scaled response') && row.variant === own[0].variant && row.unbalance === own[0].unbalance && row.place === place)?.limit;
+    // The largest one lies between the speeds of the table.
+    const peak = (place) => some.filter((row) => row.quantity.startsWith('scaled response') && row.variant === own[0].variant && row.unbalance === own[0].unbalance && row.place === place && typeof row.speed_rpm === 'number').map((row) => [row.speed_rpm, row.value / row.limit]);
     const places = [...grouped(own, 'place')].filter(([place]) => limit(place) > 0);
     if (!places.length) continue;
     new Chart(grid, {
       id: `clearances-${slug(`${name} ${key}`)}`, title: titled(several, own[0], 'Scaled response at clearances'), zero: true, sync: `speed ${name}`, x: { label: 'speed', unit: 'rpm' }, y: { label: 'share of what is allowed', unit: '1' }, marks: bounds(speeds), levels: [{ y: 1, name: '75 % of the clearance' }],
-      series: places.map(([place, rows], k) => ({ name: place, x: rows.map((row) => row.speed_rpm), y: rows.map((row) => row.scaled_um_pkpk / limit(place)), style: k % 7 })),
+      series: places.map(([place, rows], k) => { const all_ = [...rows.map((row) => [row.speed_rpm, row.scaled_um_pkpk / limit(place)]), ...peak(place)].sort((a, b) => a[0] - b[0]); return { name: place, x: all_.map((one) => one[0]), y: all_.map((one) => one[1]), style: k % 7 }; }),
+      dots: places.flatMap(([place]) => peak(place).map(([x, y]) => ({ x, y, style: 1, name: 'largest' }))),
     });
   }
 }
 
-// The least logarithmic decrement of forward modes over stiffness across.
+// The least logarithmic decrement of forward modes over cross-coupled stiffness.
 function decrement(grid, name, { some, decrements }) {
   const expected = some.find((row) => row.quantity.endsWith('Q_A') && row.unit === 'N/m');
   const [most] = [Math.max(...decrements.map((row) => row.cross_coupling_N_m))];
   const kilo = most >= 1e6 ? ['MN/m', 1e-6] : ['kN/m', 1e-3];
+  // Where it is decided: to twice Q_A, and as far as the decrement reaches zero.
+  const zero = [...grouped(decrements, 'variant')].flatMap(([, rows]) => rows.filter((row) => row.log_decrement < 0).slice(0, 1)).map((row) => row.cross_coupling_N_m);
+  const end = Math.max(2 * (expected?.value || 0), 1.3 * Math.max(...zero, 0)) || most;
   new Chart(grid, {
-    id: `decrement-${slug(name)}`, title: 'Least damped forward mode at N_mc', x: { label: 'stiffness across Q', unit: kilo[0] }, y: { label: 'log decrement', unit: '1' }, levels: [{ y: 0.1, name: 'least: 0.1', framed: true }],
+    range: [0, Math.min(end, most) * kilo[1]], id: `decrement-${slug(name)}`, title: 'Least damped forward mode at N_mc', x: { label: 'cross-coupled stiffness Q', unit: kilo[0] }, y: { label: 'log decrement', unit: '1' }, levels: [{ y: 0.1, name: 'least: 0.1', framed: true }],
     marks: expected ? [{ x: expected.value * kilo[1], name: 'Q_A' }] : [],
     series: [...grouped(decrements, 'variant')].map(([variant, rows], k) => ({ name: variant, x: rows.map((row) => row.cross_coupling_N_m * kilo[1]), y: rows.map((row) => row.log_decrement), style: k % 7 })),
   });

@@ -9,9 +9,9 @@ use super::encode::Packed;
 
 /// Revolutions that are kept, and points of an orbit at most.
 pub(super) const REVOLUTIONS: f64 = 8.0;
-const POINTS: usize = 5000;
+const POINTS: usize = 4000;
 /// Points of its way over the whole run, at most.
-const WAY: usize = 3000;
+const WAY: usize = 1500;
 
 /// An orbit as a page has it.
 #[derive(Debug, Serialize)]

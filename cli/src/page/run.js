@@ -1,6 +1,6 @@
 // Charts of a run: histories, orbits, spectra, orders, and the balance of its energy.
 
-const supportName = (k) => about.journals[k]?.title || `Support ${k + 1}`;
+const supportName = (k) => about.journals[k]?.title || `Bearing ${k + 1}`;
 
 function histories() {
   if (!run) return;
@@ -17,7 +17,9 @@ function histories() {
     groups.push({ title: 'Eccentricity relative to the clearance', quantity: '|E| / c', unit: '1', shown: true, factor: 1, lines: run.ratios.map((title) => [`ratio ${title}`, title]), levels: [{ y: 1, name: 'clearance' }], zero: true });
   }
   groups.push(...about.groups);
-  const idle = (group) => group.lines.every(([name]) => extremes(name).every((value) => value === 0));
+  // A millionth of a revolution a minute is rounding.
+  const nothing = (group) => (group.unit === 'rpm' ? 1e-6 / group.factor : 0);
+  const idle = (group) => group.lines.every(([name]) => extremes(name).every((value) => Math.abs(value) <= nothing(group)));
   const varies = (group) => group.lines.some(([name]) => { const [least, most] = extremes(name); return most - least > 1e-3 * Math.max(Math.abs(least), Math.abs(most)); });
   const make = (group) => new Chart(grid, {
     id: `history-${slug(group.title)}`, title: group.title, sync: 'time', x: { label: 'time', unit: 's' }, y: { label: group.quantity, unit: group.unit },
@@ -54,9 +56,11 @@ function orbits() {
   const most = Math.max(...run.orbits.map((orbit) => orbit.revolutions));
   // A machine that comes to no steady state is seen from its start; a run-up would be a smear.
   const unsteady = /^not steady/.test(about.steady) && !run.tracked.length;
-  let shownRevolutions = unsteady ? Infinity : turns ? Math.min(2, most) : 0;
+  // Of a whirl at a part of the speed a whole turn.
+  const slow = /^0\.\d+ times the speed/.test(strongest()?.words || '');
+  let shownRevolutions = unsteady ? Infinity : turns ? Math.min(slow ? 4 : 2, most) : 0;
   // What moves by no more than rounding has no orbit.
-  const stands = (orbit) => (unsteady ? ['way_x_um', 'way_y_um'] : ['x_um', 'y_um']).every((name) => { const all = numbers(orbit[name]); let [least, most_] = [Infinity, -Infinity]; for (const value of all) { if (value < least) least = value; if (value > most_) most_ = value; } return !(most_ - least > 1e-4 * Math.max(Math.abs(least), Math.abs(most_))); });
+  const stands = (orbit) => (unsteady ? ['way_x_um', 'way_y_um'] : ['x_um', 'y_um']).every((name) => { const all = numbers(orbit[name]); let [least, most_] = [Infinity, -Infinity]; for (const value of all) { if (value < least) least = value; if (value > most_) most_ = value; } return !(most_ - least > 1e-4 * Math.max(Math.abs(least), Math.abs(most_), orbit.clearance_um || 0)); });
   const moving = run.orbits.filter((orbit) => !stands(orbit));
   const still = run.orbits.filter(stands);
   if (still.length) add(own, 'p', `Without an orbit, as nothing moves there: ${still.map((orbit) => orbit.title).join(', ')}.`, { class: 'soft' });
@@ -83,9 +87,12 @@ function orbits() {
   });
   add(own, 'h3', all.every(isJournal) ? 'Forces on the journals, polar' : 'Forces, polar');
   const polar = add(own, 'div', undefined, { class: 'grid squares' });
+  const constant = [];
   for (const orbit of moving) {
     const [fx, fy, before] = [numbers(orbit.fx_n), numbers(orbit.fy_n), numbers(orbit.before)];
-    if ([fx, fy].every((own_) => own_.every((value) => value === 0))) continue;
+    const size_ = Math.max(...[fx, fy].map((all_) => all_.reduce((a, b) => Math.max(a, Math.abs(b)), 0)));
+    // What stays where it is has no figure.
+    if ([fx, fy].every((all_) => all_.reduce((a, b) => Math.max(a, b), -Infinity) - all_.reduce((a, b) => Math.min(a, b), Infinity) <= 1e-3 * size_)) { constant.push(orbit.title); continue; }
     const spec = { id: `polar-${slug(orbit.title)}`, title: `${orbit.title}: force`, equal: true, origin: true, x: { label: 'force along y', unit: 'N' }, y: { label: 'force along x', unit: 'N' }, series: [], dots: [{ x: 0, y: 0, style: 6, name: 'no force' }] };
     spec.update = () => {
       let from = 0;
@@ -98,6 +105,7 @@ function orbits() {
     spec.update();
     charts.push(new Chart(polar, spec));
   }
+  if (constant.length) add(own, 'p', `Without a figure, as the force is zero or does not change: ${constant.join(', ')}.`, { class: 'soft' });
   const update = () => { for (const chart of charts) { chart.spec.update(); if (chart.over) chart.render(); } };
   if (turns && (most > 1 || unsteady)) {
     const label = add(choose, 'label', 'revolutions ');
@@ -140,34 +148,72 @@ function spectra() {
   // Angles of bodies whose speed varies.
   const varies = new Set(about.signals.filter((one) => [...run.tracked, ...run.envelopes].some((all) => all.signals.some((signal) => one.columns.some(([name]) => name === signal.column)))).map((one) => one.angle));
   add(own, 'p', `Over the last ${shown(1e3 * run.spectrum_s, 4)} ms, Hann window.${two ? ' Where x and y are known, the motion is taken as circles: those that run with the rotation have positive frequencies, those against it negative ones. A circle shows its radius; what moves along a line shows half of its amplitude on both sides.' : ''}`, { class: 'soft' });
+  const smeared = run.spectra.flatMap((spectrum, k) => (spectrum.lines.length && speedSpan(about.signals[k].angle) > 0.1 ? [k] : []));
+  const sharp = run.spectra.filter((_, k) => !smeared.includes(k));
+  if (!sharp.some((spectrum) => spectrum.lines.length)) { add(own, 'p', 'There are none: the speed changes too much in this time for lines to be seen. See the orders, the envelope and the spectra over the run.', { class: 'soft' }); return; }
+  // As far as something moves in one of them, and three times the speed.
+  const far = Math.max(...sharp.map((spectrum) => Math.max(3.3 * (spectrum.turning_hz || 0), ...spectrum.lines.map(lastPeak))));
+  const end = Math.max(...run.spectra.flatMap((spectrum) => spectrum.lines.map((line) => { const all = numbers(line.frequency_hz); return all[all.length - 1]; })));
+  const charts = [];
+  const near = (two_sided) => (far < 0.7 * end ? [two_sided ? -far : 0, far] : undefined);
+  if (near()) {
+    const whole = add(add(own, 'label', undefined, { class: 'choose screen' }), 'input', undefined, { type: 'checkbox' });
+    whole.after(` all frequencies, to ${shown(end, 4)} Hz: beyond ${shown(far, 3)} Hz nothing is above a thousandth of the largest`);
+    whole.addEventListener('change', () => { for (const chart of charts) { chart.spec.range = whole.checked ? undefined : near(chart.spec.two_sided); chart.view = null; if (chart.over) chart.render(); } });
+  }
   const grid = add(own, 'div', undefined, { class: 'grid' });
+  if (smeared.length) add(own, 'p', `Left out, as its speed changes too much in this time for lines to be seen: ${[...new Set(smeared.map((k) => about.signals[k].title))].join(', ')}. See the orders, the envelope and the spectra over the run.`, { class: 'soft' });
   run.spectra.forEach((spectrum, k) => {
     const signal = about.signals[k];
-    if (!spectrum.lines.length) return;
+    if (!spectrum.lines.length || smeared.includes(k)) return;
     const orders = spectrum.turning_hz > 0 ? [1, 2, 0.5] : [];
     const marks = orders.flatMap((order) => { const name = order === 0.5 ? '½X' : `${order}X`; const at = order * spectrum.turning_hz; return spectrum.two_sided ? [{ x: -at, name: `−${name}` }, { x: at, name }] : [{ x: at, name }]; });
     const body = turningOf(signal.angle);
     const note = spectrum.turning_hz > 0 ? `1X: ${body} at ${shown(60 * spectrum.turning_hz, 4)} rpm${varies.has(signal.angle) ? ' on average' : ''}` : '';
-    new Chart(grid, {
-      id: `spectrum-${slug(signal.title)}-${slug(signal.quantity)}`, title: `${signal.title}: ${signal.quantity}`, zero: true, sync: `frequency ${spectrum.two_sided}`,
+    charts.push(new Chart(grid, {
+      two_sided: spectrum.two_sided, range: near(spectrum.two_sided), id: `spectrum-${slug(signal.title)}-${slug(signal.quantity)}`, title: `${signal.title}: ${signal.quantity}`, zero: true, sync: `frequency ${spectrum.two_sided}`,
       x: { label: spectrum.two_sided ? 'frequency, backward < 0 < forward' : 'frequency', unit: 'Hz', short: 'frequency' }, y: { label: short(signal.quantity), unit: signal.unit, amplitude: true },
       marks, note, series: spectrum.lines.map((line, place) => ({ name: line.name, x: numbers(line.frequency_hz), y: numbers(line.amplitude), style: place })),
-    });
+    }));
   });
 }
 
+// By how much of itself the speed of a body changes in the time of the spectra.
+function speedSpan(angle) {
+  const own = columns.get(angle);
+  if (!own?.values || !(run.spectrum_s > 0)) return 0;
+  const [time, theta] = [numbers(run.histories.time), numbers(own.values)];
+  const speed = (from, to) => (theta[to] - theta[from]) / (time[to] - time[from]);
+  let first = time.length - 1;
+  while (first > 0 && time[first] > run.ends - run.spectrum_s) first--;
+  const part = Math.floor((time.length - 1 - first) / 8);
+  if (part < 1) return 0;
+  const [begin, end] = [speed(first, first + part), speed(time.length - 1 - part, time.length - 1)];
+  return Math.abs(end - begin) / Math.max(Math.abs(begin), Math.abs(end), 1e-9);
+}
+
+// The last frequency (Hz, either way) with a thousandth of a line's largest amplitude, and a little room.
+function lastPeak(line) {
+  const [frequency, amplitude] = [numbers(line.frequency_hz), numbers(line.amplitude)];
+  const least = 1e-3 * amplitude.reduce((a, b) => Math.max(a, b), 0);
+  return 1.1 * frequency.reduce((last, own, k) => (amplitude[k] > least ? Math.max(last, Math.abs(own)) : last), 0);
+}
+
 // The abscissa of what is found over a run: speed if it rises or falls all along, time if not; and values in its order.
+const severalTurn = () => new Set(about.signals.map((one) => one.angle).filter(Boolean)).size > 1;
 function overSpeed(all) {
   const [rpm, time] = [numbers(all.rpm), numbers(all.time)];
   const rises = rpm.every((value, k) => k === 0 || value > rpm[k - 1]);
   const falls = rpm.every((value, k) => k === 0 || value < rpm[k - 1]);
   const turn = (values) => (falls ? Float32Array.from(values).reverse() : values);
-  return { turn, x: rises || falls ? { label: 'speed', unit: 'rpm', values: turn(rpm) } : { label: 'time', unit: 's', values: time } };
+  const signal = about.signals.find((one) => one.columns.some(([name]) => all.signals.some((own) => own.column === name)));
+  const of = severalTurn() && signal?.angle ? ` of ${turningOf(signal.angle)}` : '';
+  return { turn, x: rises || falls ? { label: `speed${of}`, unit: 'rpm', values: turn(rpm) } : { label: 'time', unit: 's', values: time } };
 }
 
 function tracked() {
   if (!run || !run.tracked.length) return;
-  const own = part('orders', `Orders over ${run.tracked.some((all) => overSpeed(all).x.label === 'speed') ? 'speed' : 'time'}`);
+  const own = part('orders', `Orders over ${run.tracked.some((all) => overSpeed(all).x.unit === 'rpm') ? 'speed' : 'time'}`);
   for (const all of run.tracked) {
     const n = all.revolutions;
     add(own, 'p', `Amplitudes and phases of x = A cos(nθ + φ), tracked by the angle: each point is a fit over ${shown(n)} revolutions with the weights of a Hann window. It tells an order from what differs from it by ${shown(2 / n, 3)} orders or more; nearer than that, both are in one. Overall is half of largest less least value in the same revolutions, of the direction in which it is larger: where it is far above 1X, something else moves${2 / n < 0.45 ? `: the largest part between ${shown(2 / n, 2)} and ${shown(1 - 2 / n, 2)} times the speed is shown with its order where it matters${run.tracked.length > 1 || new Set(about.signals.map((one) => one.angle)).size > 1 ? ', without once the speeds of other bodies' : ''}` : ', and its spectra tell what'}. Curves begin and end half of ${shown(n)} revolutions inside the run.`, { class: 'soft' });
@@ -185,14 +231,16 @@ function tracked() {
       const [overall, below] = ['overall', 'below'].map((which) => own.map(([, signal]) => numbers(signal[which])));
       const moves = (k, place) => below[k][place] > 0.2 * overall[k][place];
       const slow = below.some((all_, k) => all_.some((_, place) => moves(k, place)));
+      const most = Math.max(...overall.map((all_) => all_.reduce((a, b) => Math.max(a, b), 0)));
       new Chart(grid, {
         id: `order-${id}`, title, zero: true, sync: 'orders', x: axis, y: { label: short(whole.quantity), unit: whole.unit, amplitude: true },
-        series: [...one('first', '1X', 0), ...one('second', '2X', 2), ...(slow ? one('below', 'largest below 1X', 4) : []), draw(own.map(([, signal]) => turn(numbers(signal.overall))).reduce((most, values) => most.map((value, k) => Math.max(value, values[k]))), 'overall', 6, { dash: '2 3' })],
+        series: [...one('first', '1X', 0), ...one('second', '2X', 2).filter((two) => two.y.some((value) => value > 0.01 * most)), ...(slow ? one('below', 'largest below 1X', 4) : []), draw(own.map(([, signal]) => turn(numbers(signal.overall))).reduce((most, values) => most.map((value, k) => Math.max(value, values[k]))), 'overall', 6, { dash: '2 3' })],
+        note: slow ? `within ${shown(n)} revolutions of where a motion below 1X appears or ceases, 1X and its phase have a part of it` : '',
       });
       new Chart(grid, {
         id: `phase-${id}`, title: `${title}, phase of 1X`, sync: 'orders', x: axis, y: { label: 'phase', unit: '°' },
         // What hardly moves has a phase by chance.
-        series: own.map(([axis, signal], k) => { const first = numbers(signal.first); const most = first.reduce((a, b) => Math.max(a, b), 0); return draw(unwrapped(turn(Float32Array.from(numbers(signal.first_phase_deg), (phase, place) => (first[place] > 0.02 * most ? phase : NaN)))), `1X ${axis}`, k); }),
+        series: own.map(([axis, signal], k) => { const first = numbers(signal.first); const most_ = first.reduce((a, b) => Math.max(a, b), 0); return draw(unwrapped(turn(Float32Array.from(numbers(signal.first_phase_deg), (phase, place) => (first[place] > 0.02 * most_ && first[place] > 0.02 * overall[k][place] ? phase : NaN)))), `1X ${axis}`, k); }),
       });
       if (slow) new Chart(grid, {
         id: `below-${id}`, title: `${title}, order of the largest part below 1X`, sync: 'orders', x: axis, y: { label: 'order', unit: '1' }, note: 'where it is more than a fifth of overall',
@@ -205,7 +253,7 @@ function tracked() {
 // Least and largest values of every revolution of a run-up or a run-down.
 function envelopes() {
   if (!run || !run.envelopes.length) return;
-  const own = part('envelope', `Envelope over ${run.envelopes.some((all) => overSpeed(all).x.label === 'speed') ? 'speed' : 'time'}`);
+  const own = part('envelope', `Envelope over ${run.envelopes.some((all) => overSpeed(all).x.unit === 'rpm') ? 'speed' : 'time'}`);
   const told = new Set();
   for (const all of run.envelopes) {
     if (!told.has(all.revolutions)) add(own, 'p', all.revolutions > 1 ? `The least and the largest value of every ${shown(all.revolutions)} revolutions.` : 'The least and the largest value of every revolution.', { class: 'soft' });
@@ -272,7 +320,7 @@ function energy() {
   const names = [...new Set([...Object.keys(words), ...Object.keys(summary.energy_balance_j)])].filter((name) => name in summary.energy_balance_j);
   // To the digits that show the error.
   const largest = Math.max(...Object.values(summary.energy_balance_j).map(Math.abs));
-  const digits = Math.min(12, 2 + Math.ceil(Math.log10(Math.max(largest / Math.max(Math.abs(summary.energy_balance_j.error || 0), 1e-10 * largest), 100))));
+  const digits = Math.min(9, 2 + Math.ceil(Math.log10(Math.max(largest / Math.max(Math.abs(summary.energy_balance_j.error || 0), 1e-10 * largest), 100))));
   const rows = names.map((name) => [words[name] || name.replaceAll('_', ' '), () => shown(summary.energy_balance_j[name] * Units.of('J')[1], name === 'error' ? 3 : digits)]);
   const made = summary.verdict.measures.energy_made_share;
   add(own, 'p', `Balance from the start to the end of the run. The error is what the program lost or made in all${typeof made === 'number' ? `; the verdict also counts what single joints made or lost, whatever that comes to in all: ${shown(100 * made, 3)} %` : ''}.`, { class: 'soft' });

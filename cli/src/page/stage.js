@@ -49,7 +49,7 @@ function stage(own, shapes, about_) {
   return { made, check, select, player, toggles, choose };
 }
 
-// The scale of the colours: to what they reach, in a unit.
+// The scale of the colours: to what they reach, in a unit, and whether that is an amplitude.
 function ramp(own, ends) {
   const bar = add(own, 'p', undefined, { class: 'soft' });
   const fill = () => {
@@ -58,7 +58,8 @@ function ramp(own, ends) {
     if (!found) return;
     bar.append('0 ');
     add(bar, 'span', undefined, { class: 'ramp' });
-    bar.append(found[1] ? ` ${shown(found[0] * Units.of(found[1])[1], 4)} ${Units.of(found[1])[0]}` : ` ${found[0]}`);
+    const factor = found[2] ? Amplitudes.factor : 1;
+    bar.append(found[1] ? ` ${shown(found[0] * factor * Units.of(found[1])[1], 4)} ${Units.of(found[1])[0]}${found[2] ? ` ${Amplitudes.words}` : ''}` : ` ${found[0]}`);
   };
   fill();
   redraw.push(fill);
@@ -75,7 +76,7 @@ function machine() {
   const moves = shapes.bodies.some((body) => body.motion);
   const rest = notShown(shapes);
   const played = data.motions.length ? ' Analyses below show its modes and orbits.' : '';
-  add(own, 'p', `Bodies, x up: by their meshes${shapes.bodies.some((body) => body.sketched) ? '; what has none as cylinders of the same mass and inertias' : ''}.${shapes.joints?.length ? ' Rings are joints, with a foot where they stand on the ground.' : ''}${moves ? '' : ' The table [fields] in the case file would add the motion of the meshes over the last cycle.'}${played}${rest}`, { class: 'soft' });
+  add(own, 'p', `Bodies, x up: by their meshes${shapes.bodies.some((body) => body.sketched) ? '; what has none as cylinders of the same mass and inertias' : ''}.${shapes.joints?.length ? ' Rings are joints, with a foot where they stand on the ground.' : ''}${played}${rest}`, { class: 'soft' });
   const on = stage(own, shapes, 'The bodies of the machine in space');
   if (!on) return;
   scene = on.made;
@@ -104,7 +105,9 @@ function machine() {
 function inSpace(own, name) {
   const content = data.motions.find((one) => one.name === `${name}.motions.json`)?.content;
   if (!content) return;
-  const { shapes, motions } = content;
+  // Surfaces of several analyses are the same, and stand there once.
+  const { motions } = content;
+  const shapes = typeof content.shapes === 'string' ? data.motions.find((one) => one.name === content.shapes).content.shapes : content.shapes;
   const sized = motions[0].metres !== null;
   add(own, 'h3', sized ? 'Orbits in space' : 'Modes in space');
   const rest = `${notShown(shapes)}${content.left_out ? ` ${content.left_out} more had no room on this page.` : ''}`;
@@ -129,7 +132,7 @@ function inSpace(own, name) {
     made.scale = factor !== 'fit' ? Number(factor) * (sized ? 1 : fit) : sized ? 10 ** Math.floor(Math.log10(fit)) * [5, 2, 1].find((m) => m * 10 ** Math.floor(Math.log10(fit)) <= fit) : fit;
   };
   const show = (k) => { made.show(motions[k]); scaled(); say(); };
-  const fill = ramp(own, () => (made.colour === 'body' ? null : sized ? [1e6 * made.motion?.metres || 0, 'µm'] : ['the largest', null]));
+  const fill = ramp(own, () => (made.colour === 'body' ? null : sized ? [1e6 * made.motion?.metres || 0, 'µm', true] : ['the largest', null]));
   const box = on.select(sized ? 'orbit' : 'mode', groups, '0', (value) => { show(Number(value)); fill(); });
   on.player(2 * Math.PI, 0.06, () => made.angle, (value) => { made.angle = value; say(); }, 'φ');
   const scales = sized ? [['fit', 'to be seen'], ...[1, 10, 100, 1e3, 1e4, 1e5, 1e6].map((one) => [String(one), `\u00d7 ${one}`])] : [['0.4', 'small'], ['fit', 'to be seen'], ['2.5', 'large']];
@@ -138,7 +141,8 @@ function inSpace(own, name) {
   on.check('orbits', true, (value) => { made.orbits = value; });
   on.check('machine at rest', true, (value) => { made.ghost = value; });
   on.toggles();
-  const first = sized ? motions.reduce((best, motion, k) => (motion.metres > motions[best].metres ? k : best), 0) : 0;
+  const grows = motions.findIndex((motion) => /GROWS/.test(motion.words));
+  const first = sized ? motions.reduce((best, motion, k) => (motion.metres > motions[best].metres ? k : best), 0) : Math.max(grows, 0);
   box.value = String(first);
   show(first);
   fill();

@@ -4,6 +4,8 @@ use std::f64::consts::TAU;
 
 /// Points at most; where there are more revolutions a point stands for several.
 const POINTS: f64 = 400.0;
+/// What the last turn may lack of a whole one (rad), as its angle is rounded.
+const WHOLE: f64 = 1e-6;
 
 /// Those of the columns of one angle while the rows pass.
 pub(crate) struct Enveloper {
@@ -77,8 +79,12 @@ impl Enveloper {
     /// What was found in whole revolutions, with names of columns; none without any.
     pub(crate) fn finish(self, names: &[String]) -> Option<Envelope> {
         // Turns that began but did not end, or in which a standstill is, tell of no speed.
-        let all: Vec<&Turn> =
-            self.found.iter().filter(|own| own.ends[1][0] > own.ends[0][0]).collect();
+        let ended = |own: &&Turn| {
+            let end = self.begins + (own.number + 1.0) * self.revolutions * TAU;
+            own.ends[1][1] >= end - WHOLE
+        };
+        let all = self.found.iter().chain(self.own.as_ref().filter(ended));
+        let all: Vec<&Turn> = all.filter(|own| own.ends[1][0] > own.ends[0][0]).collect();
         if all.is_empty() {
             return None;
         }
@@ -142,6 +148,12 @@ mod tests {
             own.add(f64::from(step), &[0.1 * TAU * f64::from(step)]);
         }
         assert_eq!(own.found.len(), 333);
+        // A run that ends with its last turn, as far as angles are rounded.
+        let mut whole = Enveloper::new((0, vec![0]), [0.0, 3.0 * TAU]);
+        (0..=30).for_each(|step| {
+            whole.add(f64::from(step), &[0.1 * TAU * f64::from(step) - 1e-9]);
+        });
+        assert_eq!(whole.finish(&["theta".into()]).expect("turns").time.len(), 3);
         assert!(own.finish(&["theta".into()]).is_some());
         let still = Enveloper::new((0, vec![0]), [0.0, 0.0]);
         assert!(still.finish(&["theta".into()]).is_none());

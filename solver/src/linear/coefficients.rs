@@ -102,6 +102,15 @@ impl LinearMachine {
         joints.map(|own| own.name.as_str()).collect()
     }
 
+    /// Names of the joints whose laws have states: their coefficients are those of motions that are slow beside these.
+    pub fn with_states(&self) -> Vec<&str> {
+        let springs = &self.machine.springs;
+        let has = |plane: &usize| !springs.laws[springs.planes[*plane].law].bound.states.is_empty();
+        let joints = self.machine.monitors.iter();
+        let joints = joints.filter(|own| own.planes.iter().any(has));
+        joints.map(|own| own.name.as_str()).collect()
+    }
+
     /// The same at a frequency (rad/s), where they depend on it.
     ///
     /// # Errors

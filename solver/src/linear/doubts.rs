@@ -76,6 +76,13 @@ pub enum Doubt {
         /// What the law says of it.
         help: String,
     },
+    /// Joints that stand open.
+    Open {
+        /// Joints whose clearance nothing closes, so that they have no stiffness.
+        joints: Vec<String>,
+        /// Where (rad/s).
+        speed: f64,
+    },
     /// Joints that are linear for small motions only.
     LinearWithin {
         /// The joints, with the amplitude (m) up to which they are, and the speed at which that is (rad/s).
@@ -198,6 +205,12 @@ impl fmt::Display for Doubt {
                     amount(*limit)
                 )
             }
+            Doubt::Open { joints, speed } => write!(
+                f,
+                "at {} rpm nothing closes the clearance of {}: without stiffness there, what is found holds for motions within it",
+                rounded(speed * 60.0 / TAU, 6),
+                joints.join(", ")
+            ),
             Doubt::LinearWithin { joints, speed } => {
                 let joints = joints.iter().map(|(joint, within)| {
                     format!("{} µm in {joint}", whirl_text::shown(1e6 * within, 2, 1e-3..1e5))
@@ -217,7 +230,11 @@ impl fmt::Display for Doubt {
                     um(*amplitude),
                     rounded(speed * 60.0 / TAU, 6),
                     um(*within),
-                    if *runs_out { "run-out and the unbalance" } else { "unbalance" }
+                    if *runs_out {
+                        "run-out and what else excites it"
+                    } else {
+                        "unbalance, or what else excites it"
+                    }
                 )
             }
             Doubt::TurningOffset { joint, body } => write!(

@@ -63,9 +63,13 @@ impl StateDoubts {
             });
         }
         if let Some((speed, at)) = last {
-            let limits = linear.limits(at).into_iter();
+            let limits = linear.limits(at);
+            let joints = linear.open(at, &limits);
+            if !joints.is_empty() {
+                all.push(Doubt::Open { joints, speed });
+            }
             let joints: Vec<(String, f64)> =
-                limits.filter_map(|own| Some((own.joint, own.within?))).collect();
+                limits.into_iter().filter_map(|own| Some((own.joint, own.within?))).collect();
             if !joints.is_empty() {
                 all.push(Doubt::LinearWithin { joints, speed });
             }

@@ -56,7 +56,7 @@ fn joint(table: &Table, number: usize, bearing: Bearing) -> Joint {
     };
     let sides = [side(SHAFT, "shaft", &bearing.journal), side(SUPPORT, "support", &bearing.bore)];
     let names =
-        (table.heading().text(&number.to_string()), SupportName::numbered("Support", number));
+        (table.heading().text(&number.to_string()), SupportName::numbered("Bearing", number));
     Joint::of(names, JointKind::Bearing, sides, bearing)
 }
 
