@@ -258,7 +258,7 @@ fn journals_and_bushings_go_around_the_axis() {
     let moved = "[body.rotor]\naxis = [\"0.5 mm\", \"0 mm\"]\n";
     let case = |joint: &str| {
         format!(
-            "title = \"a rotor\"\n{STEEL}{moved}turns = \"prescribed\"\nspeed = \"6000 rpm\"\nmesh = \"rotor.msh\"\nunits = \"mm, N, t\"\nmaterial = \"steel\"\nmodes = 4\naxial_restraint = \"FRONT\"\nsets.FRONT = {{ radius = \"10 mm\", z = [\"3 mm\", \"11 mm\"] }}\nsets.BACK = {{ radius = \"12 mm\", z = [\"57.3 mm\", \"60.1 mm\"] }}\n{joint}"
+            "title = \"a rotor\"\n{STEEL}{moved}turns = \"prescribed\"\nspeed = \"6000 rpm\"\nmesh = \"rotor.msh\"\nunits = \"mm, N, t\"\nmaterial = \"steel\"\nmodes = 4\naxial_restraint = \"FRONT\"\nsets.FRONT = {{ plane = \"0 mm\" }}\nsets.BACK = {{ plane = \"80 mm\" }}\n{joint}"
         )
     };
     let bushing = |name: &str, set: &str| {

@@ -211,7 +211,7 @@ pub(super) fn thresholds(linear: &LinearMachine, all: &Campbell) -> String {
             let _ = writeln!(text, "stable from {from} to {to} rpm, where it was interrupted");
         }
         0 if all.lost.is_empty() => text.push_str("stable at all these speeds\n"),
-        0 => text.push_str("stable at the speeds of the range at which it stands\n"),
+        0 => text.push_str("stable at all of these speeds at which there is an equilibrium\n"),
         some if some == all.speeds.len() => {
             text.insert_str(0, &format!("UNSTABLE at all these speeds: {fastest}\n"));
         }

@@ -41,7 +41,7 @@ function foundBox() {
     bad ||= rest.length > 0;
     // Of what does not pass the first lines.
     const all = failed ? [] : text.split('\n');
-    const fails = all.slice(all.findIndex((line) => /^DOES NOT PASS/.test(line)) + 1).filter((line) => /^ {2}\d/.test(line)).slice(0, 3).map((line) => line.trim());
+    const fails = all.slice(all.findIndex((line) => /^DOES NOT PASS/.test(line)) + 1).filter((line) => /^ {2}\d/.test(line)).slice(0, 3).map((line) => symbols(line.trim()));
     rest.slice(0, 3).forEach((line) => note(name, /^DOES NOT PASS/.test(line) && fails.length ? `${line}: ${fails.join('; ')}` : line));
     if (rest.length > 3) note(name, `${rest.length - 3} more such lines stand in its chapter`);
     if (far.length) note(name, far[0].replace(/ Run it in time.*$/, summary ? ' The run on this page is without that limit.' : '$&') + (far.length > 1 ? ` So do ${far.length - 1} more.` : ''));

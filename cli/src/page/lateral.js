@@ -7,6 +7,9 @@ const CLAUSES = [
   { title: 'Stability, level II', clause: '6.8.6' },
 ];
 
+// Units as people write them.
+const symbols = (words) => words.replace(/\bum\b/g, 'µm').replace(/\^3/g, '³');
+
 function lateral(own, name, tables, lines) {
   const rows = (file) => tables.get(`${name}${file}`)?.rows || [];
   const [all, readings, decrements, unbalance] = ['.csv', '.response.csv', '.stability.csv', '.unbalance.csv'].map(rows);
@@ -19,9 +22,9 @@ function lateral(own, name, tables, lines) {
   add(box, 'strong', said === 'PASSES' ? 'Passes' : 'Does not pass');
   add(box, 'p', `${rest.join(':').trim()}. ${range}.`);
   const fails = lines.slice(lines.indexOf(verdict) + 1).filter((line) => line.startsWith('  '));
-  if (fails.length) { const list = add(box, 'ul'); for (const line of fails) add(list, 'li', line.trim()); }
+  if (fails.length) { const list = add(box, 'ul'); for (const line of fails) add(list, 'li', symbols(line.trim())); }
   const given = lines.filter((line) => line.startsWith('given: '));
-  if (given.length) { const list = add(own, 'ul', undefined, { class: 'plain' }); for (const line of given) add(list, 'li', line.replace('given: ', '')); }
+  if (given.length) { const list = add(own, 'ul', undefined, { class: 'plain' }); for (const line of given) add(list, 'li', symbols(line.replace('given: ', ''))); }
   const variants = [...new Set(all.map((row) => row.variant))];
   const several = variants.length > 1;
   const lead = (row) => (several ? [row.variant] : []);

@@ -47,8 +47,11 @@ pub(crate) fn oscillations(case: &Case, machine: &Machine) -> Vec<Oscillation> {
             Owner::Joint(joint) => journal(case, joint),
         };
         let columns = output.described();
+        // A joint may have the name as well.
+        let is_joint = all.iter().any(|own| own.title == output.name);
+        let title = if is_joint { format!("output {}", output.name) } else { output.name.clone() };
         all.push(Oscillation {
-            title: output.name.clone(),
+            title,
             quantity,
             unit: columns.first().map_or("", |own| shown_unit(&own.unit)).to_owned(),
             columns: columns.into_iter().map(|own| own.name).zip(axes).collect(),

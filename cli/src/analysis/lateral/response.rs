@@ -15,6 +15,9 @@ use crate::case::{Analysis, Lateral};
 use crate::errors::Failure;
 use crate::signals::Interruption;
 
+/// Share by which readings may differ that are equal.
+const TIE: f64 = 1e-9;
+
 /// A probe: a point and the direction in which it measures.
 #[derive(Debug, Clone)]
 pub(super) struct Probe {
@@ -252,7 +255,8 @@ fn judge(
     for (place, probe) in probes.iter().enumerate() {
         let own =
             largest(range, speeds, &|at| response.readings[at][place], &response.peaks[place]);
-        if own.1 > most.1 {
+        // Of equal ones, as those of a symmetric rotor, the first.
+        if own.1 > most.1 * (1.0 + TIE) {
             most = (own.0, own.1, &probe.name);
         }
     }

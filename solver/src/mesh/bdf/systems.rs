@@ -32,6 +32,15 @@ pub(super) struct Systems {
 }
 
 impl Systems {
+    /// Labels of the grid points through which systems go.
+    pub(super) fn grids(&self) -> impl Iterator<Item = u64> {
+        let grids = self.raw.iter().filter_map(|own| match own.through {
+            Through::Grids(labels) => Some(labels),
+            Through::Points { .. } => None,
+        });
+        grids.flatten()
+    }
+
     /// Reads `CORD2R`, `CORD2C`, `CORD2S`.
     pub(super) fn read_points(&mut self, card: &Card, report: &mut MeshReport) {
         let label = report.label(card, 0, "label of the system");

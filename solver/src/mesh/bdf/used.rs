@@ -33,6 +33,7 @@ impl Bulk {
         others.extend(self.masses.iter().map(|mass| mass.node));
         others.extend(self.ties.iter().flat_map(RawCard::nodes));
         others.extend(&self.named);
+        others.extend(self.systems.grids());
         others.sort_unstable();
         let unused: Vec<usize> = (0..place.len())
             .filter(|&node| place[node] == usize::MAX)
