@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::encode::Packed;
 
 /// Values of all columns together; half of them least ones where not all are kept.
-const VALUES: usize = 150_000;
+const VALUES: usize = 180_000;
 /// Points of a column, at least.
 const LEAST: usize = 800;
 

@@ -10,7 +10,7 @@ use super::shapes::Shapes;
 /// What its file is called behind the name of the analysis.
 pub(crate) const MOTIONS: &str = ".motions.json";
 /// Numbers of all motions of an analysis, at most: a page has several.
-const MOST: usize = 100_000;
+const MOST: usize = 80_000;
 
 /// Motions of points: Re(w e^{iφ}) along x, y, z.
 #[derive(Default)]
