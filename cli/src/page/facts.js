@@ -109,7 +109,7 @@ function facts() {
   const top = strongest();
   if (top) fact('strongest motion', top.words, () => `${top.title}: ${shown(top.amplitude * Units.of(top.unit)[1] * Amplitudes.factor, 3)} ${Units.of(top.unit)[0]} ${Amplitudes.words} at ${shown(top.hertz, 4)} Hz`);
   // Not what cannot be told from another body, nor what is nothing beside the rest.
-  const matters = (own) => { const [least, most] = extremes(own.signal); return own['1X'].amplitude > 0.05 * (most - least); };
+  const matters = (own) => { const [least, most] = extremes(own.signal); return own['1X'].amplitude > 0.02 * (most - least); };
   const orders = run.tracked.length ? [] : (summary.orders?.signals || []).filter((own) => own.signal.endsWith('_um') && !own.mixed_with?.length && columns.has(own.signal) && matters(own));
   const last = Math.max(...orders.map((own) => own['1X'].amplitude), 0);
   // Over a run-up the last revolutions are half a window behind the last point.

@@ -71,7 +71,8 @@ impl FilmMap {
         // From the last one on, which is the end of the cycle.
         let every = (3 * nodes * film.frames.len()).div_ceil(MOST).max(1);
         let last = film.frames.len() - 1;
-        let shown = film.frames.iter().enumerate().filter(|own| (last - own.0) % every == 0);
+        let shown =
+            film.frames.iter().enumerate().filter(|own| (last - own.0).is_multiple_of(every));
         let shown: Vec<(f64, &[f64])> = shown.map(|own| *own.1).collect();
         let map = |place: usize, factor: f64| {
             let values = shown.iter().flat_map(move |own| &own.1[place * nodes..][..nodes]);
