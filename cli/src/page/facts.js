@@ -69,7 +69,7 @@ function facts() {
   fact('simulated', `${shown(time.simulated_s, 4)} s`, `${march.steps}${march.complete ? '' : ` of ${march.steps_asked}`} steps in ${shown(time.march_wall_s, 3)} s`);
   const [first, ...rest] = about.steady.split(/[:,] /);
   // A run-up is not meant to come to rest, nor is a run of one cycle.
-  const settled = /^steady/.test(about.steady);
+  const settled = isSteady();
   if ((settled || !run?.tracked.length) && !wholeRun()) fact('steady state', first, rest.join(', '));
   if (!run) return;
   const largest = (names, of) => names.map((name) => [name, of(name)]).reduce((best, own) => (own[1] > best[1] ? own : best), ['', -Infinity]);
@@ -166,7 +166,7 @@ function largestBelow() {
 function strongest() {
   let top = null;
   // Of what runs up a spectrum mixes speeds.
-  const varies = new Set(/^steady/.test(about.steady) ? [] : run.envelopes.flatMap((all) => all.signals.map((own) => own.column)));
+  const varies = new Set(isSteady() ? [] : run.envelopes.flatMap((all) => all.signals.map((own) => own.column)));
   run.spectra.forEach((spectrum, k) => {
     const signal = about.signals[k];
     if (signal.unit !== 'µm' || !(spectrum.turning_hz > 0) || signal.columns.some(([name]) => varies.has(name))) return;
@@ -218,6 +218,9 @@ function lastCycle(name) {
   return [least, most];
 }
 
+// Whether the run came to a steady state.
+const isSteady = () => /^steady/.test(about.steady);
+
 // Whether the last cycle is all of the run.
 const wholeRun = () => summary.cycle_s >= 0.98 * summary.time.simulated_s;
 
@@ -253,7 +256,7 @@ function results() {
     const unit = (name) => about.signals.find((one) => one.columns.some(([column]) => column === name))?.unit || '';
     const heads = ['', '1X, 0-pk', '', 'phase (°)', '2X, 0-pk', '', 'phase (°)', 'revolutions'];
     // A revolution of a run-up is none of an order, and what is small beside the rest is the end of a fit.
-    const runsUp = new Set(/^steady/.test(about.steady) ? [] : [...run?.tracked || [], ...run?.envelopes || []].flatMap((all) => all.signals.map((one) => one.column)));
+    const runsUp = new Set(isSteady() ? [] : [...run?.tracked || [], ...run?.envelopes || []].flatMap((all) => all.signals.map((one) => one.column)));
     const counts = (one) => {
       if (runsUp.has(one.signal) && one.revolutions < 2) return false;
       const [least, most] = columns.has(one.signal) ? lastCycle(one.signal) : [0, 0];

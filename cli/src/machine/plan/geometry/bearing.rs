@@ -4,7 +4,7 @@ mod comparison;
 mod planes;
 mod rings;
 
-use whirl_codegen::diagnostic::Diagnostics;
+use whirl_codegen::diagnostic::{Diagnostics, Located};
 use whirl_solver::mesh::Mesh;
 
 use self::comparison::Comparison;
@@ -56,48 +56,47 @@ pub(in crate::machine) fn compare(
     }
 }
 
+/// Whether a set stands in the list before its place already.
+fn is_repeated(sets: &[Located], place: usize) -> bool {
+    sets[..place].iter().any(|other| other.text().eq_ignore_ascii_case(sets[place].text()))
+}
+
 impl Comparison<'_, '_> {
     /// The journal's nodes stand on the axis about which the shaft turns.
     fn on_axis(&mut self, journal: &Journal) {
         let allowed = self.off_axis(journal.mesh);
         for (place, (set, [x, y, _])) in journal.sets.iter().zip(journal.at).enumerate() {
-            let earlier = &journal.sets[..place];
-            let noted = earlier.iter().any(|other| other.text().eq_ignore_ascii_case(set.text()));
-            if noted || x.hypot(y) <= allowed {
+            if is_repeated(journal.sets, place) || x.hypot(y) <= allowed {
                 continue;
             }
-            let message = format!(
-                "the journal's node `{}` is at x = {}, y = {}: {} off the axis about which {} turns",
-                set.text(),
-                mm(x),
-                mm(y),
-                mm(x.hypot(y)),
-                self.shaft()
-            );
+            let what = format!("the journal's node `{}` is at", set.text());
             let help = "name a node on the centre line x = y = 0, or move the mesh so that its axis lies there";
-            self.note(set, message, help.to_string());
+            self.note(set, self.off(&what, [x, y]), help.to_string());
         }
+    }
+
+    /// What is at a place (m) off the axis, in words.
+    fn off(&self, what: &str, [x, y]: [f64; 2]) -> String {
+        format!(
+            "{what} x = {}, y = {}: {} off the axis about which {} turns",
+            mm(x),
+            mm(y),
+            mm(x.hypot(y)),
+            self.shaft()
+        )
     }
 
     /// The rims of sets that go all around stand about the axis.
     fn rims_on_axis(&mut self, mesh: &Mesh) {
         let sets = &self.whole.journal;
         for (place, set) in sets.iter().enumerate() {
-            let noted =
-                sets[..place].iter().any(|other| other.text().eq_ignore_ascii_case(set.text()));
-            let Some(circle) = rim_of(mesh, set).filter(|_| !noted) else { continue };
+            let rim = rim_of(mesh, set).filter(|_| !is_repeated(sets, place));
+            let Some(circle) = rim else { continue };
             let [x, y] = circle.centre;
             if x.hypot(y) <= self.off_axis(mesh).max(circle.deviation) {
                 continue;
             }
-            let message = format!(
-                "the nodes of `{}` stand about x = {}, y = {}: {} off the axis about which {} turns",
-                set.text(),
-                mm(x),
-                mm(y),
-                mm(x.hypot(y)),
-                self.shaft()
-            );
+            let what = format!("the nodes of `{}` stand about", set.text());
             let help = match self.bodies {
                 Some([name, _]) => format!(
                     "if the whole mesh stands there, write `axis = [\"{}\", \"{}\"]` in [body.{name}]; else name nodes about x = y = 0",
@@ -107,7 +106,7 @@ impl Comparison<'_, '_> {
                 None => "name nodes about x = y = 0, or move the mesh so that its axis lies there"
                     .to_owned(),
             };
-            self.note(set, message, help);
+            self.note(set, self.off(&what, [x, y]), help);
         }
     }
 
