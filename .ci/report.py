@@ -170,16 +170,20 @@ def over_angle(browser, rows, charts):
             last = first_of(rows[group['angle']], turned['revolutions'])
             assert all(value == 0 for column, _ in group['lines'] for value in rows[column][last:]), group['title']
             continue
-        theta = rows[group['angle']]
+        turns = [abs(own) / (2 * math.pi) for own in rows[group['angle']]]
         for line, (column, _) in zip(chart['series'], group['lines']):
             known = [own * group['factor'] for own in rows[column]]
             scale = max(map(abs, known))
-            every = 1 if len(line['x']) == 1 else round((len(known) - first_of(theta, turned['revolutions'])) / len(line['x']))
+            span = next(k for k in range(1, len(turns)) if turns[-1] - turns[-1 - k] >= turned['revolutions'] - 1e-9)
+            every = max(round(span / len(line['x'])), 1)
+            # It ends where θ is a multiple of 360°, and in each row the angle is that since such a place.
+            ends = [k for k in range(len(turns)) if abs((turns[k] - line['x'][-1] / 360) % 1 - 0.5) > 0.5 - 2e-6]
+            fits = lambda end: all(near(line['y'][-k], known[end - (k - 1) * every], scale) for k in range(1, len(line['x']) + 1))
+            end = next((own for own in reversed(ends) if fits(own)), None)
+            assert end is not None, (column, line['x'][-1])
             for k in range(1, len(line['x']) + 1):
-                row = len(known) - 1 - (k - 1) * every
-                degrees = 360 * turned['revolutions'] - abs(theta[-1] - theta[row]) * 180 / math.pi
+                degrees = 360 * (turns[end - (k - 1) * every] - turns[end]) + line['x'][-1]
                 assert math.isclose(line['x'][-k], degrees, abs_tol=2e-4 * max(1, turned['revolutions'])), (column, k, line['x'][-k], degrees)
-                assert near(line['y'][-k], known[row], scale), (column, k)
                 compared += 1
     return compared
 

@@ -290,8 +290,8 @@ fn run(
                 }
             }
         }
-        let of = subject.speed_of(analysis);
-        done.push(AnalysisFacts::new(analysis, &found.text, files, (found.interrupted, of)));
+        let speeds = (subject.speed_of(analysis), subject.run_speeds(analysis));
+        done.push(AnalysisFacts::new(analysis, &found.text, files, found.interrupted, speeds));
         interrupted |= found.interrupted;
         if interrupted {
             show.note(&format!("`{name}` was interrupted: what was found is kept"));

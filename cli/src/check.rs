@@ -28,6 +28,7 @@ mod frequencies;
 mod joints;
 mod laws;
 mod loads;
+mod made;
 mod marched;
 mod mass;
 mod meshes;

@@ -1,7 +1,10 @@
 //! What analyses are of, and which one does what.
 
+use std::f64::consts::TAU;
+
 use whirl_solver::cache::Cache;
 use whirl_solver::linear::LinearMachine;
+use whirl_text::rounded;
 
 use super::found::Found;
 use super::space::{Pictures, Space};
@@ -44,6 +47,23 @@ impl Subject<'_> {
         let linear = self.linear?;
         let of = speeds::wanted(self.case, linear, analysis).ok()?.of?;
         Some(linear.machine().bodies[of].name().to_owned())
+    }
+
+    /// Speeds (rpm) between which the run of the case takes the body whose speed an analysis is over: one where that is constant, none
+    /// where the case has no run or does not tell.
+    pub(crate) fn run_speeds(&self, analysis: &Analysis) -> Vec<f64> {
+        let Some(linear) = self.linear.filter(|_| self.case.march.is_some()) else {
+            return Vec::new();
+        };
+        let of = speeds::wanted(self.case, linear, analysis).ok().and_then(|own| own.of);
+        let machine = &self.case.machine;
+        let mut turning = machine.bodies.iter().enumerate().filter(|own| own.1.turns());
+        let only = turning.next().filter(|_| turning.next().is_none()).map(|own| own.0);
+        let speeds = of.or(only).map(|of| machine.speeds_in(of, self.case.run()));
+        let mut ends = speeds.unwrap_or_default();
+        ends.iter_mut().for_each(|own| *own = rounded(own.abs() * 60.0 / TAU, 7));
+        ends.dedup();
+        ends
     }
 
     /// What an analysis comes to; `warnings` are added to.

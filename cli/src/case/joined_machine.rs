@@ -154,6 +154,23 @@ impl JoinedMachine {
         }
     }
 
+    /// The speeds of a body at the start and at the end of a run (rad/s), or the fastest one of a table; none where the case does not
+    /// tell.
+    pub(crate) fn speeds_in(&self, body: usize, run: Run) -> Vec<f64> {
+        let own = &self.bodies[body];
+        match own.rotation {
+            _ if own.speeds.is_some() => vec![self.told(body, run)],
+            Some(Rotation::Prescribed { speed, acceleration }) => {
+                vec![speed, speed + acceleration * run.duration]
+            }
+            Some(Rotation::Free) => {
+                let end = self.constant_speed(body, run);
+                end.map_or_else(Vec::new, |end| vec![own.initial_speed.unwrap_or(0.0), end])
+            }
+            _ => Vec::new(),
+        }
+    }
+
     /// Whether the body of a side has tilts, or moves along z.
     pub(crate) fn side_has(&self, side: &Side, motion: MotionKind) -> bool {
         let Some(body) = side.body else { return false };

@@ -139,6 +139,8 @@ pub(super) fn masses(
             }
         };
         let [mass, z, polar, transverse] = carrying(&body.attached, [mass, z, polar, transverse]);
+        // What does not tilt is alike at any z.
+        let z = z.filter(|_| transverse.is_some());
         let shown_across = match about_axes {
             // With what it carries, which is alike about both.
             Some([about_x, about_y]) if (about_x - about_y).abs() > 1e-3 * about_x.max(about_y) => {

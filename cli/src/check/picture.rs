@@ -5,7 +5,8 @@ use whirl_solver::model::AttachmentKind;
 use whirl_solver::output::Wanted;
 use whirl_text::rounded;
 
-use crate::case::{Case, Dimensions, Form, Mesh, NamedBody, OutputPoint};
+use super::made::rows;
+use crate::case::{Case, NamedBody, OutputPoint};
 use crate::errors::Failure;
 use crate::figures::{Figure, Line, Mark, Panel, Style};
 
@@ -30,15 +31,6 @@ pub(super) fn figure(case: &Case) -> Result<Figure, Failure> {
         });
     }
     Ok(Figure { title: format!("{}: {}", case.name, case.title), panels, columns: 1 })
-}
-
-fn rows(body: &NamedBody) -> Option<&[SectionRow]> {
-    let Form::Meshed(own) = &body.form else { return None };
-    let Mesh::Generated(made) = &own.body.mesh else { return None };
-    match &made.dimensions {
-        Dimensions::Sections(own) => Some(&own.table.rows),
-        _ => None,
-    }
 }
 
 /// The longitudinal section of a body, by materials, and marks where something stands on it.

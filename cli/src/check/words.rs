@@ -1,6 +1,6 @@
 //! What `whirl check` says of a case, as parts of a page.
 
-use super::{bodies, joints, loads, marched, mass, outputs};
+use super::{bodies, joints, loads, made, marched, mass, outputs};
 use crate::case::Case;
 use crate::errors::Failure;
 use crate::machine::JoinedPlan;
@@ -23,9 +23,10 @@ pub(crate) fn words(case: &Case, plan: &JoinedPlan) -> Result<Vec<Section>, Fail
         mass::say(&mut text, machine, plan);
         all.push(of_lines("The mass", text.trim().lines().map(str::to_owned).collect()));
     } else {
-        let lines = bodies::carried(machine);
+        let lines = [made::lines(machine, plan), bodies::carried(machine)].concat();
         let table = bodies::masses(machine, plan)?;
         all.push(Section { title: "Bodies".to_owned(), table, lines });
+        all.extend(made::sections(machine));
         all.push(of_lines("Speeds", bodies::speeds(machine, case)));
         let joints = joints::all(machine, plan).into_iter();
         let joints = joints.map(|(first, more)| [vec![first], more].concat().join("; "));

@@ -62,6 +62,15 @@ pub fn curves(law: &LawSpec) -> Vec<Curve> {
     curves
 }
 
+/// The first output of a law along the first input on which it depends, all others being zero; none where it does not change then, as
+/// the force of a film without speed.
+pub(crate) fn at_zero(law: &LawSpec) -> Option<Curve> {
+    let zeros = vec![0.0; law.inputs.len()];
+    let inputs = (0..law.inputs.len()).filter(|input| law.depends(0, *input));
+    let mut all = inputs.map(|input| curve_of(law, 0, input, &zeros));
+    all.find(|own| own.points.iter().any(|point| point.1 != own.points[0].1))
+}
+
 /// Zero, or the middle of the range where zero lies outside; in the units of the file.
 fn at_rest(law: &LawSpec) -> Vec<f64> {
     let rest =

@@ -43,6 +43,7 @@ pub(crate) use self::draw::{png, svg};
 pub(crate) use self::figure::{
     Cells, Cloud, Dot, Figure, Label, Line, Map, Mark, Panel, Stroke, Style,
 };
+pub(crate) use self::laws::at_zero;
 pub use self::laws::{Curve, curves};
 pub(crate) use self::spectra::{Lines, Spectrum, last_spectra, lines};
 pub(crate) use self::stack::{Stacked, stack};

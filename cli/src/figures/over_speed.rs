@@ -9,6 +9,8 @@ use crate::report::{Enveloper, Oscillation, Tracker, varying};
 
 /// Panels at most.
 const MOST: usize = 12;
+/// Parts below 1X that are shown reach this share of all motion somewhere.
+const WHIRLS: f64 = 0.2;
 /// The abscissa where the speed rises or falls all along.
 const SPEED: &str = "speed (rpm)";
 
@@ -103,7 +105,7 @@ fn figure(what: &str, panels: Vec<Panel>) -> Option<Figure> {
     (!panels.is_empty()).then(|| Figure { title: format!("{what} over {over}"), panels, columns })
 }
 
-/// Amplitudes of 1X and 2X, and half of largest less least value; none where the speed does not vary over enough revolutions.
+/// Amplitudes of 1X and 2X, of the largest part below 1X where it matters, and half of largest less least value; none where the speed does not vary over enough revolutions.
 ///
 /// # Errors
 /// The history cannot be read.
@@ -130,6 +132,12 @@ pub(super) fn orders(
                     ["1X", "2X"].into_iter().zip(styles).zip(&one.amplitudes)
                 {
                     lines.push((named(what, signal, axis), style, values.clone()));
+                }
+                // What is small beside all motion is no whirl but the rest of a fit.
+                let below = &one.below[0];
+                if below.iter().zip(&one.overall).any(|(own, all)| *own > WHIRLS * all) {
+                    let name = named("largest below 1X", signal, axis);
+                    lines.push((name, Style::Thin, below.clone()));
                 }
                 overall.iter_mut().zip(&one.overall).for_each(|(most, own)| *most = most.max(*own));
             }

@@ -1,15 +1,17 @@
 //! What a page has to know of a case beside its numbers: about.json, written by every run.
 
 use serde::{Deserialize, Serialize};
+use whirl_text::rounded;
 
 use super::groups::{Group, groups, moved};
-use crate::case::{Case, Joint, JointKind};
+use crate::case::{Case, Joint, JointKind, LawSource};
+use crate::figures::at_zero;
 use crate::machine::Built;
 use crate::report::oscillations;
 use crate::version;
 
 /// Layout of the file.
-pub(super) const LAYOUT: u32 = 2;
+pub(super) const LAYOUT: u32 = 3;
 
 /// A part of the case in words: rows of a table, the first one of heads, and lines below it.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -57,6 +59,36 @@ pub(super) struct Journal {
     pub(super) angle: Option<String>,
 }
 
+/// The first output of a law along its first input, all others being zero.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct LawCurve {
+    /// Name and title of the law.
+    pub(super) law: String,
+    pub(super) title: String,
+    /// Name and unit.
+    pub(super) x: (String, String),
+    pub(super) y: (String, String),
+    pub(super) points: Vec<(f64, f64)>,
+}
+
+impl LawCurve {
+    /// Of every law of a machine that has one, once.
+    fn all(laws: &[LawSource]) -> Vec<Self> {
+        let mut all: Vec<LawCurve> = Vec::new();
+        for own in laws {
+            let (name, Some(spec)) = (own.name(), own.spec()) else { continue };
+            let Some(curve) = at_zero(&spec) else { continue };
+            if all.iter().all(|own| own.law != name) {
+                let title = spec.title.clone();
+                let rounded = |(x, y)| (rounded(x, 7), rounded(y, 7));
+                let points = curve.points.into_iter().map(rounded).collect();
+                all.push(LawCurve { law: name, title, x: curve.x, y: curve.y, points });
+            }
+        }
+        all
+    }
+}
+
 /// All of it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct About {
@@ -67,6 +99,7 @@ pub(crate) struct About {
     pub(super) source: String,
     /// The case in words.
     pub(super) words: Vec<Section>,
+    pub(super) laws: Vec<LawCurve>,
     /// Of the history, in its order.
     pub(super) columns: Vec<ColumnFacts>,
     /// Columns that are drawn together.
@@ -123,11 +156,7 @@ impl About {
             moved: moved(case, place).to_owned(),
             columns: ["EX", "EY"].map(|quantity| own.column(quantity, "um")),
             forces: ["RX", "RY"].map(|quantity| own.column(quantity, "N")),
-            clearance_um: if is_pad(joint) {
-                0.0
-            } else {
-                whirl_text::rounded(1e6 * clearance, 10)
-            },
+            clearance_um: if is_pad(joint) { 0.0 } else { rounded(1e6 * clearance, 10) },
             angle: angle_of(&own.column("X", "um")),
         });
         About {
@@ -137,6 +166,7 @@ impl About {
             title: case.title.clone(),
             source: case.origin.clone(),
             words,
+            laws: LawCurve::all(&built.laws),
             groups: groups(case, built, &columns),
             journals: journals.collect(),
             signals,

@@ -80,6 +80,12 @@ const MUCH = 3;
 const whose = (name) => { const of = (analyses?.analyses || []).find((own) => own.name === name)?.of; return of ? ` of ${of}` : ''; };
 const speedOf = (name) => ({ label: `speed${whose(name)}`, unit: 'rpm' });
 
+// Between which speeds the run of the case goes.
+function runMarks(name) {
+  const ends = (analyses?.analyses || []).find((own) => own.name === name)?.run_rpm || [];
+  return ends.filter((rpm) => rpm > 0).map((rpm) => ({ x: rpm, name: ends.length === 1 ? `run at ${shown(rpm, 5)}` : rpm === ends[0] ? `run from ${shown(rpm, 5)}` : `run to ${shown(rpm, 5)}` }));
+}
+
 // Charts of an analysis beside its figures, which they replace: names of those.
 const CHARTED = {
   campbell(host, name, tables) {
@@ -108,69 +114,22 @@ const CHARTED = {
       id: `campbell-${slug(name)}`, title: 'Natural frequencies', zero: true, sync: `speed ${name}`, x, y: { label: 'frequency', unit: 'Hz' },
       series: [...modes.map(([branch, own], k) => ({ ...whirled(own, 'frequency_hz', `line ${branch}`, k % 6), tag: branch })), ...across], note,
       dots: critical.filter((row) => row.frequency_hz <= top).sort((a, b) => (b.whirl === 'forward') - (a.whirl === 'forward')).map((row) => ({ x: row.speed_rpm, y: row.frequency_hz, style: row.damping_ratio > 0.2 ? 6 : 1, name: critical.some((one) => one.damping_ratio > 0.2) ? 'critical speed (black: amplification 1/(2ζ) below 2.5)' : 'critical speed', label: `${shown(row.speed_rpm, 5)} ${letter(row)}`.trim() })),
-      marks: thresholds,
+      marks: [...thresholds, ...runMarks(name)],
     });
     // Decrements that nobody waits for would squeeze those near zero.
     const damps = modes.flatMap(([, own]) => own.map((row) => row.log_decrement));
     const squeezed = damps.some((own) => own > MUCH) && damps.some((own) => own <= MUCH);
     const near = (own) => (squeezed ? own.map((row) => (row.log_decrement > MUCH ? { ...row, log_decrement: NaN } : row)) : own);
     new Chart(host, {
-      id: `decrement-${slug(name)}`, title: 'Damping: unstable below zero', sync: `speed ${name}`, x, y: { label: 'log decrement', unit: '1' }, levels: [{ y: 0, name: '', framed: true }], marks: thresholds,
+      id: `decrement-${slug(name)}`, title: 'Damping: unstable below zero', sync: `speed ${name}`, x, y: { label: 'log decrement', unit: '1' }, levels: [{ y: 0, name: '', framed: true }], marks: [...thresholds, ...runMarks(name)],
       series: modes.map(([branch, own], k) => ({ ...whirled(near(own), 'log_decrement', `line ${branch}`, k % 6), tag: branch })).filter((one) => Array.from(one.y).some(Number.isFinite)), note: [always.replace('; ', ''), squeezed ? `decrements above ${MUCH}, of motions that are gone within a cycle, are left out` : ''].filter(Boolean).join('; '),
     });
     return [`${name}.svg`];
   },
-  response(host, name, tables) {
-    const rows = tables.get(`${name}.csv`)?.rows;
-    if (!rows?.length) return [];
-    const moves = (own) => own.some((row) => row.major_um > 1e-6);
-    const high = (own) => own.reduce((most, row) => Math.max(most, row.major_um), 0);
-    const every = [...grouped(rows, 'body', 'point', 'order')].filter(([, own]) => own.length > 1 && moves(own));
-    const largest = Math.max(...every.filter(([, own]) => own[0].order !== 0).map(([, own]) => high(own)), 0);
-    // Once a turn of each body first, then by their size; what is small beside the largest is in the file.
-    const rank = (own) => (own[0].order === 1 ? 0 : own[0].order === 0 ? 2 : 1);
-    const told = every.filter(([, own]) => own[0].order === 0 || high(own) >= 0.01 * largest).sort(([, a], [, b]) => rank(a) - rank(b) || (rank(a) === 1 ? high(b) - high(a) : 0));
-    const all = told.slice(0, 24);
-    const unstable = [...((analyses?.analyses || []).find((own) => own.name === name)?.text || '').matchAll(/^UNSTABLE above ([\d.]+) rpm/gm)].map((own) => ({ x: Number(own[1]), name: 'unstable above' }));
-    const several = new Set(rows.map((row) => row.body)).size > 1;
-    const found = tables.get(`${name}.peaks.csv`)?.rows || [];
-    const beside = grouped(tables.get(`${name}.near.csv`)?.rows || [], 'body', 'point', 'order');
-    for (const [key, tabled] of all) {
-      const [{ body, point, order }] = tabled;
-      // Peaks lie between the speeds of the table.
-      const own = [...tabled, ...(beside.get(key) || [])].sort((a, b) => a.speed_rpm - b.speed_rpm);
-      const x = speedOf(name);
-      const where = point.replace(/^(joint|output)\./, '$1 ');
-      const title = order === 0 ? `${where}, mean position` : `${where}, ${order}X${several ? ` of ${body}` : ''}`;
-      const id = slug(`${name} ${body} ${point} ${order}`);
-      const peaks = found.filter((row) => row.body === body && row.point === point && row.order === order && typeof row.major_um === 'number');
-      new Chart(host, {
-        id: `bode-${id}`, title, zero: true, sync: `speed ${name}`, x, y: { label: 'displacement', unit: 'µm', amplitude: order !== 0 },
-        series: order === 0
-          ? [line(own, 'speed_rpm', 'x_um', 'x'), line(own, 'speed_rpm', 'y_um', 'y')].map((one, k) => ({ ...one, y: one.y.map((value, at) => value * Math.cos((Math.PI * own[at][`${'xy'[k]}_phase_deg`]) / 180)) }))
-          : [line(own, 'speed_rpm', 'x_um', 'x'), line(own, 'speed_rpm', 'y_um', 'y'), line(own, 'speed_rpm', 'major_um', 'major semi-axis of the orbit', { style: 6, dash: '2 3' })],
-        dots: peaks.map((row) => ({ x: row.speed_rpm, y: row.major_um, style: 1, name: 'peak', label: `${shown(row.speed_rpm, 5)} rpm` })),
-        marks: unstable, note: peaks.length ? 'peaks are of the major semi-axis' : '',
-      });
-      if (order !== 0) new Chart(host, {
-        id: `bode-phase-${id}`, title: `${title}: phase`, sync: `speed ${name}`, x, y: { label: 'phase', unit: '°' },
-        series: ['x', 'y'].map((axis) => { const phase = line(own, 'speed_rpm', `${axis}_phase_deg`, axis); // What does not move has no phase.
-        return { ...phase, y: unwrapped(phase.y.map((value, k) => (own[k][`${axis}_um`] > 0 ? value : NaN))) }; }),
-      });
-    }
-    if (every.length > all.length) add(host, 'p', `${every.length - all.length} more curves, ${told.length > all.length ? 'the smaller ones' : 'below 1 % of the largest'}, are in ${name}.csv.`, { class: 'soft wide' });
-    if (found.length) {
-      const more = add(host, 'div', undefined, { class: 'wide' });
-      add(more, 'h3', 'Peaks');
-      const several_ = several || new Set(found.map((row) => row.order)).size > 1;
-      table(more, ['point', ...(several_ ? ['order'] : []), `speed${whose(name)} (rpm)`, ['major semi-axis', 'µm'], 'amplification factor'], found.filter((row) => row.order > 0 && (typeof row.major_um !== 'number' || row.major_um > 0.01 * Math.max(...found.map((own) => own.major_um || 0)))).slice(0, 60).map((row) => [row.point.replace(/^(joint|output)\./, '$1 '), ...(several_ ? [`${row.order}X of ${row.body}`] : []), shown(row.speed_rpm, 5), typeof row.major_um === 'number' ? [row.major_um, 'µm'] : 'undamped', typeof row.amplification_factor === 'number' ? `${shown(row.amplification_factor, 4)}${/^(below|above)$/.test(row.half_power) ? ` (by the side ${row.half_power})` : ''}` : '–']), several_ ? [1] : []);
-    }
-    return all.length ? [`${name}.svg`] : [];
-  },
   stability(host, name, tables) {
     const rows = tables.get(`${name}.csv`)?.rows;
     if (!rows || rows.length < 2) return [];
-    const marks = (tables.get(`${name}.thresholds.csv`)?.rows || []).map((row) => ({ x: row.speed_rpm, name: `${row.what} ${shown(row.speed_rpm, 5)}` }));
+    const marks = [...(tables.get(`${name}.thresholds.csv`)?.rows || []).map((row) => ({ x: row.speed_rpm, name: `${row.what} ${shown(row.speed_rpm, 5)}` })), ...runMarks(name)];
     const least = (column) => rows.reduce((best, row) => (typeof row[column] === 'number' && !(best?.[column] <= row[column]) ? row : best), undefined);
     const chart = (id, title, column) => new Chart(host, {
       id: `${id}-${slug(name)}`, title: `${title}: unstable below zero`, sync: `speed ${name}`, x: speedOf(name), y: { label: 'log decrement', unit: '1' }, marks, levels: [{ y: 0, name: '', framed: true }],

@@ -28,6 +28,9 @@ pub(crate) struct AnalysisFacts {
     /// The body whose speed it is over.
     #[serde(default)]
     of: Option<String>,
+    /// Speeds (rpm) of that body between which the run of the case goes.
+    #[serde(default)]
+    run_rpm: Vec<f64>,
 }
 
 /// All analyses of a folder, of one case.
@@ -45,15 +48,18 @@ pub(crate) struct Analyses {
 impl AnalysisFacts {
     /// Of an analysis that came to nothing, and why.
     pub(crate) fn failed(own: &Analysis, why: &str) -> Self {
-        AnalysisFacts { failed: true, ..AnalysisFacts::new(own, why, Vec::new(), (false, None)) }
+        let speeds = (None, Vec::new());
+        AnalysisFacts { failed: true, ..AnalysisFacts::new(own, why, Vec::new(), false, speeds) }
     }
 
-    /// Of an analysis, what it printed, the names of its files, whether it was interrupted, and the body whose speed it is over.
+    /// Of an analysis, what it printed, the names of its files, whether it was interrupted, the body whose speed it is over and the
+    /// speeds (rpm) of that in the run of the case.
     pub(crate) fn new(
         own: &Analysis,
         text: &str,
         files: Vec<String>,
-        (interrupted, of): (bool, Option<String>),
+        interrupted: bool,
+        (of, run_rpm): (Option<String>, Vec<f64>),
     ) -> Self {
         AnalysisFacts {
             name: own.name.clone(),
@@ -64,6 +70,7 @@ impl AnalysisFacts {
             interrupted,
             failed: false,
             of,
+            run_rpm,
         }
     }
 

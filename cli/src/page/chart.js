@@ -1,56 +1,15 @@
 // Charts as SVG: lines over an axis, paths, and maps. Each can be read back: `chart.values()` gives what is shown, in the units shown.
 
-const Units = {
-  system: 'si',
-  us: {
-    'µm': ['mil', 1 / 25.4], 'mm': ['in', 1 / 25.4], 'N': ['lbf', 1 / 4.4482216152605], 'mm/s': ['in/s', 1 / 25.4],
-    'm/s²': ['g', 1 / 9.80665], 'N·m': ['lbf·ft', 1 / 1.3558179483314004], 'W': ['hp', 1 / 745.6998715822702],
-    'J': ['ft·lbf', 1 / 1.3558179483314004], 'MPa': ['ksi', 1 / 6.894757293168361],
-  },
-  // The unit shown for one, and the factor to it.
-  of(unit) { return (this.system === 'us' && this.us[unit]) || [unit, 1]; },
-};
-
-// Amplitudes are carried from 0 to the peak.
-const Amplitudes = { factor: 1, get words() { return this.factor === 1 ? '0-pk' : 'pk-pk'; } };
-
-function shown(value, digits = 5) {
-  if (!Number.isFinite(value)) return '–';
-  if (value === 0) return '0';
-  const size = Math.abs(value);
-  if (size >= 1e6 || size < 1e-4) return value.toExponential(digits - 1).replace(/\.?0+e/, 'e').replace('-', '−').replace('e+', 'e');
-  return String(Number(value.toPrecision(digits))).replace('-', '−');
-}
-
-function escaped(text) {
-  return String(text).replace(/[&<>"]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c]);
-}
-
-// Round numbers from `from` to `to`, about so many.
-function ticks(from, to, count, unit) {
-  const rough = (to - from) / Math.max(count, 1);
-  if (!(rough > 0) || !Number.isFinite(rough)) return [];
-  const power = 10 ** Math.floor(Math.log10(rough));
-  // Angles that people know.
-  const known = unit === '°' && rough > 20 && rough <= 360 ? [30, 45, 90, 180, 360].find((k) => k >= rough * 0.999) : 0;
-  const step = known || power * [1, 2, 5, 10].find((k) => k * power >= rough * 0.999);
-  const at = (own) => {
-    const all = [];
-    for (let k = Math.ceil(from / own - 1e-9); k * own <= to + 1e-9 * own; k++) all.push(Number((k * own).toPrecision(12)));
-    return all;
-  };
-  // One or two say little of a scale.
-  const few = at(step);
-  return few.length > 2 || known ? few : at(step / (step === 2 * power ? 2 : 2.5));
-}
-
 const DASHES = ['', '7 3', '3 2', '9 3 2 3', '1.5 2.5', '12 4', ''];
+// Decades of a logarithmic axis.
+const DECADES = 4;
 const MARGIN = { left: 64, right: 14, top: 8, bottom: 44 };
 
 class Chart {
   // `spec`: id, title, x: {label, unit}, y: {label, unit, amplitude}, series: [{name, x, y | least and most, style, path, words,
   // pieces: [{x, y, dash}]}], marks, levels, dots: [{x, y, style, label}], circles, arrows, equal, height, sync, map, zero, origin, note.
-  // With x.log the abscissae are logarithms to the base of 10; with x.names they are 1, 2, … and stand for these.
+  // With x.log the abscissae are logarithms to the base of 10; with x.names they are 1, 2, … and stand for these. With y.log the
+  // ordinates are drawn by theirs.
   constructor(host, spec) {
     Object.assign(this, { spec, view: null, cursor: null, hidden: new Set() });
     this.figure = document.createElement('figure');
@@ -78,6 +37,9 @@ class Chart {
     return shown(log ? 10 ** value : value, digits);
   }
 
+  // Where an ordinate is drawn on its axis.
+  high(y) { return !this.spec.y.log ? y : y > 0 ? Math.log10(y) : NaN; }
+
   get zoomable() { return !this.spec.map; }
 
   axis(which) {
@@ -104,7 +66,8 @@ class Chart {
   shownView() {
     const v = this.range();
     const [fx, fy] = [this.axis('x').factor, this.axis('y').factor];
-    return { x: [v.x0 * fx, v.x1 * fx], y: [v.y0 * fy, v.y1 * fy] };
+    const y = [v.y0, v.y1].map((own) => (this.spec.y.log ? 10 ** own : own) * fy);
+    return { x: [v.x0 * fx, v.x1 * fx], y };
   }
 
   // First and last place of a rising series within the view.
@@ -128,7 +91,7 @@ class Chart {
     }
     if (this.view) [x0, x1] = this.view;
     let [y0, y1] = [Infinity, -Infinity];
-    const take = (all, from, to) => { for (let k = from; k < to; k++) { const y = all[k]; if (y < y0) y0 = y; if (y > y1) y1 = y; } };
+    const take = (all, from, to) => { for (let k = from; k < to; k++) { const y = this.high(all[k]); if (y < y0) y0 = y; if (y > y1) y1 = y; } };
     for (const own of this.visible) {
       const [from, to] = own.path ? [0, own.x.length] : this.within(own, x0, x1);
       if (own.y) take(own.y, from, to); else { take(own.least, from, to); take(own.most, from, to); }
@@ -136,15 +99,18 @@ class Chart {
     for (const circle of spec.circles || []) {
       if (circle.r > 0 && spec.framed) { x0 = Math.min(x0, -circle.r); x1 = Math.max(x1, circle.r); y0 = Math.min(y0, -circle.r); y1 = Math.max(y1, circle.r); }
     }
-    for (const level of spec.levels || []) if (level.framed) { y0 = Math.min(y0, level.y); y1 = Math.max(y1, level.y); }
+    for (const level of spec.levels || []) if (level.framed) take([level.y], 0, 1);
     if (spec.origin) { x0 = Math.min(x0, 0); x1 = Math.max(x1, 0); y0 = Math.min(y0, 0); y1 = Math.max(y1, 0); }
-    if (spec.zero) y0 = Math.min(y0, 0);
+    const zero = spec.zero && !spec.y.log;
+    if (zero) y0 = Math.min(y0, 0);
+    // Below a few decades nothing is looked for.
+    if (spec.y.log) y0 = Math.max(y0, y1 - DECADES);
     if (!(x1 > x0)) { const d = Math.abs(x0) || 1; x0 -= 0.05 * d; x1 += 0.05 * d; }
     if (!Number.isFinite(y0)) [y0, y1] = [0, 1];
     if (!(y1 - y0 > 1e-9 * Math.max(Math.abs(y0), Math.abs(y1)))) { const d = Math.abs(y0) || 1; y0 -= 0.1 * d; y1 += 0.1 * d; }
     const pad = 0.05 * (y1 - y0);
     if (spec.equal) { const px = 0.05 * (x1 - x0); return { x0: x0 - px, x1: x1 + px, y0: y0 - pad, y1: y1 + pad }; }
-    return { x0, x1, y0: spec.zero && y0 === 0 ? 0 : y0 - pad, y1: y1 + pad };
+    return { x0, x1, y0: zero && y0 === 0 ? 0 : y0 - pad, y1: y1 + pad };
   }
 
   render() {
@@ -164,7 +130,7 @@ class Chart {
     const height = inner.top + inner.height + MARGIN.bottom;
     const [ax, ay] = [this.axis('x'), this.axis('y')];
     const px = (x) => inner.left + ((x - v.x0) / (v.x1 - v.x0)) * inner.width;
-    const py = (y) => inner.top + inner.height - ((y - v.y0) / (v.y1 - v.y0)) * inner.height;
+    const py = (y) => inner.top + inner.height - ((this.high(y) - v.y0) / (v.y1 - v.y0)) * inner.height;
     Object.assign(this, { width, height, inner, drawn: v, px, py });
     const out = [];
     const clip = `clip-${spec.id}`;
@@ -179,7 +145,7 @@ class Chart {
       const end = Number(x) + 3.3 * text.length > edge;
       out.push(`<line class="grid-line" x1="${x}" x2="${x}" y1="${inner.top}" y2="${bottom}"/><text x="${end ? edge : x}" y="${bottom + 15}" text-anchor="${end ? 'end' : 'middle'}">${text}</text>`);
     }
-    for (const tick of ticks(v.y0 * ay.factor, v.y1 * ay.factor, inner.height / 42, ay.unit)) {
+    for (const tick of (spec.y.log ? rungs(v, ay.factor) : ticks(v.y0 * ay.factor, v.y1 * ay.factor, inner.height / 42, ay.unit))) {
       const y = py(tick / ay.factor).toFixed(1);
       out.push(`<line class="grid-line" x1="${inner.left}" x2="${right}" y1="${y}" y2="${y}"/><text x="${inner.left - 6}" y="${Number(y) + 4}" text-anchor="end">${Math.abs(tick) >= 1e5 ? shown(tick / 10 ** Math.floor(Math.log10(Math.abs(tick)))) + 'e' + Math.floor(Math.log10(Math.abs(tick))) : shown(tick)}</text>`);
     }
@@ -257,8 +223,8 @@ class Chart {
       let lift = true;
       for (let k = from; k < to; k++) {
         const y = own.y[k];
-        if (!Number.isFinite(y)) lift = true;
-        if (!Number.isFinite(y)) continue;
+        if (!Number.isFinite(this.high(y))) lift = true;
+        if (!Number.isFinite(this.high(y))) continue;
         parts.push(`${lift ? 'M' : 'L'}${px(own.x[k]).toFixed(1)} ${py(y).toFixed(1)}`);
         lift = false;
       }
@@ -306,7 +272,7 @@ class Chart {
       if (own.tag === undefined) continue;
       const [, to] = this.within(own, v.x0, v.x1);
       let at = to - 1;
-      while (at >= 0 && !(own.x[at] <= v.x1 && own.y[at] >= v.y0 && own.y[at] <= v.y1)) at--;
+      while (at >= 0 && !(own.x[at] <= v.x1 && this.high(own.y[at]) >= v.y0 && this.high(own.y[at]) <= v.y1)) at--;
       if (at < 0) continue;
       const wide = 6.4 * String(own.tag).length;
       const [x, y] = [this.px(own.x[at]) - wide - 3, this.py(own.y[at]) - 3];

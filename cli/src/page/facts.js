@@ -197,6 +197,15 @@ function mirrored(frequency, amplitude, wanted) {
   return near ? amplitude[best] : 0;
 }
 
+// How often and how long journals were beyond their clearances.
+function contacts(own) {
+  if (!run?.contacts.length) return;
+  add(own, 'h3', 'Contacts in the whole run');
+  const lasts = (one) => (one.lasts ? ', to the end' : '');
+  table(own, ['', 'times', 'first at (s)', 'share of the time', 'longest'], run.contacts.map((one) => [one.title, String(one.times), shown(one.first_s, 5), `${shown(100 * one.share, 3)} %`, `${shown(1e3 * one.longest_s, 4)} ms${lasts(one)}`]));
+  add(own, 'p', 'Beyond 100 % of the clearance the parts are pressed together; a contact ends when they part.', { class: 'soft' });
+}
+
 function theCase() {
   if (!about.words.length) return;
   const own = part('case', 'The case');
@@ -204,7 +213,22 @@ function theCase() {
     add(own, 'h3', title);
     if (rows) table(own, rows[0], rows.slice(1));
     if (lines) { const list = add(own, 'ul', undefined, { class: 'plain' }); for (const line of lines) add(list, 'li', plain(line)); }
+    if (title === 'Joints') lawCurves(own);
   }
+  if (!about.words.some((one) => one.title === 'Joints')) lawCurves(own);
+}
+
+// Forces of laws along the first thing on which they hang.
+function lawCurves(own) {
+  if (!about.laws?.length) return;
+  const grid = add(own, 'div', undefined, { class: 'grid' });
+  for (const { law, title, x, y, points } of about.laws) {
+    new Chart(grid, {
+      id: `law-${slug(law)}`, title: `Law ${law}: ${title}`, x: { label: x[0], unit: x[1].replace('um', 'µm') }, y: { label: y[0], unit: y[1] }, levels: [{ y: 0, name: '' }], marks: points[0][0] < 0 && points[points.length - 1][0] > 0 ? [{ x: 0, name: '' }] : [],
+      series: [{ name: `${y[0]} over ${x[0]}, all others zero`, x: points.map((one) => one[0]), y: points.map((one) => one[1]), style: 0 }],
+    });
+  }
+  for (const figure of data.figures) if (figure.name === 'laws.svg') figure.shown = true;
 }
 
 // Least and largest value of a column over the last cycle.
@@ -248,28 +272,32 @@ function results() {
     if (moments.length) table(own, ['', '', ['torque', 'N·m']], moments.flatMap((group) => group.lines.map(([name]) => lastCycle(name)).flatMap(([least, most]) => [[group.title, 'min', [least, 'N·m']], ['', 'max', [most, 'N·m']]])), [1]);
     if (still.length) add(own, 'p', `Nothing moves or pushes across the axis in ${still.join(', ')}.`, { class: 'soft' });
   }
+  contacts(own);
   if (summary.orders) {
     add(own, 'h3', 'Orders');
     const { signals } = summary.orders;
     add(own, 'p', `x = A cos(nθ + φ), A from 0 to the peak, fitted over whole revolutions at the end of the run${new Set(signals.map((one) => one.angle)).size > 1 ? ', with once and twice the angles of the other bodies beside' : ''}. What is not a multiple of half the speed leaks into these numbers where the revolutions are few: see the spectra.`, { class: 'soft' });
     const named = (name) => { const signal = about.signals.find((one) => one.columns.some(([column]) => column === name)); return signal ? `${signal.title}: ${signal.quantity} ${signal.columns.find(([column]) => column === name)[1]}` : name; };
     const unit = (name) => about.signals.find((one) => one.columns.some(([column]) => column === name))?.unit || '';
-    const heads = ['', '1X, 0-pk', '', 'phase (°)', '2X, 0-pk', '', 'phase (°)', 'revolutions'];
+    const halves = signals.some((one) => one['0.5X'] && one['0.5X'].amplitude > 0.02 * Math.max(one['1X'].amplitude, one['2X'].amplitude));
+    const orders = [...(halves ? ['0.5X'] : []), '1X', '2X'];
+    const heads = ['', ...orders.flatMap((order) => [`${order.replace('0.5', '½')}, 0-pk`, '', 'phase (°)']), 'revolutions'];
     // A revolution of a run-up is none of an order, and what is small beside the rest is the end of a fit.
     const runsUp = new Set(isSteady() ? [] : [...run?.tracked || [], ...run?.envelopes || []].flatMap((all) => all.signals.map((one) => one.column)));
     const counts = (one) => {
       if (runsUp.has(one.signal) && one.revolutions < 2) return false;
       const [least, most] = columns.has(one.signal) ? lastCycle(one.signal) : [0, 0];
-      return Math.max(one['1X'].amplitude, one['2X'].amplitude) > 0.005 * (most - least);
+      return Math.max(...orders.map((order) => one[order]?.amplitude || 0)) > 0.005 * (most - least);
     };
     const rows = () => signals.filter(counts).map((one) => {
       const u = unit(one.signal);
-      return [named(one.signal), [one['1X'].amplitude, u], Units.of(u)[0], shown(one['1X'].phase_deg, 4), [one['2X'].amplitude, u], Units.of(u)[0], shown(one['2X'].phase_deg, 4), String(one.revolutions)];
+      const told = (order) => (one[order] ? [[one[order].amplitude, u], Units.of(u)[0], shown(one[order].phase_deg, 4)] : ['–', '', '']);
+      return [named(one.signal), ...orders.flatMap(told), String(one.revolutions)];
     });
     const mixed = signals.filter((one) => one.mixed_with?.length);
     if (mixed.length) add(own, 'p', `1X or 2X of another body is at the same frequency as in ${mixed.length === signals.length ? 'all of these' : [...new Set(mixed.map((one) => named(one.signal)))].join(', ')}, or cannot be told apart from them in this run.`, { class: 'soft' });
     const host = add(own, 'div');
-    const fill = () => { host.replaceChildren(); table(host, heads, rows(), [2, 5]); };
+    const fill = () => { host.replaceChildren(); table(host, heads, rows(), orders.map((_, k) => 2 + 3 * k)); };
     fill();
     redraw.push(fill);
   }

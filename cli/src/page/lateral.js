@@ -53,13 +53,16 @@ function lateral(own, name, tables, lines) {
     if (place === 0) bodes(grid, name, { all, readings, speeds, several });
     if (place === 1) clearances(grid, name, { some, readings, speeds, several });
     if (place === 2 && decrements.length) decrement(grid, name, { some, decrements });
+    if (place === 2) regions(grid, name, { some, density: Number(lines.map((line) => /average density of the gas (\S+) kg/.exec(line)?.[1]).find(Boolean)) });
   });
+  const other = ['map', 'modes'].filter((kind) => !analyses.analyses.some((one) => one.kind === kind));
   const notes = [...new Set(lines.filter((line) => /^(note: |left out: )/.test(line)))];
   if (notes.length) {
     add(own, 'h3', 'What limits these numbers');
     const list_ = add(own, 'ul', undefined, { class: 'plain' });
     for (const line of notes) add(list_, 'li', line.replace(/^note: /, ''));
   }
+  if (other.length) add(own, 'p', `${other.map((kind) => ({ map: 'Undamped critical speeds over the stiffness of the bearings', modes: 'mode shapes in space' })[kind]).join(' and ')} are not on this page: ${other.map((kind) => `whirl ${kind}`).join(' and ')} with the same folder ${other.length > 1 ? 'add' : 'adds'} them.`, { class: 'soft screen' });
   return true;
 }
 
@@ -82,6 +85,10 @@ function bodes(grid, name, { all, readings, speeds, several }) {
       id: `probes-${slug(`${name} ${key}`)}`, title: titled(several, own[0], 'Probes'), zero: true, sync: `speed ${name}`, x: { label: 'speed', unit: 'rpm' }, y: { label: 'probe, pk-pk', unit: 'µm' }, marks: bounds(speeds),
       series: [...probes.map(([probe, rows], k) => line(rows, 'speed_rpm', 'unscaled_um_pkpk', probe.replace(' deg', '°'), { style: [0, 2, 3, 4, 5, 6][k % 6] })), ...margins],
       dots: of('amplification factor').map((row) => ({ x: row.speed_rpm, y: height(row.place, row.speed_rpm), style: 1, name: 'peaks' })),
+    });
+    if (own.some((row) => typeof row.phase_deg === 'number')) new Chart(grid, {
+      id: `probes-phase-${slug(`${name} ${key}`)}`, title: titled(several, own[0], 'Phase at the probes'), sync: `speed ${name}`, x: { label: 'speed', unit: 'rpm' }, y: { label: 'phase', unit: '°' }, marks: bounds(speeds), note: 'φ of A cos(θ + φ): the lag grows downwards',
+      series: probes.map(([probe, rows], k) => { const one = line(rows, 'speed_rpm', 'phase_deg', probe.replace(' deg', '°'), { style: [0, 2, 3, 4, 5, 6][k % 6] }); return { ...one, y: unwrapped(one.y) }; }),
     });
   }
 }
@@ -114,5 +121,17 @@ function decrement(grid, name, { some, decrements }) {
     range: [0, Math.min(end, most) * kilo[1]], id: `decrement-${slug(name)}`, title: 'Least damped forward mode at N_mc', x: { label: 'cross-coupled stiffness Q', unit: kilo[0] }, y: { label: 'log decrement', unit: '1' }, levels: [{ y: 0.1, name: 'least: 0.1', framed: true }],
     marks: expected ? [{ x: expected.value * kilo[1], name: 'Q_A' }] : [],
     series: [...grouped(decrements, 'variant')].map(([variant, rows], k) => ({ name: variant, x: rows.map((row) => row.cross_coupling_N_m * kilo[1]), y: rows.map((row) => row.log_decrement), style: k % 7 })),
+  });
+}
+
+// Region A, below the line, and B of the critical speed ratio over the density of the gas.
+function regions(grid, name, { some, density }) {
+  const found = some.filter((row) => String(row.quantity).startsWith('level I critical speed ratio'));
+  if (!found.length || !(density > 0)) return;
+  const x = [0, 16.53, 60, 60.001, Math.max(80, 1.3 * density)];
+  new Chart(grid, {
+    id: `regions-${slug(name)}`, title: 'Regions of the critical speed ratio', zero: true, x: { label: 'average density of the gas', unit: 'kg/m³' }, y: { label: 'critical speed ratio', unit: '1' },
+    levels: found.map((row) => ({ y: 1.1 * Math.max(row.value, 2.5), name: '', framed: true })).slice(0, 1), note: 'region A below the line, region B above it and beyond 60 kg/m³',
+    series: [{ name: 'boundary of regions A and B', x, y: [2.5, 2.5, 2, 0, 0], style: 6, dash: '' }], dots: found.map((row) => ({ x: density, y: row.value, style: 1, name: 'this machine', label: row.variant })),
   });
 }

@@ -8,6 +8,7 @@
 mod about;
 mod analyses;
 mod bodies;
+mod contacts;
 mod encode;
 mod files;
 mod film_maps;
@@ -43,8 +44,9 @@ use crate::results::{ABOUT, ANALYSES, FILMS, SHAPES, SUMMARY, SWEEP};
 const PAGE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
 /// In the order in which they are run.
-const SCRIPTS: [&str; 12] = [
+const SCRIPTS: [&str; 14] = [
     include_str!("data.js"),
+    include_str!("units.js"),
     include_str!("map.js"),
     include_str!("chart.js"),
     include_str!("marks.js"),
@@ -55,6 +57,7 @@ const SCRIPTS: [&str; 12] = [
     include_str!("run.js"),
     include_str!("films.js"),
     include_str!("analyses.js"),
+    include_str!("response.js"),
     include_str!("page.js"),
 ];
 

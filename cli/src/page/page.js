@@ -21,6 +21,15 @@ const ofRun = run?.tracked.length ? [...speeds, ...cycles] : [...cycles, ...spee
 for (const make of [head, theCase, machine, ...ofRun, swept, analysed, energy, drawings, files]) make();
 add(page, 'footer', `whirl ${about.version}`);
 
+// What the terminal prints keeps its units.
+if (document.querySelector('pre')) {
+  const told = add(page, 'p', '', { class: 'soft' });
+  document.querySelector('pre').before(told);
+  const fill = () => { told.textContent = Units.system === 'si' && Amplitudes.factor === 1 ? '' : 'Tables in typewriter type are as the terminal prints them: in µm and N, from 0 to the peak.'; };
+  fill();
+  redraw.push(fill);
+}
+
 const redrawScenes = () => scenes.forEach((own) => own.draw());
 function again() { for (const fill of [...redraw]) fill(); Chart.renderAll(); redrawScenes(); }
 document.getElementById('units').addEventListener('change', (event) => { Units.system = event.target.value; again(); });

@@ -125,14 +125,14 @@ function overAngle() {
   if (!run || !run.turned.length) return;
   const own = part('angle', 'Over the angle');
   const most = Math.max(...run.turned.map((one) => one.revolutions));
-  add(own, 'p', `Every row of the last ${most > 1.05 ? `${shown(most, 3)} revolutions` : 'revolution'}, the angle counted from where the first of them begins.`, { class: 'soft' });
+  add(own, 'p', `Every row of the last ${most > 1.05 ? `${shown(most, 3)} revolutions` : 'revolution'} that ${most > 1.05 ? 'end' : 'ends'} with the keyphasor; at 0 and 360° θ of the body is a multiple of 360°.`, { class: 'soft' });
   const grid = add(own, 'div', undefined, { class: 'grid' });
-  for (const { group, revolutions, before, columns: packed } of run.turned) {
+  for (const { group, revolutions, degrees, columns: packed } of run.turned) {
     const { title, quantity, unit, factor, lines } = about.groups[group];
     if (packed.every((own_) => numbers(own_).every((value) => value === 0))) continue;
-    const x = numbers(before).map((degrees) => 360 * revolutions - degrees);
+    const x = numbers(degrees);
     new Chart(grid, {
-      id: `angle-${slug(title)}`, title, sync: `angle ${revolutions.toFixed(3)}`, x: { label: 'angle', unit: '°' }, y: { label: quantity, unit }, range: [0, 360 * revolutions],
+      id: `angle-${slug(title)}`, title, sync: `angle ${revolutions.toFixed(3)}`, x: { label: 'angle', unit: '°' }, y: { label: quantity, unit }, range: [x[0], x[x.length - 1]],
       series: lines.map(([, label], k) => ({ name: label, x, y: factor === 1 ? numbers(packed[k]) : numbers(packed[k]).map((value) => value * factor), style: k % 7 })),
     });
   }
@@ -199,6 +199,22 @@ function lastPeak(line) {
   return 1.1 * frequency.reduce((last, own, k) => (amplitude[k] > least ? Math.max(last, Math.abs(own)) : last), 0);
 }
 
+// Where an analysis says that the machine begins or ends to be unstable, for charts over the speed of the same body.
+function thresholds(x) {
+  if (x.unit !== 'rpm' || !analyses) return [];
+  const [first, last] = [x.values[0], x.values[x.values.length - 1]];
+  const found = [];
+  for (const { name, of } of analyses.analyses) {
+    if (of && x.label !== `speed of ${of}` && x.label !== 'speed') continue;
+    for (const [file, whole] of [[`${name}.critical.csv`, false], [`${name}.thresholds.csv`, true]]) {
+      const csv = data.tables.find((one) => one.name === file)?.csv;
+      const rows = csv ? parsed(csv).rows.filter((row) => whole || row.what !== 'critical speed') : [];
+      for (const row of rows) if (row.speed_rpm > first && row.speed_rpm < last && !found.some((one) => Math.abs(one.x - row.speed_rpm) < 2e-3 * last)) found.push({ x: row.speed_rpm, name: `${row.what} ${shown(row.speed_rpm, 4)}` });
+    }
+  }
+  return found.slice(0, 4);
+}
+
 // The abscissa of what is found over a run: speed if it rises or falls all along, time if not; and values in its order.
 const severalTurn = () => new Set(about.signals.map((one) => one.angle).filter(Boolean)).size > 1;
 function overSpeed(all) {
@@ -233,7 +249,7 @@ function tracked() {
       const slow = below.some((all_, k) => all_.some((_, place) => moves(k, place)));
       const most = Math.max(...overall.map((all_) => all_.reduce((a, b) => Math.max(a, b), 0)));
       new Chart(grid, {
-        id: `order-${id}`, title, zero: true, sync: 'orders', x: axis, y: { label: short(whole.quantity), unit: whole.unit, amplitude: true },
+        id: `order-${id}`, title, zero: true, sync: 'orders', x: axis, y: { label: short(whole.quantity), unit: whole.unit, amplitude: true }, marks: thresholds(x),
         series: [...one('first', '1X', 0), ...one('second', '2X', 2).filter((two) => two.y.some((value) => value > 0.01 * most)), ...(slow ? one('below', 'largest below 1X', 4) : []), draw(own.map(([, signal]) => turn(numbers(signal.overall))).reduce((most, values) => most.map((value, k) => Math.max(value, values[k]))), 'overall', 6, { dash: '2 3' })],
         note: slow ? `within ${shown(n)} revolutions of where a motion below 1X appears or ceases, 1X and its phase have a part of it` : '',
       });
@@ -256,7 +272,7 @@ function envelopes() {
   const own = part('envelope', `Envelope over ${run.envelopes.some((all) => overSpeed(all).x.unit === 'rpm') ? 'speed' : 'time'}`);
   const told = new Set();
   for (const all of run.envelopes) {
-    if (!told.has(all.revolutions)) add(own, 'p', all.revolutions > 1 ? `The least and the largest value of every ${shown(all.revolutions)} revolutions.` : 'The least and the largest value of every revolution.', { class: 'soft' });
+    if (!told.has(all.revolutions)) add(own, 'p', all.revolutions > 1 ? `The least and the largest value of every ${shown(all.revolutions)} revolutions and of as many before and after.` : 'The least and the largest value of every revolution, the one before and the one after.', { class: 'soft' });
     told.add(all.revolutions);
     const { turn, x } = overSpeed(all);
     const grid = add(own, 'div', undefined, { class: 'grid' });
@@ -264,7 +280,7 @@ function envelopes() {
       const columns_ = whole.columns.map(([name, axis]) => [axis, all.signals.find((signal) => signal.column === name)]).filter(([, signal]) => signal);
       if (!columns_.length) continue;
       new Chart(grid, {
-        id: `envelope-${slug(columns_[0][1].column)}`, title: `${whole.title}: ${whole.quantity}`, sync: 'orders', x: { label: x.label, unit: x.unit }, y: { label: short(whole.quantity), unit: whole.unit },
+        id: `envelope-${slug(columns_[0][1].column)}`, title: `${whole.title}: ${whole.quantity}`, sync: 'orders', x: { label: x.label, unit: x.unit }, y: { label: short(whole.quantity), unit: whole.unit }, marks: thresholds(x),
         series: columns_.flatMap(([axis, signal], k) => [{ name: `largest ${axis}`, x: x.values, y: turn(numbers(signal.most)), style: k, dash: '' }, { name: `least ${axis}`, x: x.values, y: turn(numbers(signal.least)), style: k, dash: '5 3' }]),
       });
     }

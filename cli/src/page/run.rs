@@ -6,6 +6,7 @@ use std::io;
 use serde::Serialize;
 
 use super::about::{About, Journal, Signal};
+use super::contacts::{Contact, Contacts};
 use super::groups::Group;
 use super::kept::{Histories, Kept};
 use super::orbits::{Orbit, Ways};
@@ -38,6 +39,7 @@ pub(super) struct RunData {
     begins: f64,
     ends: f64,
     orbits: Vec<Orbit>,
+    contacts: Vec<Contact>,
     turned: Vec<Turned>,
     /// Over how long (s), and one a signal.
     spectrum_s: f64,
@@ -130,12 +132,14 @@ impl RunData {
         let mut end: Vec<Vec<f64>> = vec![Vec::new(); names.len()];
         let mut ways = Ways::new(journals.len(), rows);
         let wanted = wanted(&signals, &journals, &of_angle);
+        let mut contacts: Vec<Contacts> = ratios.iter().map(|_| Contacts::default()).collect();
         history.scan(history.start(), &names, &mut |row| {
             let time = row[0];
             let ratio = |&(k, clearance): &(usize, f64)| {
                 row[journals[k].0[0]].hypot(row[journals[k].0[1]]) / clearance
             };
             kept.add(time, row[1..].iter().copied().chain(ratios.iter().map(ratio)));
+            contacts.iter_mut().zip(&ratios).for_each(|(own, k)| own.add(time, ratio(k)));
             trackers.iter_mut().for_each(|own| own.add(time, row));
             envelopes.iter_mut().for_each(|own| own.add(time, row));
             slices.iter_mut().for_each(|own| own.add(time, row));
@@ -154,7 +158,8 @@ impl RunData {
         });
         let turned = of_angle.iter().filter_map(|(group, (columns, angle))| {
             let columns: Vec<&[f64]> = columns.iter().map(|own| end[*own].as_slice()).collect();
-            Turned::of(*group, &columns, &end[(*angle)?])
+            let angle = end[(*angle)?].as_slice();
+            Turned::of(*group, &columns, angle, revolutions(about, angle))
         });
         let owned = history.names();
         let title = |(k, _): &(usize, f64)| about.journals[*k].title.clone();
@@ -165,6 +170,11 @@ impl RunData {
             begins,
             ends,
             orbits: orbits.collect(),
+            contacts: contacts
+                .into_iter()
+                .zip(&ratios)
+                .filter_map(|(own, k)| own.finish(&title(k)))
+                .collect(),
             turned: turned.collect(),
             spectrum_s: span,
             spectra,
@@ -179,6 +189,16 @@ impl RunData {
                 .collect(),
         }))
     }
+}
+
+/// Revolutions of a cycle that has two of them, as of a four-stroke engine, and else one: what goes by the angle repeats after them.
+fn revolutions(about: &About, angle: &[f64]) -> f64 {
+    let rows = (about.cycle_s / about.row_s).round() as usize;
+    let turned = match (angle.last(), angle.len().checked_sub(rows + 1)) {
+        (Some(last), Some(from)) => (last - angle[from]).abs() / TAU,
+        _ => 1.0,
+    };
+    if (turned - 2.0).abs() < 0.01 { 2.0 } else { 1.0 }
 }
 
 /// Columns of which the end is kept.

@@ -1,4 +1,5 @@
-//! Least and largest value of every revolution of a run, by the speed there.
+//! Least and largest value of every revolution of a run and those beside it, by the speed there: what whirls at about half the speed
+//! takes two revolutions or more for one of its own.
 
 use std::f64::consts::TAU;
 
@@ -93,10 +94,17 @@ impl Enveloper {
             let [[from, first], [to, last]] = own.ends;
             (last - first) / (to - from) * 60.0 / TAU
         };
-        let signal = |(k, place): (usize, &usize)| Extremes {
-            column: names[*place].clone(),
-            least: each(&|own| own.columns[k][0]),
-            most: each(&|own| own.columns[k][1]),
+        let beside = |at: usize| at.saturating_sub(1)..(at + 2).min(all.len());
+        let signal = |(k, place): (usize, &usize)| {
+            let [mut least, mut most] = [Vec::new(), Vec::new()];
+            for at in 0..all.len() {
+                let own = all[beside(at)].iter().map(|own| own.columns[k]);
+                let wider = |[a, b]: [f64; 2], own: [f64; 2]| [a.min(own[0]), b.max(own[1])];
+                let [low, high] = own.fold([f64::INFINITY, f64::NEG_INFINITY], wider);
+                least.push(low);
+                most.push(high);
+            }
+            Extremes { column: names[*place].clone(), least, most }
         };
         Some(Envelope {
             revolutions: self.revolutions,
@@ -137,6 +145,10 @@ mod tests {
             }
             let whole = own.finish(&["theta".into(), "x".into()]).expect("turns");
             assert_eq!((whole.signals.len(), whole.signals[0].column.as_str()), (1, "x"));
+            // The spike is in the points beside it, too.
+            let spikes = whole.signals[0].most.iter().enumerate().filter(|own| *own.1 > 9e3);
+            let spikes: Vec<usize> = spikes.map(|own| own.0).collect();
+            assert_eq!(spikes, [spiked - 1, spiked, spiked + 1]);
         }
     }
 

@@ -65,6 +65,9 @@ pub(crate) struct Signal {
     /// Twice a revolution.
     #[serde(rename = "2X")]
     pub(crate) second: Order,
+    /// Once in two revolutions, where so many were fitted and nothing else has nearly that frequency.
+    #[serde(rename = "0.5X", skip_serializing_if = "Option::is_none")]
+    half: Option<Order>,
 }
 
 /// One order.
@@ -108,6 +111,7 @@ pub(crate) fn orders(
         let names: Vec<&str> = angles.chain(columns.iter().map(|own| own.0)).collect();
         let revolutions = window.revolutions;
         let orders = window.terms();
+        let half = orders.iter().position(|own| *own == (0, HALVES[0]));
         let mut fit = Fit::new(orders.len(), columns.len());
         let mut terms = Terms::new(orders);
         let whole = revolutions as f64 * TAU;
@@ -148,6 +152,7 @@ pub(crate) fn orders(
                 rows_per_revolution,
                 first,
                 second,
+                half: half.map(|place| order(&own, place)),
             });
         }
     }

@@ -332,16 +332,17 @@ impl Summary {
     /// When the steady state was reached, and what is left to change, in words.
     pub(crate) fn steadiness(&self, march: &MarchSettings) -> String {
         let facts = &self.steady_state;
-        let left = |left: f64| match left {
-            ..1.0 => format!(
-                "{} % of what varies in a cycle is left to change",
-                whirl_text::shown(100.0 * left, 2, 1e-3..1e6)
-            ),
-            _ if left.is_finite() => format!(
-                "what is left to change is about {} times what varies in a cycle",
-                whirl_text::shown(left, 2, 1e-3..1e6)
-            ),
-            _ => "the change from cycle to cycle does not decrease".to_owned(),
+        let left = |left: f64| {
+            let much = match left {
+                ..1.0 => format!("{} % of", whirl_text::shown(100.0 * left, 2, 1e-3..1e6)),
+                _ if left.is_finite() => {
+                    format!("about {} times", whirl_text::shown(left, 2, 1e-3..1e6))
+                }
+                _ => return "the change from cycle to cycle does not decrease".to_owned(),
+            };
+            format!(
+                "what forces and displacements still change is {much} what they vary by in a cycle"
+            )
         };
         match (facts.time_s, facts.left) {
             _ if !facts.checked => format!(

@@ -319,19 +319,25 @@ fn unbalance_rows(all: &[Done]) -> String {
 }
 
 fn response_rows(all: &[Done]) -> String {
-    let mut text =
-        String::from("variant,unbalance,speed_rpm,place,unscaled_um_pkpk,scaled_um_pkpk\n");
+    let mut text = String::from(
+        "variant,unbalance,speed_rpm,place,unscaled_um_pkpk,scaled_um_pkpk,phase_deg\n",
+    );
     for done in all {
         for own in &done.responses.all {
             for (place, speed) in done.responses.speeds.iter().enumerate() {
-                let probes =
-                    done.probes.iter().map(|own| own.name.as_str()).zip(&own.readings[place]);
-                let closes =
-                    done.closes.iter().map(|own| own.point.name.as_str()).zip(&own.orbits[place]);
-                for (name, value) in probes.chain(closes) {
+                let mut row = |name: &str, value: f64, phase: &str| {
                     let (rpm, scaled) = (words::rpm(*speed), own.scale * value);
-                    let _ =
-                        writeln!(text, "{},{},{rpm},{name},{value},{scaled}", done.name, own.name);
+                    let lead = format!("{},{},{rpm},{name}", done.name, own.name);
+                    let _ = writeln!(text, "{lead},{value},{scaled},{phase}");
+                };
+                let readings = own.readings[place].iter().zip(&own.phases[place]);
+                for (probe, (value, phase)) in done.probes.iter().zip(readings) {
+                    // What does not move has no phase.
+                    let phase = if *value > 0.0 { phase.to_string() } else { String::new() };
+                    row(&probe.name, *value, &phase);
+                }
+                for (close, value) in done.closes.iter().zip(&own.orbits[place]) {
+                    row(&close.point.name, *value, "");
                 }
             }
         }

@@ -47,6 +47,8 @@ pub(super) struct Response {
     pub(super) name: String,
     /// By speeds, by probes: peak to peak (µm).
     pub(super) readings: Vec<Vec<f64>>,
+    /// Likewise: φ of A cos(θ + φ) (degrees).
+    pub(super) phases: Vec<Vec<f64>>,
     /// By speeds, by close clearances: major axis, peak to peak (µm).
     pub(super) orbits: Vec<Vec<f64>>,
     /// By probes: heights in µm peak to peak.
@@ -90,15 +92,20 @@ pub(super) fn found(
         .map(|own| Response {
             name: own.name.clone(),
             readings: Vec::new(),
+            phases: Vec::new(),
             orbits: Vec::new(),
             peaks: vec![Vec::new(); probes.len()],
             scale: 0.0,
         })
         .collect();
-    let read = |motions: &[Vibration]| -> [Vec<f64>; 2] {
+    let read = |motions: &[Vibration]| -> [Vec<f64>; 3] {
         let (first, second) = motions.split_at(probes.len());
         let readings = probes.iter().zip(first).map(|(probe, own)| probe.reading(own));
-        [readings.collect(), second.iter().map(|own| 2e6 * own.orbit().major).collect()]
+        let phase =
+            |(probe, own): (&Probe, &Vibration)| own.reading(probe.angle).arg().to_degrees();
+        let phases = probes.iter().zip(first).map(phase);
+        let orbits = second.iter().map(|own| 2e6 * own.orbit().major);
+        [readings.collect(), phases.collect(), orbits.collect()]
     };
     let mut work = |speed: f64, here: &Standstill| -> Result<(), Failure> {
         let equations = linear.linearised(here)?;
@@ -114,8 +121,9 @@ pub(super) fn found(
             moved => moved?,
         };
         for (motions, response) in moved.iter().zip(&mut all) {
-            let [readings, orbits] = read(motions);
+            let [readings, phases, orbits] = read(motions);
             response.readings.push(readings);
+            response.phases.push(phases);
             response.orbits.push(orbits);
         }
         speeds.push(speed.abs());
