@@ -11,6 +11,7 @@ use crate::bearing::{Bearing, Plane, SpringLaw, SpringState, Springs};
 use crate::bodies::{Layout, Owner};
 use crate::body::BodyNode;
 use crate::error::Error;
+use crate::linalg::dot;
 use crate::loads::Load;
 use crate::monitor::Monitor;
 use crate::output::Output;
@@ -167,6 +168,12 @@ impl Machine {
     /// Where the coordinates of each body stand in q.
     pub fn places(&self) -> &[BodyPlace] {
         &self.layout.places
+    }
+
+    /// How far the bore of a bearing turns about its axis against the frame of its body (rad).
+    pub(crate) fn turn_of_bore(&self, bearing: usize, q: &[f64]) -> f64 {
+        let monitor = &self.monitors[bearing];
+        dot(&monitor.sections[1], &q[self.places()[monitor.bodies[1]].flexible.clone()])
     }
 
     /// What stands at a place of q.

@@ -217,9 +217,14 @@ fn text(
         );
     }
     if all.criticals.is_empty() {
-        text.push_str(match all.interrupted {
-            true => "no critical speed was found before the interruption\n",
-            false => "no critical speed in this range\n",
+        // Only between the speeds at which the machine stands something was looked for.
+        text.push_str(&match (all.interrupted, all.speeds.as_slice()) {
+            (true, _) => "no critical speed was found before the interruption\n".to_owned(),
+            (false, [first, .., last]) => {
+                let [first, last] = [first, last].map(|own| words::speed(*own));
+                format!("no critical speed from {first} to {last} rpm\n")
+            }
+            _ => "no critical speed is looked for at a single speed\n".to_owned(),
         });
     } else {
         let head =

@@ -177,6 +177,15 @@ impl FilmSource {
         self.told.arc.is_some()
     }
 
+    /// Where it begins, how far it reaches (rad), its radius and its length (m), if it does not close.
+    pub(crate) fn pad(&self) -> Option<[f64; 4]> {
+        let arc = self.told.arc?;
+        let grid = self.built().ok()?.journal.film.grid;
+        let [around, along] = self.told.grid.map(|nodes| nodes as f64 - 1.0);
+        let [dx, dz] = grid.spacing();
+        Some([arc.start, arc.size, dx * around / arc.size, dz * along])
+    }
+
     /// From where to where it reaches around the bore.
     fn reach(&self) -> Reach {
         let arc = self.told.arc;

@@ -72,11 +72,12 @@ pub(super) struct LawCurve {
 }
 
 impl LawCurve {
-    /// Of every law of a machine that has one, once.
-    fn all(laws: &[LawSource]) -> Vec<Self> {
+    /// Of every law of bearings, stops and gears that has one, once: bushings and couplings tell their coefficients.
+    fn all(case: &Case, laws: &[LawSource]) -> Vec<Self> {
         let mut all: Vec<LawCurve> = Vec::new();
-        for own in laws {
-            let (name, Some(spec)) = (own.name(), own.spec()) else { continue };
+        for (joint, own) in case.machine.joints.iter().zip(laws) {
+            let linear = matches!(joint.kind, JointKind::Bushing | JointKind::Coupling);
+            let (name, Some(spec)) = (own.name(), own.spec().filter(|_| !linear)) else { continue };
             let Some(curve) = at_zero(&spec) else { continue };
             if all.iter().all(|own| own.law != name) {
                 let title = spec.title.clone();
@@ -166,7 +167,7 @@ impl About {
             title: case.title.clone(),
             source: case.origin.clone(),
             words,
-            laws: LawCurve::all(&built.laws),
+            laws: LawCurve::all(case, &built.laws),
             groups: groups(case, built, &columns),
             journals: journals.collect(),
             signals,

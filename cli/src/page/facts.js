@@ -224,7 +224,7 @@ function lawCurves(own) {
   const grid = add(own, 'div', undefined, { class: 'grid' });
   for (const { law, title, x, y, points } of about.laws) {
     new Chart(grid, {
-      id: `law-${slug(law)}`, title: `Law ${law}: ${title}`, x: { label: x[0], unit: x[1].replace('um', 'µm') }, y: { label: y[0], unit: y[1] }, levels: [{ y: 0, name: '' }], marks: points[0][0] < 0 && points[points.length - 1][0] > 0 ? [{ x: 0, name: '' }] : [],
+      id: `law-${slug(law)}`, title, note: `law ${law.replaceAll('um', 'µm')}`, x: { label: x[0], unit: x[1].replace('um', 'µm') }, y: { label: y[0], unit: y[1] }, levels: [{ y: 0, name: '' }], marks: points[0][0] < 0 && points[points.length - 1][0] > 0 ? [{ x: 0, name: '' }] : [],
       series: [{ name: `${y[0]} over ${x[0]}, all others zero`, x: points.map((one) => one[0]), y: points.map((one) => one[1]), style: 0 }],
     });
   }
@@ -263,8 +263,10 @@ function results() {
     const clean = (value, largest) => (Math.abs(value) > 1e-9 * largest ? value : 0);
     const pushes = (support) => ['RX_N', 'RY_N', 'EX_um', 'EY_um'].some((name) => ['min', 'max'].some((which) => support[name]?.[which] !== 0));
     const named_ = moving.map((support, k) => [support.joint || supportName(k), support]);
-    const still = named_.filter(([, support]) => !pushes(support)).map(([name]) => name);
-    const rows = named_.filter(([, support]) => pushes(support)).flatMap(([name, support]) => ['min', 'mean', 'max'].map((which) => [
+    // A coupling turns and does not push.
+    const couples = ([name, support]) => !about.journals.some((one) => one.title === name) && ['RX_N', 'RY_N'].every((key) => ['min', 'max'].every((which) => support[key]?.[which] === 0));
+    const still = named_.filter((one) => !couples(one) && !pushes(one[1])).map(([name]) => name);
+    const rows = named_.filter((one) => !couples(one) && pushes(one[1])).flatMap(([name, support]) => ['min', 'mean', 'max'].map((which) => [
       which === 'min' ? name : '', which, [clean(support.RX_N[which], force), 'N'], [clean(support.RY_N[which], force), 'N'], [clean(support.EX_um[which], way), 'µm'], [clean(support.EY_um[which], way), 'µm'],
       which === 'min' && support.clearance_um > 0 ? [support.clearance_um, 'µm'] : '']));
     table(own, heads, rows, [1]);

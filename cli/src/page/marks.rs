@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::case::{Case, Joint, JointKind, NamedBody, axes_apart};
+use crate::case::{Case, Joint, JointKind, JointSide, NamedBody, axes_apart};
 use crate::machine::JoinedPlan;
 
 /// A joint, or a gear of two, about an axis.
@@ -23,13 +23,24 @@ pub(super) struct Mark {
     angle: Option<f64>,
 }
 
-/// All of a case.
-pub(super) fn marks(case: &Case, plan: &JoinedPlan) -> Vec<Mark> {
+/// All of a case; `free`: where bodies stand along the axis (m) of which the case does not say it.
+pub(super) fn marks(case: &Case, plan: &JoinedPlan, free: &[Option<f64>]) -> Vec<Mark> {
     let joints = case.machine.joints.iter().enumerate();
-    joints.flat_map(|(place, joint)| of_joint(case, plan, (place, joint))).collect()
+    joints.flat_map(|(place, joint)| of_joint(case, plan, (place, joint), free)).collect()
 }
 
-fn of_joint(case: &Case, plan: &JoinedPlan, (place, joint): (usize, &Joint)) -> Vec<Mark> {
+/// Whether the case says where a joint stands along the axis.
+pub(super) fn has_place(joint: &Joint) -> bool {
+    let told = |side: &JointSide| !side.sets.is_empty() || side.z.is_some();
+    joint.sides.iter().any(told) || !joint.bearing.stations.is_empty()
+}
+
+fn of_joint(
+    case: &Case,
+    plan: &JoinedPlan,
+    (place, joint): (usize, &Joint),
+    free: &[Option<f64>],
+) -> Vec<Mark> {
     let bodies = &case.machine.bodies;
     let [first, second] = joint.sides.each_ref().map(|side| side.body.map(|body| &bodies[body]));
     let Some(first) = first else { return Vec::new() };
@@ -38,7 +49,10 @@ fn of_joint(case: &Case, plan: &JoinedPlan, (place, joint): (usize, &Joint)) -> 
         of: of.name.text().to_owned(),
         to: to.map(|own| own.name.text().to_owned()),
         axis,
-        z: plan.stations(place),
+        z: match joint.sides[0].body.and_then(|body| free[body]).filter(|_| !has_place(joint)) {
+            Some(z) => vec![z],
+            None => plan.stations(place),
+        },
         radius: radius.filter(|own| *own > 0.0),
         point: joint.sides[0].at.is_some(),
         angle: joint.angle,

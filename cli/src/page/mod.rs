@@ -6,6 +6,7 @@
 //! printed, and read back by tests.
 
 mod about;
+mod along;
 mod analyses;
 mod bodies;
 mod contacts;

@@ -15,7 +15,7 @@ void main() {
 const FRAGMENT = `#version 300 es
 precision highp float;
 in vec3 at; in float share;
-uniform vec3 eye; uniform vec3 plain; uniform vec3 ground; uniform float coloured, fog;
+uniform vec3 eye; uniform vec3 plain; uniform vec3 ground; uniform float coloured, fog, dense;
 out vec4 colour;
 vec3 scaled(float t) {
   // From blue over white to red: told apart by people who do not see all colours, and on paper.
@@ -26,7 +26,7 @@ void main() {
   vec3 normal = normalize(cross(dFdx(at), dFdy(at)));
   float light = 0.42 + 0.58 * abs(dot(normal, normalize(eye)));
   vec3 own = coloured > 0.5 ? scaled(clamp(share, 0.0, 1.0)) : plain;
-  colour = vec4(mix(own * light, ground, fog), 1.0);
+  colour = vec4(mix(own * light, ground, fog), dense);
 }`;
 const LINES = {
   vertex: '#version 300 es\nin vec3 place; uniform mat4 view; void main() { gl_Position = view * vec4(place, 1.0); }',
@@ -54,6 +54,12 @@ function reach(own, node) {
     aa += a * a; bb += b * b; ab += a * b;
   }
   return Math.sqrt(0.5 * (aa + bb + Math.hypot(aa - bb, 2 * ab)));
+}
+
+// Whether a body, a cylinder in the place of what has no mesh, has all of another one in it.
+function holds(own, other) {
+  const ends = (one, axis) => { let [low, high] = [Infinity, -Infinity]; for (let k = axis; k < one.points.length; k += 3) { const x = one.points[k] + (one.body.axis[axis] || 0); low = Math.min(low, x); high = Math.max(high, x); } return [low, high]; };
+  return [0, 1, 2].every((axis) => { const [[a, b], [c, d]] = [ends(own, axis), ends(other, axis)]; const room = axis < 2 ? 0 : 0.3 * (d - c); return a - room <= c && d <= b + room; });
 }
 
 // At levels along a body the node that is highest there; of a cylinder one.
@@ -95,6 +101,7 @@ class Scene {
       }
       return own;
     });
+    for (const own of this.bodies) own.glass = own.body.sketched && this.bodies.some((other) => other !== own && holds(own, other));
     this.marks = marked(shapes.joints || [], this.bodies, 0.5 * Math.hypot(...high.map((own, k) => own - low[k])));
     this.marks.points.forEach((own, k) => { low[k % 3] = Math.min(low[k % 3], own); high[k % 3] = Math.max(high[k % 3], own); });
     this.marks.count = this.marks.triangles.length;
@@ -239,8 +246,12 @@ class Scene {
     gl.uniform1f(this.at('scale'), still ? 0 : this.scale);
     gl.uniform1f(this.at('largest'), motion ? this.reach : this.largest);
     gl.uniform1f(this.at('fog'), still ? 0.8 : 0);
-    this.bodies.forEach((own, place) => {
-      if (this.off.has(own.body.name)) return;
+    // What others are in is of glass, and stands before them.
+    gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ZERO, gl.ONE);
+    for (const [place, own] of [...this.bodies.entries()].sort((a, b) => a[1].glass - b[1].glass)) {
+      if (this.off.has(own.body.name)) continue;
+      if (own.glass) { gl.enable(gl.BLEND); gl.depthMask(false); }
+      gl.uniform1f(this.at('dense'), own.glass ? 0.35 : 1);
       const cycle = own.body.motion;
       const angle = !motion && cycle && this.turning ? cycle.angle[frame] + part * (cycle.angle[next] - cycle.angle[frame]) : 0;
       gl.uniformMatrix2fv(this.at('turn'), false, [Math.cos(angle), Math.sin(angle), -Math.sin(angle), Math.cos(angle)]);
@@ -257,7 +268,9 @@ class Scene {
       this.attribute('sizeAfter', own.stress, 1, next * size);
       gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, own.triangles);
       gl.drawElements(gl.TRIANGLES, own.count, own.kind, 0);
-    });
+    }
+    gl.disable(gl.BLEND);
+    gl.depthMask(true);
   }
 
   // Joints where they stand at rest, and their names.

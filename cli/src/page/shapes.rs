@@ -75,16 +75,51 @@ pub(super) struct Solid<'a> {
     pub(super) carried: Option<usize>,
     pub(super) turns: bool,
     pub(super) axis: [f64; 2],
-    /// z of its centre (m), kg, and kg m² about z and across it, if that is known.
+    /// Where its centre is across the axis, and along it (m); kg, and kg m² about z and across it, if that is known.
+    pub(super) centre: [f64; 2],
     pub(super) z: f64,
     pub(super) mass: f64,
     pub(super) polar: f64,
     pub(super) across: Option<f64>,
+    /// The film in front of it, of a pad: where it begins, how far it reaches (rad), its radius and its length (m).
+    pub(super) pad: Option<[f64; 4]>,
+}
+
+impl Solid<'_> {
+    /// Radius and length of the cylinder with its mass and inertias; none where they are those of none.
+    pub(super) fn cylinder(&self) -> Option<[f64; 2]> {
+        // I_p = m r²/2, I_t = m (3 r² + l²)/12.
+        let square = 2.0 * self.polar / self.mass;
+        let length = self.across.map(|across| 12.0 * across / self.mass - 3.0 * square);
+        let radius = square.sqrt();
+        let length = length.filter(|square| *square > 0.0).map_or(LENGTH * radius, f64::sqrt);
+        (radius > 0.0 && length.is_finite()).then_some([radius, length])
+    }
+
+    /// Its points and triangles: a cylinder, or a shell behind its film.
+    fn surface(&self) -> Option<(Vec<[f64; 3]>, Vec<u32>)> {
+        let about = |length: f64| [self.z - 0.5 * length, self.z + 0.5 * length];
+        let [x, y] = self.centre;
+        if let Some([start, size, radius, length]) = self.pad {
+            // As thick as its centre is behind the film, twice over.
+            let behind = x.hypot(y) - radius;
+            let thick = if behind > 0.0 && behind < radius { 2.0 * behind } else { THICK * radius };
+            return Some(shell([start, size], [radius, radius + thick], about(length)));
+        }
+        let [radius, length] = self.cylinder()?;
+        let (mut points, triangles) = cylinder(radius, about(length));
+        points.iter_mut().for_each(|own| *own = [own[0] + x, own[1] + y, own[2]]);
+        Some((points, triangles))
+    }
 }
 
 /// Corners of a cylinder, and its length over its radius where it has no inertia across.
 const CORNERS: u32 = 48;
 const LENGTH: f64 = 0.5;
+/// How thick a pad is over its radius, where its centre does not tell it.
+const THICK: f64 = 0.2;
+/// Parts of the arc of a pad.
+const PARTS: u32 = 16;
 
 /// A body that has a mesh.
 pub(super) struct Meshed<'a> {
@@ -132,16 +167,10 @@ impl Shapes {
     ) -> Option<Self> {
         let mut all = own.unwrap_or_default();
         for own in solids {
-            // I_p = m r²/2, I_t = m (3 r² + l²)/12.
-            let square = 2.0 * own.polar / own.mass;
-            let length = own.across.map(|across| 12.0 * across / own.mass - 3.0 * square);
-            let radius = square.sqrt();
-            let length = length.filter(|square| *square > 0.0).map_or(LENGTH * radius, f64::sqrt);
-            if !(radius > 0.0 && length.is_finite()) {
+            let Some((points, corners)) = own.surface() else {
                 all.without_shape.push(own.name.to_owned());
                 continue;
-            }
-            let (points, corners) = cylinder(radius, [own.z - 0.5 * length, own.z + 0.5 * length]);
+            };
             all.bodies.push(Shape {
                 name: own.name.to_owned(),
                 turns: own.turns,
@@ -240,6 +269,26 @@ fn cylinder(radius: f64, [low, high]: [f64; 2]) -> (Vec<[f64; 3]>, Vec<u32>) {
     (points, triangles)
 }
 
+/// Points and triangles of a closed part of a ring about z.
+fn shell([start, size]: [f64; 2], radii: [f64; 2], ends: [f64; 2]) -> (Vec<[f64; 3]>, Vec<u32>) {
+    let at = |k: u32| {
+        let (sin, cos) = (start + size * f64::from(k) / f64::from(PARTS)).sin_cos();
+        let corners = [(0, 0), (1, 0), (1, 1), (0, 1)];
+        corners.map(|(radius, end)| [radii[radius] * cos, radii[radius] * sin, ends[end]])
+    };
+    let points: Vec<[f64; 3]> = (0..=PARTS).flat_map(at).collect();
+    let mut triangles = Vec::new();
+    for k in 0..PARTS {
+        for side in 0..4 {
+            let [a, b] = [side, (side + 1) % 4].map(|own| 4 * k + own);
+            triangles.extend([a, b + 4, b, a, a + 4, b + 4]);
+        }
+    }
+    let last = 4 * PARTS;
+    triangles.extend([0, 1, 2, 0, 2, 3, last, last + 2, last + 1, last, last + 3, last + 2]);
+    (points, triangles)
+}
+
 /// Nodes of a mesh that are outside, and triangles of their places among these.
 struct Surface {
     nodes: Vec<usize>,
@@ -296,10 +345,12 @@ mod tests {
             carried: None,
             turns: true,
             axis: [0.0; 2],
+            centre: [0.0; 2],
             z: 0.3,
             mass,
             polar,
             across,
+            pad: None,
         };
         let made = Shapes::sketched(None, [solid(Some(across))].into_iter()).expect("one");
         let (points, _) = cylinder(0.1, [0.0, 0.6]);
@@ -310,6 +361,17 @@ mod tests {
         let made = Shapes::sketched(None, [solid(None)].into_iter()).expect("one");
         let (points, _) = cylinder(0.1, [0.275, 0.325]);
         assert_eq!(made.bodies[0].points, Packed::single(points.into_iter().flatten()));
+        // A pad is a part of a ring, as thick as its centre tells.
+        let pad = [0.0, 1.0, 0.05, 0.04];
+        let (points, triangles) =
+            Solid { centre: [0.0, 0.055], pad: Some(pad), ..solid(None) }.surface().expect("a pad");
+        let volume = triangles.chunks_exact(3).map(|own| {
+            let [a, b, c] = [0, 1, 2].map(|k| points[own[k] as usize]);
+            let across = |i: usize, j: usize| b[i] * c[j] - b[j] * c[i];
+            (a[0] * across(1, 2) + a[1] * across(2, 0) + a[2] * across(0, 1)) / 6.0
+        });
+        let known = 0.5 * (0.06_f64.powi(2) - 0.05_f64.powi(2)) * 0.04;
+        assert!((volume.sum::<f64>() / known - 1.0).abs() < 1e-3);
         let none = Solid { polar: 0.0, ..solid(None) };
         assert!(Shapes::sketched(None, [none].into_iter()).is_none());
     }

@@ -64,6 +64,12 @@ impl SpringState {
         self.films.all.iter().map(|film| film.fast)
     }
 
+    /// Of all films the smallest gap (m), as they were solved last.
+    pub(crate) fn least_gaps(&self) -> impl Iterator<Item = f64> {
+        let gaps = self.films.all.iter().map(|film| film.balance.motion.gap.iter().copied());
+        gaps.map(|own| own.fold(f64::INFINITY, f64::min))
+    }
+
     /// The temperatures of all films (K), as they were solved last; 0 of one that has none.
     pub(crate) fn film_temperatures(&self) -> impl Iterator<Item = f64> {
         let of = |film: &FilmAt| film.shown.last().copied().filter(|_| film.heated);

@@ -17,6 +17,9 @@ const DIRECTIONS: u32 = 6;
 /// Place of the gap among the measures of a clearance.
 const GAP: usize = 0;
 
+/// How far a bore may turn about its axis (rad): gaps are those of a small turn.
+pub const TIPPED: f64 = 0.05;
+
 /// A journal in a bore with a film between them.
 #[derive(Debug, Clone)]
 pub struct Journal {

@@ -32,7 +32,7 @@ mod warmed;
 pub use balance::{Balance, Motion};
 pub use grid::{Grid, Sample};
 pub use heat::{Heat, OIL_LASTS, Viscosity, Warming};
-pub use journal::Journal;
+pub use journal::{Journal, TIPPED};
 pub use oil::Oil;
 pub use openings::{OilFilm, Opening, Reach, WrongFilm};
 pub use reaction::{INPUTS, JournalMotion, OUTPUTS, Reaction};

@@ -6,9 +6,9 @@ use whirl_specs::ContactTangent;
 
 use super::linearised::Standstill;
 use super::round::LinearMachine;
-use crate::bearing::{Measure, Poses, SpringState, Springs, Validity, Worst};
+use crate::bearing::{Measure, Plane, Poses, SpringState, Springs, Validity, Worst};
 use crate::error::Error;
-use crate::film::OIL_LASTS;
+use crate::film::{OIL_LASTS, TIPPED};
 use crate::machine::Machine;
 
 /// Stiffness and damping of a joint (SI), at most: beside more rounding hides slow motions.
@@ -67,6 +67,31 @@ fn oil_lasts() -> Validity {
         unit: "K".to_owned(),
         per_unit: 1.0,
         limits: [0.0, OIL_LASTS],
+    }
+}
+
+/// The smallest gap of a film, as a measure of its law.
+fn apart() -> Validity {
+    Validity {
+        name: "gap".to_owned(),
+        title: "the smallest gap of the film".to_owned(),
+        help: "its surfaces touch there, which no film stands for: lower the load, or turn faster"
+            .to_owned(),
+        unit: "um".to_owned(),
+        per_unit: 1e-6,
+        limits: [0.0, f64::MAX],
+    }
+}
+
+/// How far the bore of a film turns about its axis, likewise.
+fn upright() -> Validity {
+    Validity {
+        name: "turn".to_owned(),
+        title: "the turn of the bore about its axis, which is taken as small,".to_owned(),
+        help: "the pad has tipped over: look at the side of its pivot, and give a pad that nothing loads a `preload`".to_owned(),
+        unit: "rad".to_owned(),
+        per_unit: 1.0,
+        limits: [-TIPPED, TIPPED],
     }
 }
 
@@ -135,22 +160,28 @@ impl LinearMachine {
             let name = machine.monitors[measure.bearing].name.clone();
             (measure.excess(value) > 0.0).then(|| (name, measure.clone(), value))
         });
-        let films = machine.springs.planes_of_films().zip(state.film_temperatures());
-        let hot = films.filter(|own| own.1 > OIL_LASTS).map(|(plane, temperature)| {
+        let measured = |plane: &Plane, validity: Validity, value: f64| {
             let law = machine.springs.laws[plane.law].bound.law.name().to_owned();
-            let measure = Measure { bearing: plane.bearing, law, validity: oil_lasts() };
-            (machine.monitors[plane.bearing].name.clone(), measure, temperature)
-        });
+            let joint = machine.monitors[plane.bearing].name.clone();
+            (joint, Measure { bearing: plane.bearing, law, validity }, value)
+        };
+        let films = machine.springs.planes_of_films().zip(state.film_temperatures());
+        let hot = films.filter(|own| own.1 > OIL_LASTS);
+        let hot = hot.map(|(plane, temperature)| measured(plane, oil_lasts(), temperature));
         let films = machine.springs.planes_of_films().zip(state.film_temperatures());
         let films = films.zip(machine.springs.known_viscosities());
         let unknown =
             films.filter(|((_, own), [least, most])| *own > 0.0 && (own < least || own > most));
-        let unknown = unknown.map(|((plane, temperature), known)| {
-            let law = machine.springs.laws[plane.law].bound.law.name().to_owned();
-            let measure = Measure { bearing: plane.bearing, law, validity: within_rows(known) };
-            (machine.monitors[plane.bearing].name.clone(), measure, temperature)
-        });
-        beyond.chain(hot).chain(unknown).collect()
+        let unknown = unknown
+            .map(|((plane, temperature), known)| measured(plane, within_rows(known), temperature));
+        let films = machine.springs.planes_of_films().zip(state.least_gaps());
+        let gaps = films.filter(|own| own.1 < 0.0);
+        let gaps = gaps.map(|(plane, gap)| measured(plane, apart(), gap));
+        let bores = machine.springs.planes_of_films();
+        let bores = bores.map(|own| (own, machine.turn_of_bore(own.bearing, &found.q)));
+        let tipped = bores.filter(|own| own.1.abs() > TIPPED);
+        let tipped = tipped.map(|(plane, turn)| measured(plane, upright(), turn));
+        beyond.chain(hot).chain(unknown).chain(gaps).chain(tipped).collect()
     }
 
     /// Whether every force has a derivative at a state with bodies at these speeds.

@@ -9,7 +9,7 @@ use super::state_errors::StateError;
 use crate::dynamics::iteration::{HalvedAt, HalvedSteps};
 use crate::dynamics::lengths::AutomaticStep;
 use crate::dynamics::motion::MovingPart;
-use crate::film::OIL_LASTS;
+use crate::film::{OIL_LASTS, TIPPED};
 
 /// Something that was measured and is beyond its limit.
 #[derive(Debug, Clone, PartialEq)]
@@ -135,11 +135,15 @@ pub fn findings(
     let often = halved(quality, (time_step, automatic)).into_iter();
     let too_fast = outrun(quality, time_step, automatic.is_some());
     let rings = rings(quality, time_step, automatic);
-    let squeezed = quality.films.and_then(|own| squeezed(&own, time_step, automatic));
+    let tipped = quality.films.and_then(|own| tipped(&own));
+    let touches = quality.films.and_then(|own| touches(&own));
+    // No step follows what is no film any more.
+    let films = quality.films.filter(|_| tipped.is_none() && touches.is_none());
+    let squeezed = films.and_then(|own| squeezed(&own, time_step, automatic));
     let heated = quality.films.and_then(|own| heated(&own));
     let unknown = quality.films.and_then(|own| unknown_viscosity(&own));
     let forgets = quality.states.and_then(|own| missed(&own, time_step, automatic));
-    let of_films = squeezed.into_iter().chain(heated).chain(unknown);
+    let of_films = tipped.into_iter().chain(touches).chain(squeezed).chain(heated).chain(unknown);
     let of_steps = found.map(finding).chain(unjudged).chain(forgets).chain(of_films);
     too_far.chain(too_fast).chain(of_steps).chain(rings).chain(often).collect()
 }
@@ -193,6 +197,29 @@ fn squeezed(
         let what =
             "steps in which the gap of a film changes by more than itself, as a fraction of all";
         let own = beyond(what, (share, FILM_STEPS, "1"), mended(0.5 * time_step, automatic));
+        Finding { bearing: Some(bearing), ..own }
+    })
+}
+
+/// Whether the surfaces of a film touch.
+fn touches(films: &FilmQuality) -> Option<Finding> {
+    let (gap, bearing) = films.thinnest;
+    (gap < 0.0).then(|| {
+        let remedy = "look for a load that the film cannot carry, a speed of zero, or a start beyond its clearance; put a stop beside the \
+                      film if the surfaces are to touch";
+        let what = "smallest gap of a film: its surfaces touch, which no film stands for";
+        let own = beyond(what, (1e6 * gap, 0.0, "um"), remedy.to_owned());
+        Finding { bearing: Some(bearing), ..own }
+    })
+}
+
+/// Whether the bore of a film, as of a pad, turns farther than a little.
+fn tipped(films: &FilmQuality) -> Option<Finding> {
+    let (turned, bearing) = films.turned;
+    (turned > TIPPED).then(|| {
+        let remedy = "the pad has tipped over: look at the side of its pivot, and give a pad that nothing loads a `preload`";
+        let what = "turn of a bore of a film about its axis, which is taken as small";
+        let own = beyond(what, (turned, TIPPED, "rad"), remedy.to_owned());
         Finding { bearing: Some(bearing), ..own }
     })
 }

@@ -203,7 +203,7 @@ impl Meters {
         self.periods.add(span.1, [start, end]);
         self.ringing.add(equations, end, &self.quality.parts);
         self.states.add(span.1, [start, end], equations.springs.relaxing());
-        self.films.add(&equations.springs);
+        self.films.add(equations.machine, &equations.springs, &end.q);
     }
 
     /// Goes on at the state of the step that was added last, just evaluated, after loads have changed at once.
