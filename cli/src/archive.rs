@@ -14,6 +14,8 @@ pub(crate) const LARGEST: u64 = 0xFFFF_FFFF;
 /// 1 January 1980, the first day of the format: the same arrays give the same bytes.
 const DAY: u16 = 0x21;
 
+/// That a name has letters beyond ASCII, as UTF-8.
+const UTF8: u16 = 1 << 11;
 /// The method of compression that every reader has.
 const DEFLATED: u16 = 8;
 
@@ -81,7 +83,8 @@ impl Entry {
     /// Version, flags, compression, time and day, check, both sizes, length of the name.
     fn shared(&self, bytes: &mut Vec<u8>) {
         let method = if self.packed.is_some() { DEFLATED } else { 0 };
-        for value in [45_u16, 0, method, 0, DAY] {
+        let flags = if self.name.is_ascii() { 0 } else { UTF8 };
+        for value in [45_u16, flags, method, 0, DAY] {
             bytes.extend(value.to_le_bytes());
         }
         let [length, packed] = [self.length, self.packed.unwrap_or(self.length)]

@@ -258,12 +258,12 @@ pub fn page_facts(
     told::of_run((case, built), steady)
 }
 
-/// The text of report.html of a folder of results.
+/// The text of report.html of a folder of results that is not kept: no files are named.
 ///
 /// # Errors
 /// It is no folder of results.
 pub fn page_of(folder: &Path) -> Result<String, Failure> {
-    report_file::page_of(folder)
+    report_file::page_alone(folder)
 }
 
 /// Checks for whatever can be found wrong with a case before its bodies are reduced: as `whirl check` does

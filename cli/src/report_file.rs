@@ -9,18 +9,30 @@ use crate::errors::Failure;
 use crate::page;
 use crate::results::REPORT;
 
+/// What to do with a folder of which there is no page.
+const AGAIN: &str =
+    "name a folder of results of this version of the program, or run the case again";
+
+/// The page of a folder of results that is not kept.
+///
+/// # Errors
+/// It is no folder of results.
+pub(crate) fn page_alone(folder: &Path) -> Result<String, Failure> {
+    page::made_alone(folder)
+        .map_err(|message| Failure::Argument { message, help: AGAIN.to_owned() })
+}
+
 /// The page of a folder of results.
 ///
 /// # Errors
 /// It is no folder of results.
-pub(crate) fn page_of(folder: &Path) -> Result<String, Failure> {
+fn page_of(folder: &Path) -> Result<String, Failure> {
     let wrong = |message: String, help: &str| Failure::Argument { message, help: help.to_owned() };
     if !folder.is_dir() {
         let message = format!("there is no folder `{}`", folder.display());
         return Err(wrong(message, "name a folder of results, such as `results/weight`"));
     }
-    let help = "name a folder of results of this version of the program, or run the case again";
-    page::made(folder).map_err(|why| wrong(why, help))
+    page::made(folder).map_err(|why| wrong(why, AGAIN))
 }
 
 /// Makes the page from what is on disk; says where it is.

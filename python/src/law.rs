@@ -107,8 +107,17 @@ impl Law {
             si.extend(row.iter().map(|value| input.unit.to_si(*value)));
         }
         let mut all = vec![0.0; self.tape.outputs() * points];
-        let mut workspace = vec![0.0; self.tape.workspace()];
-        self.tape.evaluate(points, &si, &mut all, &mut workspace);
+        py.detach(|| {
+            let mut workspace = vec![0.0; self.tape.workspace()];
+            self.tape.evaluate(points, &si, &mut all, &mut workspace);
+            // What is no number is in no piece of a law, and gives none.
+            let unknown: Vec<usize> = (0..points)
+                .filter(|k| (0..rows).any(|row| si[row * points + k].is_nan()))
+                .collect();
+            for row in all.chunks_exact_mut(points.max(1)) {
+                unknown.iter().for_each(|k| row[*k] = f64::NAN);
+            }
+        });
         // Of a value, and of its derivatives, SI for one of the unit.
         let one = |output: &LawOutput| {
             let of_derivatives =

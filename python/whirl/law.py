@@ -179,6 +179,8 @@ class Law:
         given = []
         for own in self.inputs:
             value = inputs.get(own.name, 0.0)
+            if value is None or np.asarray(value).dtype.kind in "SUb":
+                raise TypeError(f"`{own.name}` takes numbers in {own.unit}, not {value!r}")
             try:
                 given.append(np.asarray(value, dtype=np.float64))
             except (TypeError, ValueError) as error:

@@ -569,7 +569,7 @@ class Analyses:
     bit.
 
     Speeds are a text, as the command takes it (``"3000 rpm"``, ``"0 rpm .. 30000 rpm, 61"``), a number or several in rpm, or
-    None for those that the command has by itself. Other threads of Python run meanwhile. A KeyboardInterrupt ends an analysis.
+    None for those that the command has by itself. Tables have them once each and in rising order, however they were given. Other threads of Python run meanwhile. A KeyboardInterrupt ends an analysis.
     """
 
     _inner: Any
@@ -647,11 +647,14 @@ class Analyses:
         of: str | None = None,
         ratios: Mapping[str, float] | None = None,
         count: int | None = None,
-        orders: Iterable[float] = (),
+        orders: float | Iterable[float] = (),
         bodies: Bodies | None = None,
     ) -> Any:
-        ratios = [(name, float(own)) for name, own in (ratios or {}).items()]
-        orders = [float(own) for own in orders]
+        ratios = _ratios(ratios)
+        orders = _orders(orders)
+        if count is not None and not (isinstance(count, (int, np.integer)) and 0 < count < 2**31):
+            raise ValueError(f"count is how many modes are wanted, a whole number from 1 on, not {count!r}")
+        count = None if count is None else int(count)
         wanted = (kind, of, _speeds(speeds), ratios, count, orders, None)
         return Analysis._of(self._inner.analyse(_bodies(bodies), None, wanted))
 
@@ -660,9 +663,42 @@ def _bodies(bodies: Bodies | None) -> Bodies:
     return shared_bodies() if bodies is None else bodies
 
 
+def _ratios(ratios: Mapping[str, float] | None) -> list[tuple[str, float]]:
+    if ratios is None:
+        return []
+    if not isinstance(ratios, Mapping):
+        raise TypeError(
+            f"ratios are speeds of other bodies over that, such as {{'high': 1.5}}, not {ratios!r}"
+        )
+    found = [(name, _number(own, f"the ratio of {name}")) for name, own in ratios.items()]
+    for name, own in found:
+        if not np.isfinite(own):
+            raise ValueError(f"the ratio of {name} is a number, not {own}")
+    return found
+
+
+def _orders(orders: float | Iterable[float]) -> list[float]:
+    if isinstance(orders, Iterable) and not isinstance(orders, (str, bytes)):
+        return [_number(own, "an order") for own in orders]
+    return [_number(orders, "an order")]
+
+
+def _number(value: Any, what: str) -> float:
+    if isinstance(value, (str, bytes, bool, np.bool_)):
+        raise TypeError(f"{what} is a number, not {value!r}")
+    try:
+        return float(value)
+    except (TypeError, OverflowError):
+        raise TypeError(f"{what} is a number, not {value!r}") from None
+
+
 def _speeds(speeds: Speeds) -> list[str]:
     if speeds is None:
         return []
+    if isinstance(speeds, (bytes, bytearray, bool, np.bool_)):
+        raise TypeError(
+            f"speeds are numbers in rpm or texts with a unit, not {type(speeds).__name__}"
+        )
     if isinstance(speeds, str):
         return [speeds]
     if isinstance(speeds, Iterable) and not (hasattr(speeds, "ndim") and speeds.ndim == 0):
@@ -672,7 +708,7 @@ def _speeds(speeds: Speeds) -> list[str]:
         return texts
     try:
         return [f"{float(speeds)!r} rpm"]  # type: ignore[arg-type]
-    except TypeError:
+    except (TypeError, OverflowError):
         raise TypeError(
             f"speeds are numbers in rpm or texts with a unit, not {type(speeds).__name__}"
         ) from None

@@ -71,6 +71,9 @@ class Plots:
         matplotlib.axes.Axes
         """
         place, label = self._joint(joint)
+        if not (np.isfinite(revolutions) and revolutions > 0.0):
+            raise ValueError(f"revolutions is a number above zero, not {revolutions!r}")
+        self._kept(2)
         rows = self._last(revolutions)
         x, y = (self.history[f"E{axis}{label}_um"][rows] for axis in "XY")
         axes = _axes(axes, "Results.plot_orbit()")
@@ -111,6 +114,9 @@ class Plots:
         matplotlib.axes.Axes
         """
         _, label = self._joint(joint)
+        if isinstance(cycles, bool) or cycles != int(cycles) or cycles < 1:
+            raise ValueError(f"cycles is a whole number from 1 on, not {cycles!r}")
+        self._kept(16)
         frequency, amplitude = self._spectrum(label, cycles)
         worth = np.abs(frequency[amplitude >= 0.005 * amplitude.max(initial=0.0)])
         axes = _axes(axes, "Results.plot_spectrum()")
@@ -152,6 +158,12 @@ class Plots:
         else:
             there = time[-1] - time <= self.summary["cycle_s"] * (1.0 + 1e-9)
         return slice(int(np.argmax(there)), None)
+
+    def _kept(self, rows: int) -> None:
+        found = len(self.history.time)
+        if found < rows:
+            why = "histories of this point were not kept" if found == 0 else f"the history has {found} rows"
+            raise ValueError(f"{why}: this figure takes {rows} or more")
 
     def _joint(self, joint: str | int | None) -> tuple[int, str]:
         """The place of a joint, and what its columns are called by."""

@@ -93,7 +93,8 @@ class Sweep(Sequence[SweepPoint]):
             Least, mean and largest of every quantity of the supports over the last cycle (dimension ``support``), ``done``,
             ``sound``, ``complete``, ``steps``, ``error``. NaN where a point has no results.
         """
-        layout = _Layout(self.name, self.keys, tuple(columns))
+        columns = (columns,) if isinstance(columns, str) else tuple(columns)
+        layout = _Layout(self.name, self.keys, columns)
         for own in self._points:
             layout.add(own)
         return layout.dataset()

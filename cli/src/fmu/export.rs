@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use whirl_solver::cache::{Cache, Key};
+use whirl_solver::model::LoadAction;
 
 use super::description;
 use super::layout;
@@ -13,7 +14,7 @@ use super::unit::{BODIES, LAST_STATE, MANIFEST, Manifest, Unit};
 use super::variables::{Role, Variable, Variables};
 use crate::archive;
 use crate::arguments::ExportArguments;
-use crate::case::{Case, CaseText};
+use crate::case::{Case, CaseText, Form, JoinedLoad};
 use crate::errors::Failure;
 use crate::machine;
 use crate::output;
@@ -34,6 +35,11 @@ pub(crate) fn export(arguments: &ExportArguments) -> Result<String, Failure> {
     let text = CaseText::find(&arguments.case, None)?;
     let case = streams::warned(|warnings| machine::read_text(&text, warnings))?;
     case.marched()?;
+    let named = [text.path().into(), arguments.case.clone().into()];
+    let mut read: Vec<PathBuf> = named.into_iter().chain(arguments.library.clone()).collect();
+    read.extend(case.other_files());
+    read.extend(text.noted().iter().map(|own| own.path.clone()));
+    may_be_written(&arguments.fmu, &read)?;
     let parameters = parameters::asked(&text, &arguments.parameters)?;
     parameters::keep_bodies(&text, &parameters)?;
     let cache = Cache::shared(arguments.cache.open());
@@ -42,6 +48,7 @@ pub(crate) fn export(arguments: &ExportArguments) -> Result<String, Failure> {
         || streams::warned(|warnings| machine::build_planned(&case, Some(&cache), warnings));
     let built = progress::during(show, case.reducing(), build)?;
     let variables = Variables::of(&case, &built, &parameters);
+    unanswered(&case).iter().for_each(|own| streams::warn(own));
     let (name, resources) = resources(arguments, (&text, &case), &cache)?;
     let state = resources.iter().find(|own| own.0 == LAST_STATE);
     let begins = state.map_or(Ok(0.0), |own| start::time_of(&own.1))?;
@@ -56,6 +63,59 @@ pub(crate) fn export(arguments: &ExportArguments) -> Result<String, Failure> {
     let size = bytes.len();
     output::write_file(&arguments.fmu, bytes)?;
     Ok(said(&arguments.fmu, size, &variables.all))
+}
+
+/// Inputs of loads along which the case has none, and to which reduced bodies keep no static answer, a warning each load.
+fn unanswered(case: &Case) -> Vec<String> {
+    let of = |own: &JoinedLoad| {
+        let body = &case.machine.bodies[own.body];
+        let Form::Meshed(form) = &body.form else { return None };
+        let (parts, letter) = match own.load.acting {
+            LoadAction::Force(parts) => (parts, 'f'),
+            LoadAction::Couple(parts) => (parts, 'm'),
+        };
+        let (kept, turns) = (form.body.static_correction.loads && !form.rigid, body.turns());
+        if !kept || parts == [0.0; 3] {
+            return None;
+        }
+        let across = turns && (parts[0] != 0.0 || parts[1] != 0.0);
+        // Along its axis a body that turns is stiff.
+        let lacks =
+            |axis: &usize| parts[*axis] == 0.0 && !(across && *axis < 2 || turns && *axis == 2);
+        let name = own.name.text();
+        let inputs: Vec<String> = (0..3)
+            .filter(lacks)
+            .map(|axis| format!("`load.{name}.{letter}{}`", ["x", "y", "z"][axis]))
+            .collect();
+        let body = body.name.text();
+        (!inputs.is_empty()).then(|| {
+            format!(
+                "{}: the case has nothing there, so that the reduced {body} keeps no static answer to it and gives way too little; \
+                 give the load a small value along them, such as 1e-6 of the others",
+                inputs.join(", ")
+            )
+        })
+    };
+    case.machine.loads.iter().filter_map(of).collect()
+}
+
+/// Whether a unit may stand at a path.
+///
+/// # Errors
+/// The export reads what is there, or it is no file.
+fn may_be_written(file: &Path, read: &[PathBuf]) -> Result<(), Failure> {
+    let Ok(whole) = file.canonicalize() else { return Ok(()) };
+    let why = if read.iter().any(|own| own.canonicalize().is_ok_and(|own| own == whole)) {
+        "the unit is made of this file"
+    } else if !whole.is_file() {
+        "it is there, and is no file"
+    } else {
+        return Ok(());
+    };
+    Err(Failure::Argument {
+        message: format!("`--fmu {}`: {why}", file.display()),
+        help: "name a new file for the unit, such as `--fmu rotor.fmu`".to_owned(),
+    })
 }
 
 /// The path of the case in the unit, and its files with the reduced bodies.

@@ -58,8 +58,30 @@ impl Library {
                 ),
             });
         }
+        if is_cut(&content) {
+            return Err(Failure::Argument {
+                message: format!("`{}` ends before its tables do: it was cut off", path.display()),
+                help: format!("build it again: `{BUILD}`"),
+            });
+        }
         Ok(Library { content, platform, ending: DLL_SUFFIX })
     }
+}
+
+/// Whether a file of the form ELF ends before its table of sections, which stands last.
+fn is_cut(content: &[u8]) -> bool {
+    let number = |at: usize, bytes: usize| {
+        let own = content.get(at..at + bytes)?;
+        Some(own.iter().rev().fold(0_u64, |all, byte| all << 8 | u64::from(*byte)))
+    };
+    // By the 64-bit header: place, size and number of its entries.
+    let table = || Some((number(0x28, 8)?, number(0x3A, 2)?, number(0x3C, 2)?));
+    if !content.starts_with(b"\x7fELF\x02\x01") {
+        return false;
+    }
+    table().is_none_or(|(place, size, count)| {
+        place.saturating_add(size * count) > content.len() as u64
+    })
 }
 
 /// The path of a file beside the program, as far as that is known.

@@ -84,6 +84,15 @@ struct Data {
 
 /// The page of a folder of results; why there is none.
 pub(crate) fn made(folder: &Path) -> Result<String, String> {
+    page(folder, true)
+}
+
+/// The same without its files, which are not kept beside it.
+pub(crate) fn made_alone(folder: &Path) -> Result<String, String> {
+    page(folder, false)
+}
+
+fn page(folder: &Path, is_kept: bool) -> Result<String, String> {
     let cannot = |name: &str, why: &dyn std::fmt::Display| {
         format!("cannot read `{}`: {why}", folder.join(name).display())
     };
@@ -121,7 +130,9 @@ pub(crate) fn made(folder: &Path) -> Result<String, String> {
         )
     })?;
     let title = format!("{name}: {title}");
-    let (files, figures) = files::all(folder, analyses.as_ref()).map_err(|why| cannot("", &why))?;
+    let (mut files, figures) =
+        files::all(folder, analyses.as_ref()).map_err(|why| cannot("", &why))?;
+    files.retain(|_| is_kept);
     let of_analyses = analyses.iter().flat_map(Analyses::files);
     let tables = files::tables(folder, of_analyses.chain(sweep.as_ref().map(|_| "table.csv")));
     let of_analyses = analyses.iter().flat_map(Analyses::files);

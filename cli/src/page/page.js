@@ -1,16 +1,21 @@
 // The report: its parts in the order of their weight, each only if there is something to say.
 
 function files() {
-  const own = part('files', 'Files');
+  if (!data.files.length && !about.columns.length) return;
+  const own = part('files', data.files.length ? 'Files' : 'Columns');
+  if (data.files.length) beside(own);
+  if (about.columns.length) {
+    const more = add(own, 'details');
+    add(more, 'summary', `The ${about.columns.length} columns of ${data.files.length ? 'history.csv' : 'the history'}`);
+    table(more, ['column', 'unit', 'what it is'], about.columns.map((column) => [column.name, kindOf(column.unit), column.meaning]), [1, 2]);
+  }
+}
+
+function beside(own) {
   add(own, 'p', 'Beside this report.', { class: 'soft' });
   const body = table(own, ['file', 'size', 'what it is'], data.files.map((file) => [file.name, size(file.bytes), file.what]), [2]);
   for (const cell of body.querySelectorAll('tbody td:first-child')) { const name = cell.textContent; cell.textContent = ''; add(cell, 'a', name, { href: encodeURI(name) }); }
   redraw.pop();
-  if (about.columns.length) {
-    const more = add(own, 'details');
-    add(more, 'summary', `The ${about.columns.length} columns of history.csv`);
-    table(more, ['column', 'unit', 'what it is'], about.columns.map((column) => [column.name, kindOf(column.unit), column.meaning]), [1, 2]);
-  }
 }
 
 page.replaceChildren();

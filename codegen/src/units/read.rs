@@ -93,6 +93,18 @@ fn unit_named(name: &str) -> Option<(Factor, Dimension)> {
             let thousand = Factor::ten(if name == "ksi" { 3 } else { 0 });
             return Some((psi.times(&thousand), Dimension::PRESSURE));
         }
+        "L" => {
+            return Some((
+                Factor::ten(-3),
+                Dimension::LENGTH.times(&Dimension::LENGTH).times(&Dimension::LENGTH),
+            ));
+        }
+        "mL" => {
+            return Some((
+                Factor::ten(-6),
+                Dimension::LENGTH.times(&Dimension::LENGTH).times(&Dimension::LENGTH),
+            ));
+        }
         "Gal" => return Some((Factor::ten(-2), Dimension::ACCELERATION)),
         "W" => return Some((Factor::one(), Dimension::TORQUE.over(&Dimension::TIME))),
         "kW" => return Some((Factor::ten(3), Dimension::TORQUE.over(&Dimension::TIME))),
@@ -183,7 +195,7 @@ pub(super) fn unit(text: &str, start: usize) -> Result<(Factor, Dimension), Unit
         }
         let Some((mut f, mut d)) = unit_named(name) else {
             let mut known: Vec<&str> = UNITS.iter().map(|(known, _, _)| *known).collect();
-            known.extend(["deg", "rpm", "min", "W", "kW"]);
+            known.extend(["deg", "rpm", "min", "W", "kW", "L", "mL"]);
             known.extend(["in", "mil", "ft", "lb", "lbf", "psi", "ksi", "Gal"]);
             let mut unknown = error(
                 Code::UNKNOWN_UNIT,

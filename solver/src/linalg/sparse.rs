@@ -15,7 +15,7 @@ use faer::{Conj, Par, Side};
 use super::block_solve::BlockSolve;
 use super::values::Values;
 use super::{LinearAlgebraError, LowerTriangle, MemoryLimit, view_mut};
-use crate::together::each_part;
+use crate::together::{each_part, with_workers};
 
 /// Where a factor has values, and in which order they are found.
 #[derive(Debug)]
@@ -57,8 +57,8 @@ impl SparseCholesky {
         let mut values = zeros(symbolic.len_val());
         let par = parallelism(&symbolic);
         let scratch = symbolic.factorize_numeric_llt_scratch::<f64>(par, Default::default());
-        let outcome = symbolic
-            .factorize_numeric_llt(
+        let factorise = || {
+            let made = symbolic.factorize_numeric_llt(
                 &mut values,
                 matrix(a),
                 Side::Lower,
@@ -66,8 +66,10 @@ impl SparseCholesky {
                 par,
                 MemStack::new(&mut MemBuffer::new(scratch)),
                 Default::default(),
-            )
-            .map(|_| ());
+            );
+            made.map(|_| ())
+        };
+        let outcome = with_workers(factorise);
         let row = |index: usize| match symbolic.perm() {
             Some(permutation) => permutation.arrays().0[index],
             None => index,
@@ -160,16 +162,19 @@ impl SparseLdlt {
         let mut values = zeros(symbolic.len_val());
         let par = parallelism(&symbolic);
         let scratch = symbolic.factorize_numeric_ldlt_scratch::<f64>(par, Default::default());
-        let outcome = symbolic.factorize_numeric_ldlt(
-            &mut values,
-            matrix(a),
-            Side::Lower,
-            Default::default(),
-            par,
-            MemStack::new(&mut MemBuffer::new(scratch)),
-            Default::default(),
-        );
-        if outcome.is_err() {
+        let factorise = || {
+            let made = symbolic.factorize_numeric_ldlt(
+                &mut values,
+                matrix(a),
+                Side::Lower,
+                Default::default(),
+                par,
+                MemStack::new(&mut MemBuffer::new(scratch)),
+                Default::default(),
+            );
+            made.map(|_| ())
+        };
+        if with_workers(factorise).is_err() {
             return Ok(None);
         }
         let inertia = inertia(&symbolic, &values);

@@ -55,15 +55,23 @@ impl BodyPlan {
             LoadAction::Force(force) => (force, MeanComponent::Displacement),
             LoadAction::Couple(couple) => (couple, MeanComponent::Rotation),
         };
+        let couples = matches!(load.acting, LoadAction::Couple(_));
         for axis in self.acts_along(parts) {
+            if couples && !self.spec.means[mean].turns_about(axis) {
+                continue;
+            }
             let row = self.spec.means[mean].row(component(axis));
             self.loads.push((name.to_owned(), row));
         }
         Place::Mean(mean)
     }
 
-    /// Axes of the body along which a force or a couple acts: along x and y where either turns against the body.
+    /// Axes of the body along which a force or a couple acts: along x and y where either turns against the body, and all of one that
+    /// is zero, in the place of which another program pushes.
     pub(super) fn acts_along(&self, parts: [f64; 3]) -> Vec<usize> {
+        if parts == [0.0; 3] {
+            return vec![0, 1, 2];
+        }
         let across = self.turning && (parts[0] != 0.0 || parts[1] != 0.0);
         (0..3).filter(|&axis| parts[axis] != 0.0 || across && axis < 2).collect()
     }
