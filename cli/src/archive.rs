@@ -260,7 +260,7 @@ mod tests {
     #[test]
     fn packed_files_come_out_as_they_were() {
         let files =
-            [("a/b.txt".to_owned(), b"abcabcabcabc".repeat(50)), ("empty".to_owned(), Vec::new())];
+            [("a/b.txt".to_owned(), b"abcabcabcabc".repeat(50)), ("ähm".to_owned(), Vec::new())];
         let bytes = packed(&files).unwrap();
         assert!(bytes.len() < 300, "{}", bytes.len());
         assert_eq!(bytes, packed(&files).unwrap());
@@ -271,6 +271,8 @@ mod tests {
             let [check, packed, length] = [16, 20, 24].map(|own| number(&bytes, at + own, 4));
             let (named, local) = (number(&bytes, at + 28, 2), number(&bytes, at + 42, 4));
             assert_eq!(&bytes[at + 46..at + 46 + named], name.as_bytes());
+            let flags = [number(&bytes, at + 8, 2), number(&bytes, local + 6, 2)];
+            assert_eq!(flags, [if name.is_ascii() { 0 } else { usize::from(UTF8) }; 2]);
             let own = local + 30 + named;
             let mut out = Vec::new();
             let mut reader = flate2::read::DeflateDecoder::new(&bytes[own..own + packed]);

@@ -68,3 +68,14 @@ def test_what_is_wrong_with_a_law_is_said():
         whirl.Law("hex8")
     with pytest.raises(TypeError, match="a law is a name"):
         whirl.Law(3)
+
+def test_what_is_no_number_has_no_force():
+    for name in ("hertz-cylinder", "gap-linear", "ocvirk"):
+        law = whirl.Law(name)
+        first = law.inputs[0].name
+        values = law(**{first: [np.nan, 1e-3]})
+        for value in values.values() if isinstance(values, dict) else [values]:
+            assert np.isnan(value[0]) and np.isfinite(value[1])
+        for wrong in (None, "1", b"1", True):
+            with pytest.raises(TypeError, match="takes numbers in"):
+                law(**{first: wrong})

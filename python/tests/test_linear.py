@@ -253,3 +253,21 @@ def test_ctrl_c_ends_an_analysis():
     assert time.monotonic() - started < 30
     timer.join()
     assert len(case.modes(3000).frequency_hz) > 0
+
+def test_numbers_are_told_from_texts():
+    case = whirl.Case("weight")
+    assert case.campbell("500 rpm .. 3000 rpm, 4", orders=2).kind == "campbell"
+    for wrong in (
+        {"speeds": b"3000 rpm"},
+        {"speeds": True},
+        {"orders": "12"},
+        {"ratios": 3},
+        {"ratios": {"rotor": "2"}},
+    ):
+        with pytest.raises(TypeError, match="number"):
+            case.campbell(**wrong)
+    with pytest.raises(ValueError, match="ratio of rotor"):
+        case.modes("3000 rpm", ratios={"rotor": np.nan})
+    for count in (-1, 0, 2**70, 1.5):
+        with pytest.raises(ValueError, match="how many modes"):
+            case.modes("3000 rpm", count=count)

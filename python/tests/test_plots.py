@@ -97,3 +97,15 @@ def test_campbell_diagrams_and_bode_plots_have_their_numbers():
     with pytest.raises(KeyError, match="joint.left"):
         excited.plot("joint.lefd")
     matplotlib.pyplot.close("all")
+
+def test_what_no_figure_can_be_of_is_said():
+    results = whirl.Case({"include": "weight.toml", "march": {"duration": "30 ms"}}).run()
+    for wrong in (-1, 0, float("nan")):
+        with pytest.raises(ValueError, match="revolutions is a number above zero"):
+            results.plot_orbit(revolutions=wrong)
+    for wrong in (0, 1.5, -3):
+        with pytest.raises(ValueError, match="cycles is a whole number"):
+            results.plot_spectrum(cycles=wrong)
+    short = whirl.Case({"include": "weight.toml", "march": {"duration": "1e-4 s"}}).run()
+    with pytest.raises(ValueError, match="rows: this figure takes"):
+        short.plot_spectrum()

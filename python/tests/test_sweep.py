@@ -309,3 +309,25 @@ def test_other_things_are_no_clients():
     with concurrent.futures.ThreadPoolExecutor(1) as executor:
         with pytest.raises(TypeError, match="workers of its own"):
             whirl.sweep(a_mass(), MASSES, client=executor, workers=2)
+
+
+def in_a_forked_process(queue):
+    own = {"include": "hu2003-5.toml", "march": {"steps": 20}}
+    queue.put(whirl.Case(own).run(bodies=whirl.Bodies()).history["X1_um"].tobytes())
+
+
+@pytest.mark.skipif(
+    "fork" not in multiprocessing.get_all_start_methods(), reason="nothing is forked here"
+)
+def test_a_forked_process_factors_large_bodies_with_workers_of_its_own():
+    """In a process that was forked from one whose workers it has not."""
+    own = {"include": "hu2003-5.toml", "march": {"steps": 20}}
+    here = whirl.Case(own).run(bodies=whirl.Bodies()).history["X1_um"].tobytes()
+    context = multiprocessing.get_context("fork")
+    queue = context.Queue()
+    child = context.Process(target=in_a_forked_process, args=(queue,))
+    child.start()
+    try:
+        assert queue.get(timeout=300) == here
+    finally:
+        child.kill()

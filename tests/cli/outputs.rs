@@ -189,8 +189,7 @@ fn a_run_stops_at_its_steady_state() {
         .file("whole.toml", &format!("{ROTOR}{march}"));
     let said = done(&bench, &["run", "case.toml", "--no-figures"]);
     assert!(
-        said.contains("steady from ")
-            && said.contains(" % of what varies in a cycle is left to change"),
+        said.contains("steady from ") && said.contains(" % of what they vary by in a cycle"),
         "{said}"
     );
     done(&bench, &["run", "whole.toml", "--no-figures"]);

@@ -505,3 +505,53 @@ fn pads_carry_what_another_program_finds() {
         assert!((told[1] / c - 1.0).abs() < 0.01, "{axis}: {} N s/m for {c}", told[1]);
     }
 }
+
+/// Two pads across the load carry it by the shear of a film without a gap, or turn over: neither passes for a film.
+#[test]
+fn films_that_touch_and_pads_that_tip_over_are_told() {
+    let pad = |k: usize, y: f64, arc: [f64; 2]| {
+        format!(
+            "[body.pad{k}]\nturns = \"no\"\nrocks = true\nmass = \"0.35 kg\"\npolar_inertia = \"1.2e-4 kg*m^2\"\n\
+             centre = [\"0 mm\", \"{y} mm\"]\n[joint.pivot{k}]\nkind = \"bushing\"\n\
+             first = {{ body = \"pad{k}\", at = [\"0 mm\", \"{} mm\"] }}\n\
+             stiffness = {{ xx = \"5e8 N/m\", yy = \"5e8 N/m\" }}\n[joint.film{k}]\nkind = \"bearing\"\n\
+             journal = {{ body = \"rotor\" }}\nbore = {{ body = \"pad{k}\" }}\nlaw = \"reynolds\"\n\
+             radial_clearance = \"75 um\"\njournal_radius = \"50 mm\"\nlength = \"50 mm\"\n\
+             film = {{ arc = [\"{} deg\", \"{} deg\"], preload = 0.5 }}\n",
+            y / 55.0 * 65.0,
+            arc[0],
+            arc[1]
+        )
+    };
+    let machine = |half: f64, step: &str| {
+        format!(
+            "title = \"two pads\"\ngravity = [\"-9.81 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]\n[body.rotor]\nturns = \"prescribed\"\n\
+             speed = \"9000 rpm\"\nmass = \"250 kg\"\npolar_inertia = \"2 kg*m^2\"\n{}{}[start]\nkind = \"equilibrium\"\n\
+             [march]\ntime_step = \"{step}\"\nsteps = 40\n",
+            pad(1, 55.0, [90.0 - half, 90.0 + half]),
+            pad(2, -55.0, [270.0 - half, 270.0 + half])
+        )
+    };
+    let bench = Workbench::new()
+        .file("touching.toml", &machine(30.0, "5e-6 s"))
+        .file("tipped.toml", &machine(85.0, "5e-7 s"));
+    for (case, unit, said, note) in [
+        ("touching", "um", "its surfaces touch", "the smallest gap of the film"),
+        ("tipped", "rad", "turn of a bore of a film", "the turn of the bore about its axis"),
+    ] {
+        let file = format!("{case}.toml");
+        let outcome = bench.whirl(&["run", &file, "--no-figures", "--no-report", "--out", case]);
+        let summary = bench.summary(case);
+        let findings = summary["verdict"]["findings"].as_array().expect("findings");
+        let own = findings.iter().find(|own| own["what"].as_str().unwrap_or("").contains(said));
+        let own = own.unwrap_or_else(|| panic!("{case}: {findings:?} {}", outcome.stderr));
+        assert_eq!(own["unit"], unit);
+        let fast = "by more than itself";
+        assert!(findings.iter().all(|own| !own["what"].as_str().unwrap_or("").contains(fast)));
+        let outcome = bench.whirl(&["modes", &file]);
+        assert!(outcome.stdout.contains(note), "{}", outcome.stdout);
+    }
+    // The built-in machine does neither.
+    let outcome = bench.whirl(&["modes", "tilting-pad"]);
+    assert!(!outcome.stdout.contains("of the film"), "{}", outcome.stdout);
+}

@@ -174,3 +174,46 @@ fn parameters_leave_joints_in_their_order() {
     unit.set("joint.b.stiffness.xx", 1.3e6);
     same(&unit.started(), &bench.history("other.toml"), 4);
 }
+
+/// A beam between bushings, of which one mode is kept, with a load of this force in its middle.
+fn beam(force: &str) -> String {
+    let bushing = |name: &str, z: u32| {
+        format!(
+            "[joint.{name}]\nkind = \"bushing\"\nfirst = {{ body = \"s\", z = \"{z} mm\" }}\n\
+             stiffness = {{ xx = \"1e9 N/m\", yy = \"1e9 N/m\" }}\naxial = {{ stiffness = \"1e9 N/m\" }}\n\
+             damping = {{ xx = \"2e5 N*s/m\", yy = \"2e5 N*s/m\" }}\n"
+        )
+    };
+    format!(
+        "title = \"a beam\"\n[material]\nsteel = {{ youngs_modulus = \"200 GPa\", poissons_ratio = 0.3, density = \"7860 kg/m^3\" }}\n\
+         [body.s]\nturns = \"no\"\nmaterial = \"steel\"\nmodes = 1\ndamping = \"1e-4 s\"\n\
+         sections = [{{ length = \"400 mm\", outer = \"40 mm\" }}]\ncells = {{ sectors = 8, rings = 2 }}\n{}{}\
+         [loads.q]\nbody = \"s\"\nz = \"150 mm\"\nforce = {force}\n\
+         [output.o]\nquantity = \"displacement\"\nbody = \"s\"\nz = \"150 mm\"\ncomponents = [\"x\", \"y\", \"z\"]\n\
+         [march]\ntime_step = \"2e-5 s\"\nsteps = 300\n",
+        bushing("left", 50),
+        bushing("right", 350)
+    )
+}
+
+/// A body answers a load that is zero as it would one of the case, along every axis.
+#[test]
+fn a_port_moves_a_reduced_body_as_a_load_does() {
+    let bench = Bench::new(&beam("\"0 N\""));
+    let folder = bench.unit(&[]);
+    for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
+        let force: Vec<&str> =
+            (0..3).map(|own| if own == axis { "\"1000 N\"" } else { "\"0 N\"" }).collect();
+        bench.file("told.toml", &beam(&format!("[{}]", force.join(", "))));
+        let run = bench.history("told.toml").column(&format!("{letter}_o_um"));
+        let unit = Instance::new(&folder).unwrap();
+        unit.set(&format!("load.q.f{letter}"), 1000.0);
+        let unit = unit.started();
+        let most = run.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
+        for (step, known) in run.iter().enumerate() {
+            unit.step(step as f64 * 2e-5, 2e-5);
+            let own = unit.get(&format!("{letter}_o_um"));
+            assert!((own - known).abs() < 1e-6 * most, "{letter}, step {step}: {own} for {known}");
+        }
+    }
+}

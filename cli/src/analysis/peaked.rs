@@ -120,7 +120,7 @@ pub(super) fn notes(what: &str, all: &[(&str, &Peaks)]) -> String {
     if !flat.is_empty() {
         let _ = writeln!(
             text,
-            "note: {what}peaks that fall to 1/√2 on no side within the range, and have no amplification factor: {}",
+            "note: {what}peaks that do not fall to 1/√2 on either side within the range, so that they have no amplification factor: {}",
             flat.join("; ")
         );
     }

@@ -146,7 +146,7 @@ fn read_march(march: &Table, machine: Option<&JoinedMachine>, goes_on: bool) -> 
         output_every,
         cycle,
         cycle_called: match (frequency, &natural) {
-            (Some(_), _) => "the period of `cycle_frequency`",
+            (Some(_), _) => "one period of the `cycle_frequency` that the case gives",
             (None, Some(own)) => own.called,
             (None, None) => "the whole run",
         },

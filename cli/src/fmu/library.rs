@@ -98,3 +98,18 @@ fn platform() -> Option<&'static str> {
         _ => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_library_that_was_cut_off_is_seen() {
+        let own = fs::read(std::env::current_exe().unwrap()).unwrap();
+        assert!(!is_cut(&own));
+        if own.starts_with(b"\x7fELF\x02\x01") {
+            assert!(is_cut(&own[..own.len() / 2]) && is_cut(&own[..40]));
+        }
+        assert!(!is_cut(b"MZ"));
+    }
+}

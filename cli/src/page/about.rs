@@ -77,7 +77,11 @@ impl LawCurve {
         let mut all: Vec<LawCurve> = Vec::new();
         for (joint, own) in case.machine.joints.iter().zip(laws) {
             let linear = matches!(joint.kind, JointKind::Bushing | JointKind::Coupling);
-            let (name, Some(spec)) = (own.name(), own.spec().filter(|_| !linear)) else { continue };
+            // With states at zero a law is none that acts anywhere.
+            let is_shown = !linear && own.states().is_empty();
+            let (name, Some(spec)) = (own.name(), own.spec().filter(|_| is_shown)) else {
+                continue;
+            };
             let Some(curve) = at_zero(&spec) else { continue };
             if all.iter().all(|own| own.law != name) {
                 let title = spec.title.clone();

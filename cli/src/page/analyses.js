@@ -133,7 +133,7 @@ const CHARTED = {
     const least = (column) => rows.reduce((best, row) => (typeof row[column] === 'number' && !(best?.[column] <= row[column]) ? row : best), undefined);
     const chart = (id, title, column) => new Chart(host, {
       id: `${id}-${slug(name)}`, title: `${title}: unstable below zero`, sync: `speed ${name}`, x: speedOf(name), y: { label: 'log decrement', unit: '1' }, marks, levels: [{ y: 0, name: '', framed: true }],
-      series: [line(rows, 'speed_rpm', column, 'log decrement')], note: least(column) ? `least: ${shown(least(column)[column], 4)} at ${shown(least(column).speed_rpm, 5)} rpm` : '',
+      series: [line(rows, 'speed_rpm', column, 'log decrement')], note: least(column) ? `least: ${shown(least(column)[column], 4)} at ${shown(least(column).speed_rpm, 5)} rpm${[rows[0], rows[rows.length - 1]].includes(least(column)) ? ', an end of the range: it may fall further beyond' : ''}` : '',
     });
     // Pads and rings may be ten times less damped than the rotor, or more.
     const apart = rows.some((row) => row.body_log_decrement !== row.least_log_decrement);
@@ -273,7 +273,7 @@ const DANGER = /^UNSTABLE|NOT STABLE|^DOES NOT PASS|too large for a linear|vary 
 const FOUND = /^stable |^a further motion|^one motion stops|^no critical speed|critically damped|joints are linear, within|nothing closes the clearance|^all modes are|^in operation|amplitudes are not computed|^PASSES/;
 
 // Sentences of the terminal without the quotes of its commands.
-const plain = (words, sentence = true) => (sentence ? words.replace(/`([^`]+)`/g, '$1').replace(/^(left out: .*? rpm), as no equilibrium was found .*$/, '$1, where no equilibrium was found') : words);
+const plain = (words, sentence = true) => (sentence ? words.replace(/`([^`]+)`/g, '$1').replace(/(^|[\s(=])-(?=\d)/g, '$1−').replace(/^(left out: .*? rpm), as no equilibrium was found .*$/, '$1, where no equilibrium was found') : words);
 
 // Lines as the terminal has them; notes, which are sentences, wrap.
 function worded(parent, lines) {

@@ -7,7 +7,7 @@ const MARGIN = { left: 64, right: 14, top: 8, bottom: 44 };
 
 class Chart {
   // `spec`: id, title, x: {label, unit}, y: {label, unit, amplitude}, series: [{name, x, y | least and most, style, path, words,
-  // pieces: [{x, y, dash}]}], marks, levels, dots: [{x, y, style, label}], circles, arrows, equal, height, sync, map, zero, origin, note.
+  // pieces: [{x, y, dash}]}], marks, levels, dots: [{x, y, style, label}], circles, arrows, equal, height, sync, map, zero, top, origin, note.
   // With x.log the abscissae are logarithms to the base of 10; with x.names they are 1, 2, … and stand for these. With y.log the
   // ordinates are drawn by theirs.
   constructor(host, spec) {
@@ -101,6 +101,7 @@ class Chart {
     }
     for (const level of spec.levels || []) if (level.framed) take([level.y], 0, 1);
     if (spec.origin) { x0 = Math.min(x0, 0); x1 = Math.max(x1, 0); y0 = Math.min(y0, 0); y1 = Math.max(y1, 0); }
+    if (spec.top) y1 = Math.max(y1, spec.top);
     const zero = spec.zero && !spec.y.log;
     if (zero) y0 = Math.min(y0, 0);
     // Below a few decades nothing is looked for.

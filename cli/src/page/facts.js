@@ -21,6 +21,26 @@ function head() {
   facts();
 }
 
+// A joint as charts call it.
+const titleOf = (name) => { const plain_ = name.replace(/^\S+ /, ''); return [plain_, name[0].toUpperCase() + name.slice(1)].find((own) => columns.has(`ratio ${own}`)) || plain_; };
+
+// Where the run moves farther than joints are linear about the state of an analysis.
+function beyondLinear(text) {
+  if (!run || /too large for a linear/.test(text)) return [];
+  const told = text.match(/joints are linear, within 10 % of stiffness and damping, for amplitudes up to (.+)/)?.[1] || '';
+  const half = (name) => { const [least, most] = lastCycle(name); return 0.5 * (most - least); };
+  const found = [];
+  for (const own of told.split(', ')) {
+    const [, amplitude, name] = /^(\S+) µm in (.+)$/.exec(own) || [];
+    const journal = about.journals.find((one) => one.title === titleOf(name || ''));
+    if (!journal || !journal.columns.every((one) => columns.has(one))) continue;
+    const moves = Math.max(...journal.columns.map(half));
+    if (moves > 1.5 * Number(amplitude)) found.push({ moves, words: `${name} is linear for amplitudes up to ${amplitude} µm about the state of this analysis, and moves by ${shown(moves, 3)} µm in the last cycle of the run` });
+  }
+  const most = found.reduce((best, own) => (own.moves > (best?.moves || 0) ? own : best), null);
+  return most ? [`${most.words}${found.length > 1 ? `; ${found.length - 1} more are beyond theirs` : ''}: what is found here holds for small motions alone`] : [];
+}
+
 // What analyses found that must not be missed, a line each; of a page without a run also what passes.
 function foundBox() {
   const lines = new Map();
@@ -32,19 +52,20 @@ function foundBox() {
     const danger = failed ? [] : text.split('\n').filter((line) => DANGER.test(line));
     bad ||= failed || interrupted;
     // What the run presses together stands open in the state of the analysis.
-    const open = (failed ? '' : text).match(/nothing closes the clearance of (.+): without stiffness/)?.[1].split(', ').map((own) => own.replace(/^\S+ /, '')) || [];
+    const open = (failed ? '' : text).match(/nothing closes the clearance of (.+): without stiffness/)?.[1].split(', ').map(titleOf) || [];
     const closed = open.filter((own) => columns.has(`ratio ${own}`) && extremes(`ratio ${own}`)[1] > 1);
+    if (!closed.length && !failed) beyondLinear(text).forEach((line) => note(name, line));
     if (closed.length) { bad = true; note(name, `nothing closes the clearance of ${closed.join(', ')} in the state of this analysis, but the run does: what is found here does not describe the motion of the run`); }
     // One bearing that moves too far stands for all, and a run that is here has the answer.
     const far = danger.filter((line) => /too large for a linear/.test(line));
     const rest = danger.filter((line) => !far.includes(line));
-    bad ||= rest.length > 0;
+    bad ||= rest.length > 0 || far.length > 0;
     // Of what does not pass the first lines.
     const all = failed ? [] : text.split('\n');
-    const fails = all.slice(all.findIndex((line) => /^DOES NOT PASS/.test(line)) + 1).filter((line) => /^ {2}\d/.test(line)).slice(0, 3).map((line) => symbols(line.trim()));
-    rest.slice(0, 3).forEach((line) => note(name, /^DOES NOT PASS/.test(line) && fails.length ? `${line}: ${fails.join('; ')}` : line));
+    const fails = all.slice(all.findIndex((line) => /^DOES NOT PASS/.test(line)) + 1).filter((line) => /^ {2}\d/.test(line)).map((line) => symbols(line.trim()));
+    rest.slice(0, 3).forEach((line) => note(name, /^DOES NOT PASS/.test(line) && fails.length ? `${line}: ${fails.slice(0, 8).join('; ')}${fails.length > 8 ? `; and ${fails.length - 8} more in its chapter` : ''}` : line));
     if (rest.length > 3) note(name, `${rest.length - 3} more such lines stand in its chapter`);
-    if (far.length) note(name, far[0].replace(/ Run it in time.*$/, summary ? ' The run on this page is without that limit.' : '$&') + (far.length > 1 ? ` So do ${far.length - 1} more.` : ''));
+    if (far.length) note(name, far[0].replace(/ Run it in time.*$/, summary ? '' : '$&') + (far.length > 1 ? ` The same holds for ${far.length - 1} more.` : '') + (summary ? ' The run on this page has no such limit.' : ''));
     if (!summary && !failed) text.split('\n').filter((line) => /^PASSES|^stable at all/.test(line)).slice(0, 1).forEach((line) => note(name, line));
   }
   if (!lines.size) return;
@@ -61,7 +82,7 @@ function facts() {
     const own = add(list, 'div');
     add(own, 'dt', name);
     const dd = add(own, 'dd');
-    const fill = () => { dd.textContent = Array.isArray(value) ? `${shown(value[0] * Units.of(value[1])[1], 4)} ${Units.of(value[1])[0]}` : value; if (small) add(dd, 'small', typeof small === 'function' ? small() : small); };
+    const fill = () => { dd.textContent = Array.isArray(value) ? `${shown(value[0] * Units.of(value[1])[1] * (value[2] ? Amplitudes.factor : 1), 4)} ${Units.of(value[1])[0]}${value[2] ? ` ${Amplitudes.words}` : ''}` : value; if (small) add(dd, 'small', typeof small === 'function' ? small() : small); };
     fill();
     redraw.push(fill);
   };
@@ -110,18 +131,18 @@ function facts() {
   if (top) fact('strongest motion', top.words, () => `${top.title}: ${shown(top.amplitude * Units.of(top.unit)[1] * Amplitudes.factor, 3)} ${Units.of(top.unit)[0]} ${Amplitudes.words} at ${shown(top.hertz, 4)} Hz`);
   // Not what cannot be told from another body, nor what is nothing beside the rest.
   const matters = (own) => { const [least, most] = extremes(own.signal); return own['1X'].amplitude > 0.02 * (most - least); };
-  const orders = run.tracked.length ? [] : (summary.orders?.signals || []).filter((own) => own.signal.endsWith('_um') && !own.mixed_with?.length && columns.has(own.signal) && matters(own));
+  const orders = (summary.orders?.signals || []).filter((own) => own.signal.endsWith('_um') && !own.mixed_with?.length && columns.has(own.signal) && matters(own) && isOrder(own));
   const last = Math.max(...orders.map((own) => own['1X'].amplitude), 0);
   // Over a run-up the last revolutions are half a window behind the last point.
   const passed = [largestOrder()].find((own) => own && own.amplitude >= last);
   const slow = largestBelow();
-  if (slow) fact('largest part below 1X, 0-pk', [slow.amplitude, 'µm'], `${slow.title}: ${shown(slow.order, 3)} times the speed of ${shown(slow.rpm, 4)} rpm, ${shown((slow.order * slow.rpm) / 60, 3)} Hz${slow.rings ? ', a motion that keeps this frequency and rings down' : ''}`);
+  if (slow) fact('largest part below 1X', [slow.amplitude, 'µm', true], `${slow.title}: ${shown(slow.order, 3)} times the speed of ${shown(slow.rpm, 4)} rpm, ${shown((slow.order * slow.rpm) / 60, 3)} Hz${slow.rings ? ', a motion that keeps this frequency and rings down' : ''}`);
   if (top && /^1X/.test(top.words)) return;
-  if (passed) fact('largest 1X, 0-pk', [passed.amplitude, 'µm'], `${passed.title}, at ${shown(passed.rpm, 4)} rpm; of where 1X is most of what moves`);
+  if (passed) fact('largest 1X', [passed.amplitude, 'µm', true], `${passed.title}, at ${shown(passed.rpm, 4)} rpm${passed.first ? ', where the curve begins' : ''}; looked for where more than half of what moves is 1X`);
   else if (orders.length) {
     const top = orders.reduce((best, own) => (own['1X'].amplitude > best['1X'].amplitude ? own : best));
     const title = about.signals.find((own) => own.columns.some(([name]) => name === top.signal));
-    fact('largest 1X, 0-pk', [top['1X'].amplitude, 'µm'], `${title ? title.title : top.signal}, last ${top.revolutions === 1 ? 'revolution' : `${top.revolutions} revolutions`}`);
+    fact('largest 1X', [top['1X'].amplitude, 'µm', true], `${title ? title.title : top.signal}, last ${top.revolutions === 1 ? 'revolution' : `${top.revolutions} revolutions`}`);
   }
 }
 
@@ -134,7 +155,7 @@ function largestOrder() {
       const title = about.signals.find((own) => own.columns.some(([name]) => name === signal.column))?.title || signal.column;
       const overall = numbers(signal.overall);
       // Where something else moves more, it leaks into the fit.
-      numbers(signal.first).forEach((amplitude, k) => { if (amplitude > 0.55 * overall[k] && (!top || amplitude > top.amplitude)) top = { amplitude, rpm: rpm[k], title }; });
+      numbers(signal.first).forEach((amplitude, k) => { if (amplitude > 0.55 * overall[k] && (!top || amplitude > top.amplitude)) top = { amplitude, rpm: rpm[k], title, first: k === 0 }; });
     }
   }
   return top;
@@ -162,6 +183,13 @@ function largestBelow() {
   return top;
 }
 
+// The load that has a frequency (Hz), as the case tells of it.
+function exciting(hertz) {
+  const loads = about.words.find((one) => one.title === 'Loads')?.lines || [];
+  const found = loads.map((line) => /^(load \S+) .*sine of ([\d.]+) Hz/.exec(line)).find((one) => one && Math.abs(Math.abs(hertz) / Number(one[2]) - 1) < 0.01);
+  return found ? found[1] : null;
+}
+
 // The largest line of the spectra of displacements, as a multiple of the speed.
 function strongest() {
   let top = null;
@@ -182,7 +210,7 @@ function strongest() {
         // The larger circle gives its sense.
         if (other > amplitude[at] || (top && amplitude[at] + other <= top.amplitude)) continue;
         const way = !spectrum.two_sided ? '' : other > 0.9 * amplitude[at] ? ', along a line' : order > 0 ? ' forward' : ' backward';
-        top = { amplitude: amplitude[at] + other, hertz: Math.abs(frequency[at]), unit: signal.unit, title: signal.title, words: `${Math.abs(Math.abs(order) - 1) < 0.005 ? '1X' : `${shown(Math.abs(order), 3)} times the speed`}${body ? ` of ${body}` : ''}${way}` };
+        top = { amplitude: amplitude[at] + other, hertz: Math.abs(frequency[at]), unit: signal.unit, title: signal.title, words: exciting(frequency[at]) && Math.abs(Math.abs(order) - 1) >= 0.005 ? `at the frequency of ${exciting(frequency[at])}${way}` : `${Math.abs(Math.abs(order) - 1) < 0.005 ? '1X' : `${shown(Math.abs(order), 3)} times the speed`}${body ? ` of ${body}` : ''}${way}` };
       }
     }
   });
@@ -245,6 +273,12 @@ function lastCycle(name) {
 // Whether the run came to a steady state.
 const isSteady = () => /^steady/.test(about.steady);
 
+// Whether orders of a signal tell something: a revolution of a run-up is none of an order.
+function isOrder(one) {
+  const runsUp = isSteady() ? [] : [...run?.tracked || [], ...run?.envelopes || []];
+  return one.revolutions >= 2 || !runsUp.some((all) => all.signals.some((own) => own.column === one.signal));
+}
+
 // Whether the last cycle is all of the run.
 const wholeRun = () => summary.cycle_s >= 0.98 * summary.time.simulated_s;
 
@@ -275,31 +309,33 @@ function results() {
     if (still.length) add(own, 'p', `Nothing moves or pushes across the axis in ${still.join(', ')}.`, { class: 'soft' });
   }
   contacts(own);
-  if (summary.orders) {
+  if (summary.orders && !summary.orders.signals.some(isOrder)) {
+    add(own, 'h3', 'Orders');
+    add(own, 'p', 'There are none: the cycle is a single revolution of a run whose speed changes. See the envelope over speed.', { class: 'soft' });
+  } else if (summary.orders) {
     add(own, 'h3', 'Orders');
     const { signals } = summary.orders;
     add(own, 'p', `x = A cos(nθ + φ), A from 0 to the peak, fitted over whole revolutions at the end of the run${new Set(signals.map((one) => one.angle)).size > 1 ? ', with once and twice the angles of the other bodies beside' : ''}. What is not a multiple of half the speed leaks into these numbers where the revolutions are few: see the spectra.`, { class: 'soft' });
     const named = (name) => { const signal = about.signals.find((one) => one.columns.some(([column]) => column === name)); return signal ? `${signal.title}: ${signal.quantity} ${signal.columns.find(([column]) => column === name)[1]}` : name; };
     const unit = (name) => about.signals.find((one) => one.columns.some(([column]) => column === name))?.unit || '';
-    const halves = signals.some((one) => one['0.5X'] && one['0.5X'].amplitude > 0.02 * Math.max(one['1X'].amplitude, one['2X'].amplitude));
-    const orders = [...(halves ? ['0.5X'] : []), '1X', '2X'];
-    const heads = ['', ...orders.flatMap((order) => [`${order.replace('0.5', '½')}, 0-pk`, '', 'phase (°)']), 'revolutions'];
-    // A revolution of a run-up is none of an order, and what is small beside the rest is the end of a fit.
-    const runsUp = new Set(isSteady() ? [] : [...run?.tracked || [], ...run?.envelopes || []].flatMap((all) => all.signals.map((one) => one.column)));
+    const has = (order) => signals.some((one) => one[order] && one[order].amplitude > 0.1 * Math.max(one['1X'].amplitude, one['2X'].amplitude));
+    const orders = [...(has('0.5X') ? ['0.5X'] : []), '1X', ...(has('1.5X') ? ['1.5X'] : []), '2X'];
+    const heads = () => ['', ...orders.flatMap((order) => [`${order.replace('0.5', '½').replace('1.5', '1½')}, ${Amplitudes.words}`, '', 'phase (°)']), 'revolutions'];
+    // What is small beside the rest is the end of a fit.
     const counts = (one) => {
-      if (runsUp.has(one.signal) && one.revolutions < 2) return false;
+      if (!isOrder(one)) return false;
       const [least, most] = columns.has(one.signal) ? lastCycle(one.signal) : [0, 0];
       return Math.max(...orders.map((order) => one[order]?.amplitude || 0)) > 0.005 * (most - least);
     };
     const rows = () => signals.filter(counts).map((one) => {
       const u = unit(one.signal);
-      const told = (order) => (one[order] ? [[one[order].amplitude, u], Units.of(u)[0], shown(one[order].phase_deg, 4)] : ['–', '', '']);
+      const told = (order) => (one[order] ? [[one[order].amplitude * Amplitudes.factor, u], Units.of(u)[0], shown(one[order].phase_deg, 4)] : ['–', '', '']);
       return [named(one.signal), ...orders.flatMap(told), String(one.revolutions)];
     });
-    const mixed = signals.filter((one) => one.mixed_with?.length);
+    const mixed = signals.filter((one) => one.mixed_with?.length && counts(one));
     if (mixed.length) add(own, 'p', `1X or 2X of another body is at the same frequency as in ${mixed.length === signals.length ? 'all of these' : [...new Set(mixed.map((one) => named(one.signal)))].join(', ')}, or cannot be told apart from them in this run.`, { class: 'soft' });
     const host = add(own, 'div');
-    const fill = () => { host.replaceChildren(); table(host, heads, rows(), orders.map((_, k) => 2 + 3 * k)); };
+    const fill = () => { host.replaceChildren(); table(host, heads(), rows(), orders.map((_, k) => 2 + 3 * k)); };
     fill();
     redraw.push(fill);
   }

@@ -7,6 +7,12 @@ const CLAUSES = [
   { title: 'Stability, level II', clause: '6.8.6' },
 ];
 
+// Quantities of the table as sentences.
+const CALLED = {
+  'level I Q_0/Q_A (10 or more: 10)': 'level I Q_0/Q_A (10 stands for 10 and more)',
+  'level I critical speed ratio (region A up to)': 'level I critical speed ratio (region A up to the limit)',
+};
+
 // Units as people write them.
 const symbols = (words) => words.replace(/\bum\b/g, 'µm').replace(/\^3/g, '³');
 
@@ -28,14 +34,14 @@ function lateral(own, name, tables, lines) {
   const variants = [...new Set(all.map((row) => row.variant))];
   const several = variants.length > 1;
   const lead = (row) => (several ? [row.variant] : []);
-  const heads = [...(several ? ['variant'] : []), 'unbalance', 'clause', 'quantity', 'at', ['speed', 'rpm'], 'value', 'limit', '', 'passes'];
+  const heads = [...(several ? ['variant'] : []), 'unbalance', 'clause', 'quantity', 'at', ['speed', 'rpm'], 'value', 'limit', 'unit', 'passes'];
   const words = heads.map((_, k) => k).filter((k) => k < heads.length - 5 || k >= heads.length - 2);
   const judged = (host, some) => {
     const made = (row) => {
       const [unit, more] = row.unit === 'um pk-pk' ? ['µm', ' pk-pk'] : [row.unit === 1 ? '1' : String(row.unit), ''];
       const cell = (value) => (typeof value !== 'number' ? '' : more ? [value, unit] : shown(value, 5));
       const named = unit === '1' ? '' : () => `${Units.of(unit)[0]}${more}`;
-      return [...lead(row), row.unbalance, row.clause, row.quantity, row.place, typeof row.speed_rpm === 'number' ? shown(row.speed_rpm, 6) : '', cell(row.value), cell(row.limit), named, row.pass];
+      return [...lead(row), row.unbalance, row.clause, CALLED[row.quantity] || row.quantity, row.place, typeof row.speed_rpm === 'number' ? shown(row.speed_rpm, 6) : '', cell(row.value), cell(row.limit), named, row.pass];
     };
     table(host, heads, some.map(made), words, (cell) => { if (cell.textContent === 'NO') cell.className = 'words fails'; if (cell.textContent === 'yes') cell.className = 'words passes'; });
   };
@@ -131,7 +137,7 @@ function regions(grid, name, { some, density }) {
   const x = [0, 16.53, 60, 60.001, Math.max(80, 1.3 * density)];
   new Chart(grid, {
     id: `regions-${slug(name)}`, title: 'Regions of the critical speed ratio', zero: true, x: { label: 'average density of the gas', unit: 'kg/m³' }, y: { label: 'critical speed ratio', unit: '1' },
-    levels: found.map((row) => ({ y: 1.1 * Math.max(row.value, 2.5), name: '', framed: true })).slice(0, 1), note: 'region A below the line, region B above it and beyond 60 kg/m³',
+    top: 1.15 * Math.max(2.5, ...found.map((row) => row.value)), note: 'region A below the line, region B above it and beyond 60 kg/m³',
     series: [{ name: 'boundary of regions A and B', x, y: [2.5, 2.5, 2, 0, 0], style: 6, dash: '' }], dots: found.map((row) => ({ x: density, y: row.value, style: 1, name: 'this machine', label: row.variant })),
   });
 }

@@ -26,14 +26,13 @@ const ofRun = run?.tracked.length ? [...speeds, ...cycles] : [...cycles, ...spee
 for (const make of [head, theCase, machine, ...ofRun, swept, analysed, energy, drawings, files]) make();
 add(page, 'footer', `whirl ${about.version}`);
 
-// What the terminal prints keeps its units.
-if (document.querySelector('pre')) {
-  const told = add(page, 'p', '', { class: 'soft' });
-  document.querySelector('pre').before(told);
-  const fill = () => { told.textContent = Units.system === 'si' && Amplitudes.factor === 1 ? '' : 'Tables in typewriter type are as the terminal prints them: in µm and N, from 0 to the peak.'; };
-  fill();
-  redraw.push(fill);
-}
+// Words of the program keep their units.
+const kept = document.createElement('p');
+kept.className = 'soft';
+document.querySelector('h1').after(kept);
+const sayKept = () => { kept.textContent = Units.system === 'si' && Amplitudes.factor === 1 ? '' : 'Charts, tiles and tables follow the switches above; sentences and what stands in typewriter type keep µm and N, and amplitudes from 0 to the peak.'; };
+sayKept();
+redraw.push(sayKept);
 
 const redrawScenes = () => scenes.forEach((own) => own.draw());
 function again() { for (const fill of [...redraw]) fill(); Chart.renderAll(); redrawScenes(); }

@@ -4,7 +4,7 @@
 const columnsOf = (point) => { const [, kind, name] = /^(joint|output)\.(.+)$/.exec(point) || []; const middle = /^\d+$/.test(name) ? name : `_${name}`; return kind === 'joint' ? [`X${middle}_um`, `Y${middle}_um`] : [`x${middle}_um`, `y${middle}_um`]; };
 
 // Once a turn in the run: over the speed of a run-up, or at the speed of a steady state.
-function inTheRun(body, point, order) {
+function inTheRun(name_, body, point, order) {
   const none = { series: [], dots: [], note: '' };
   if (order !== 1 || !run) return none;
   const names = columnsOf(point);
@@ -13,17 +13,35 @@ function inTheRun(body, point, order) {
   const tracked_ = run.tracked.find((all) => all.signals.some((one) => names.includes(one.column)));
   if (tracked_) {
     const { x, turn } = overSpeed(tracked_);
-    if (x.unit !== 'rpm') return none;
+    const rpm = x.unit === 'rpm' ? speedOfAxis(name_, tracked_, x, turn) : null;
+    if (!rpm) return none;
+    // Where a motion below 1X appears or ceases the fit has a part of it.
+    const shaken = (one) => { const [below, overall] = [numbers(one.below), numbers(one.overall)]; const moves = Array.from(below, (own, k) => own > 0.2 * overall[k]); return turn(Float32Array.from(numbers(one.first), (value, k) => (moves.slice(Math.max(k - 3, 0), k + 4).every((own) => own === moves[k]) ? value : NaN))); };
     const own = names.map((name) => tracked_.signals.find((one) => one.column === name));
-    const series_ = own.map((one, k) => one && { name: `${'xy'[k]} in the run`, x: x.values, y: turn(numbers(one.first)), style: k, dash: '1.5 2.5' }).filter(Boolean);
+    const series_ = own.map((one, k) => one && { name: `${'xy'[k]} in the run`, x: rpm, y: shaken(one), style: k, dash: '1.5 2.5' }).filter(Boolean);
     const seconds = numbers(tracked_.time);
-    return { ...none, series: series_, note: `the run passes these speeds in ${shown(Math.abs(seconds[seconds.length - 1] - seconds[0]), 3)} s: the faster, the less its peaks reach` };
+    return { ...none, series: series_, note: `in the run, which passes these speeds in ${shown(Math.abs(seconds[seconds.length - 1] - seconds[0]), 3)} s, peaks have little time to build up, and other motions change what the joints do` };
   }
   const omega = [...columns.keys()].find((name) => name === signal.angle.replace('theta', 'omega').replace(/_rad$/, '_rad_s'));
   if (!isSteady() || !omega) return none;
   const rpm = (lastCycle(omega).reduce((a, b) => a + b) / 2) * (30 / Math.PI);
   const dots = names.map((name, k) => ({ own: summary.orders?.signals.find((one) => one.signal === name), k })).filter(({ own }) => own).map(({ own, k }) => ({ x: Math.abs(rpm), y: own['1X'].amplitude, style: k, name: 'in the run', label: `run ${'xy'[k]}` }));
   return { ...none, dots };
+}
+
+// Speeds (rpm) of the body over whose speed an analysis is, where the run was tracked by the angle of another one; none where that
+// does not rise all along.
+function speedOfAxis(name, tracked_, x, turn) {
+  const of = analyses.analyses.find((own) => own.name === name)?.of;
+  const signal = about.signals.find((one) => one.columns.some(([column]) => tracked_.signals.some((own) => own.column === column)));
+  if (!of || turningOf(signal.angle) === of) return x.values;
+  const column = about.groups.find((own) => own.title === 'Speed of rotation')?.lines.find(([, body]) => body === of)?.[0];
+  const own = columns.get(column);
+  if (!own) return null;
+  const [time, most] = [numbers(run.histories.time), numbers(own.values || own.most)];
+  let k = 0;
+  const rpm = turn(Float32Array.from(numbers(tracked_.time), (at) => { while (k < time.length - 1 && time[k] < at) k++; return Math.abs(most[k]) * (30 / Math.PI); }));
+  return rpm.every((value, at) => at === 0 || value > rpm[at - 1]) ? rpm : null;
 }
 
 // A switch above charts between a linear and a logarithmic axis.
@@ -62,7 +80,7 @@ Object.assign(CHARTED, {
       const where = point.replace(/^(joint|output)\./, '$1 ');
       const title = order === 0 ? `${where}, mean position` : `${where}, ${order}X${several ? ` of ${body}` : ''}`;
       const id = slug(`${name} ${body} ${point} ${order}`);
-      const ran = inTheRun(body, point, order);
+      const ran = inTheRun(name, body, point, order);
       const peaks = found.filter((row) => row.body === body && row.point === point && row.order === order && typeof row.major_um === 'number');
       charts.push(new Chart(host, {
         id: `bode-${id}`, title, zero: true, sync: `speed ${name}`, x, y: { label: 'displacement', unit: 'µm', amplitude: order !== 0 },
@@ -83,6 +101,9 @@ Object.assign(CHARTED, {
     if (found.length) {
       const more = add(host, 'div', undefined, { class: 'wide' });
       add(more, 'h3', 'Peaks');
+      const [told_, high_] = [found.filter((row) => row.order > 0), 0.01 * Math.max(...found.map((own) => own.major_um || 0))];
+      const left_ = told_.filter((row) => typeof row.major_um === 'number' && row.major_um <= high_).length;
+      if (left_) add(more, 'p', `Of ${told_.length} peaks ${left_} below 1 % of the largest are only in ${name}.peaks.csv.`, { class: 'soft' });
       const several_ = several || new Set(found.map((row) => row.order)).size > 1;
       table(more, ['point', ...(several_ ? ['order'] : []), `speed${whose(name)} (rpm)`, ['major semi-axis', 'µm'], 'amplification factor'], found.filter((row) => row.order > 0 && (typeof row.major_um !== 'number' || row.major_um > 0.01 * Math.max(...found.map((own) => own.major_um || 0)))).slice(0, 60).map((row) => [row.point.replace(/^(joint|output)\./, '$1 '), ...(several_ ? [`${row.order}X of ${row.body}`] : []), shown(row.speed_rpm, 5), typeof row.major_um === 'number' ? [row.major_um, 'µm'] : 'undamped', typeof row.amplification_factor === 'number' ? `${shown(row.amplification_factor, 4)}${/^(below|above)$/.test(row.half_power) ? ` (by the side ${row.half_power})` : ''}` : '–']), several_ ? [1] : []);
     }

@@ -79,7 +79,8 @@ function orbits() {
       spec.series = [{ name: isJournal(orbit) ? 'centre of the journal' : `centre of ${orbit.moved}`, path: true, x: y.subarray(from), y: x.subarray(from), style: 0, arrows: [Math.floor(0.35 * count), Math.floor(0.8 * count)].filter((at) => at > 0) }];
       spec.dots = whole ? [{ x: y[0], y: x[0], style: 1, name: 'start' }] : orbit.keyphasors.filter((own) => own[2] <= shownRevolutions * (1 + 1e-6)).map(([px, py]) => ({ x: py, y: px, style: 1, name: 'keyphasor' }));
       const over = whole ? 'the whole run' : orbit.revolutions > 0 ? (shownRevolutions >= orbit.revolutions ? `last ${shown(orbit.revolutions, 3)} revolutions` : shownRevolutions === 1 ? 'last revolution' : `last ${shown(shownRevolutions, 3)} revolutions`) : 'last cycle';
-      spec.note = orbit.revolutions > 0 ? (orbit.sense > 0 ? `${over}, rotation ↻` : `${over}, rotation ↺`) : over;
+      const whose_ = severalTurn() && !whole && orbit.revolutions > 0 ? ` of ${turningOf(about.journals.find((one) => one.title === orbit.title)?.angle)}` : '';
+      spec.note = orbit.revolutions > 0 ? `${over}${whose_}, rotation ${orbit.sense > 0 ? '↻' : '↺'}` : over;
     };
     spec.update();
     spec.title = orbit.title;
@@ -99,7 +100,8 @@ function orbits() {
       if (orbit.revolutions > 0) while (from < before.length - 2 && before[from] > shownRevolutions * (1 + 1e-6)) from++;
       const count = fx.length - from;
       const turned = Math.min(shownRevolutions, orbit.revolutions);
-      spec.note = orbit.revolutions > 0 ? (turned === 1 ? 'last revolution' : `last ${shown(turned, 3)} revolutions`) : 'last cycle';
+      const whose_ = severalTurn() && orbit.revolutions > 0 ? ` of ${turningOf(about.journals.find((one) => one.title === orbit.title)?.angle)}` : '';
+      spec.note = `${orbit.revolutions > 0 ? (turned === 1 ? 'last revolution' : `last ${shown(turned, 3)} revolutions`) : 'last cycle'}${whose_}`;
       spec.series = [{ name: `force on ${orbit.moved}`, path: true, x: fy.subarray(from), y: fx.subarray(from), style: 2, arrows: [Math.floor(0.35 * count), Math.floor(0.8 * count)].filter((at) => at > 0) }];
     };
     spec.update();
@@ -125,14 +127,14 @@ function overAngle() {
   if (!run || !run.turned.length) return;
   const own = part('angle', 'Over the angle');
   const most = Math.max(...run.turned.map((one) => one.revolutions));
-  add(own, 'p', `Every row of the last ${most > 1.05 ? `${shown(most, 3)} revolutions` : 'revolution'} that ${most > 1.05 ? 'end' : 'ends'} with the keyphasor; at 0 and 360° θ of the body is a multiple of 360°.`, { class: 'soft' });
+  add(own, 'p', `Every row of the last ${most > 1.05 ? `${shown(Math.abs(most - Math.round(most)) < 0.05 ? Math.round(most) : most, 3)} revolutions` : 'revolution'} that ${most > 1.05 ? 'end' : 'ends'} with the keyphasor; at 0 and 360° θ of the body is a multiple of 360°.`, { class: 'soft' });
   const grid = add(own, 'div', undefined, { class: 'grid' });
   for (const { group, revolutions, degrees, columns: packed } of run.turned) {
     const { title, quantity, unit, factor, lines } = about.groups[group];
     if (packed.every((own_) => numbers(own_).every((value) => value === 0))) continue;
     const x = numbers(degrees);
     new Chart(grid, {
-      id: `angle-${slug(title)}`, title, sync: `angle ${revolutions.toFixed(3)}`, x: { label: 'angle', unit: '°' }, y: { label: quantity, unit }, range: [x[0], x[x.length - 1]],
+      id: `angle-${slug(title)}`, title, sync: `angle ${revolutions.toFixed(3)}`, x: { label: severalTurn() ? `angle of ${turningOf(about.groups[group].angle)}` : 'angle', unit: '°' }, y: { label: quantity, unit }, range: [x[0] < 10 ? 0 : x[0], revolutions > 0.95 ? 360 * Math.round(x[x.length - 1] / 360) : x[x.length - 1]],
       series: lines.map(([, label], k) => ({ name: label, x, y: factor === 1 ? numbers(packed[k]) : numbers(packed[k]).map((value) => value * factor), style: k % 7 })),
     });
   }
@@ -147,8 +149,8 @@ function spectra() {
   const two = run.spectra.some((spectrum) => spectrum.two_sided);
   // Angles of bodies whose speed varies.
   const varies = new Set(about.signals.filter((one) => [...run.tracked, ...run.envelopes].some((all) => all.signals.some((signal) => one.columns.some(([name]) => name === signal.column)))).map((one) => one.angle));
-  add(own, 'p', `Over the last ${shown(1e3 * run.spectrum_s, 4)} ms, Hann window.${two ? ' Where x and y are known, the motion is taken as circles: those that run with the rotation have positive frequencies, those against it negative ones. A circle shows its radius; what moves along a line shows half of its amplitude on both sides.' : ''}`, { class: 'soft' });
-  const smeared = run.spectra.flatMap((spectrum, k) => (spectrum.lines.length && speedSpan(about.signals[k].angle) > 0.1 ? [k] : []));
+  add(own, 'p', `Over the last ${shown(1e3 * run.spectrum_s, 4)} ms with a Hann window: lines that differ by less than ${shown(2 / run.spectrum_s, 2)} Hz are one.${two ? ' Where x and y are known, the motion is taken as circles: those that run with the rotation have positive frequencies, those against it negative ones. A circle shows its radius; what moves along a line shows half of its amplitude on both sides.' : ''}`, { class: 'soft' });
+  const smeared = run.spectra.flatMap((spectrum, k) => (spectrum.lines.length && smears(spectrum, about.signals[k].angle) ? [k] : []));
   const sharp = run.spectra.filter((_, k) => !smeared.includes(k));
   if (!sharp.some((spectrum) => spectrum.lines.length)) { add(own, 'p', 'There are none: the speed changes too much in this time for lines to be seen. See the orders, the envelope and the spectra over the run.', { class: 'soft' }); return; }
   // As far as something moves in one of them, and three times the speed.
@@ -169,6 +171,8 @@ function spectra() {
     const orders = spectrum.turning_hz > 0 ? [1, 2, 0.5] : [];
     const marks = orders.flatMap((order) => { const name = order === 0.5 ? '½X' : `${order}X`; const at = order * spectrum.turning_hz; return spectrum.two_sided ? [{ x: -at, name: `−${name}` }, { x: at, name }] : [{ x: at, name }]; });
     const body = turningOf(signal.angle);
+    // What turns otherwise has its own 1X.
+    for (const [other, hertz] of spectrum.turning_hz > 0 ? turningHertz() : []) if (other !== body && marks.every((one) => Math.abs(Math.abs(one.x) - hertz) > 0.02 * hertz)) marks.push(...(spectrum.two_sided ? [{ x: -hertz, name: `−1X ${other}` }] : []), { x: hertz, name: `1X ${other}` });
     const note = spectrum.turning_hz > 0 ? `1X: ${body} at ${shown(60 * spectrum.turning_hz, 4)} rpm${varies.has(signal.angle) ? ' on average' : ''}` : '';
     charts.push(new Chart(grid, {
       two_sided: spectrum.two_sided, range: near(spectrum.two_sided), id: `spectrum-${slug(signal.title)}-${slug(signal.quantity)}`, title: `${signal.title}: ${signal.quantity}`, zero: true, sync: `frequency ${spectrum.two_sided}`,
@@ -177,6 +181,19 @@ function spectra() {
     }));
   });
 }
+
+// How fast bodies turn (Hz) over the time of the spectra, by their names.
+function turningHertz() {
+  const lines = about.groups.find((own) => own.title === 'Angle of rotation')?.lines || [];
+  const time = numbers(run.histories.time);
+  let first = time.length - 1;
+  while (first > 0 && time[first] > run.ends - run.spectrum_s) first--;
+  const speed = (name) => { const own = columns.get(name); const all = own && numbers(own.values || own.most); return all ? Math.abs(all[all.length - 1] - all[first]) / (time[time.length - 1] - time[first]) / (2 * Math.PI) : 0; };
+  return lines.map(([name, body]) => [body, speed(name)]).filter(([, hertz]) => hertz * run.spectrum_s > 2);
+}
+
+// Whether the line of 1X moves by more than its width.
+const smears = (spectrum, angle) => { const span = speedSpan(angle); return span > 0.1 || span * spectrum.turning_hz * run.spectrum_s > 2; };
 
 // By how much of itself the speed of a body changes in the time of the spectra.
 function speedSpan(angle) {
@@ -250,13 +267,13 @@ function tracked() {
       const most = Math.max(...overall.map((all_) => all_.reduce((a, b) => Math.max(a, b), 0)));
       new Chart(grid, {
         id: `order-${id}`, title, zero: true, sync: 'orders', x: axis, y: { label: short(whole.quantity), unit: whole.unit, amplitude: true }, marks: thresholds(x),
-        series: [...one('first', '1X', 0), ...one('second', '2X', 2).filter((two) => two.y.some((value) => value > 0.01 * most)), ...(slow ? one('below', 'largest below 1X', 4) : []), draw(own.map(([, signal]) => turn(numbers(signal.overall))).reduce((most, values) => most.map((value, k) => Math.max(value, values[k]))), 'overall', 6, { dash: '2 3' })],
-        note: slow ? `within ${shown(n)} revolutions of where a motion below 1X appears or ceases, 1X and its phase have a part of it` : '',
+        series: [...one('first', '1X', 0), ...one('second', '2X', 2).filter((two) => two.y.some((value) => value > 0.01 * most)), ...(slow ? one('below', 'largest below 1X', 4).map((line) => ({ ...line, y: Array.from(line.y, (value) => (value > 0 ? value : NaN)) })) : []), draw(own.map(([, signal]) => turn(numbers(signal.overall))).reduce((most, values) => most.map((value, k) => Math.max(value, values[k]))), 'overall', 6, { dash: '2 3' })],
+        note: slow ? `a part below 1X is told where it is ${shown(2 / n, 2)} revolutions or more from 1X; within ${shown(n)} revolutions of where a motion below 1X appears or ceases, 1X and its phase have a part of it` : '',
       });
       new Chart(grid, {
         id: `phase-${id}`, title: `${title}, phase of 1X`, sync: 'orders', x: axis, y: { label: 'phase', unit: '°' },
         // What hardly moves has a phase by chance.
-        series: own.map(([axis, signal], k) => { const first = numbers(signal.first); const most_ = first.reduce((a, b) => Math.max(a, b), 0); return draw(unwrapped(turn(Float32Array.from(numbers(signal.first_phase_deg), (phase, place) => (first[place] > 0.02 * most_ && first[place] > 0.02 * overall[k][place] ? phase : NaN)))), `1X ${axis}`, k); }),
+        series: own.map(([axis, signal], k) => { const first = numbers(signal.first); const most_ = Math.max(...own.map(([, one_]) => numbers(one_.first).reduce((a, b) => Math.max(a, b), 0))); return draw(unwrapped(turn(Float32Array.from(numbers(signal.first_phase_deg), (phase, place) => (first[place] > 0.02 * most_ && first[place] > 0.02 * overall[k][place] ? phase : NaN)))), `1X ${axis}`, k); }),
       });
       if (slow) new Chart(grid, {
         id: `below-${id}`, title: `${title}, order of the largest part below 1X`, sync: 'orders', x: axis, y: { label: 'order', unit: '1' }, note: 'where it is more than a fifth of overall',
@@ -272,7 +289,7 @@ function envelopes() {
   const own = part('envelope', `Envelope over ${run.envelopes.some((all) => overSpeed(all).x.unit === 'rpm') ? 'speed' : 'time'}`);
   const told = new Set();
   for (const all of run.envelopes) {
-    if (!told.has(all.revolutions)) add(own, 'p', all.revolutions > 1 ? `The least and the largest value of every ${shown(all.revolutions)} revolutions and of as many before and after.` : 'The least and the largest value of every revolution, the one before and the one after.', { class: 'soft' });
+    if (!told.has(all.revolutions)) add(own, 'p', all.revolutions > 1 ? `A point is the least and the largest value of ${shown(all.revolutions)} revolutions and of as many on both sides.` : 'A point is the least and the largest value of a revolution and of its two neighbours.', { class: 'soft' });
     told.add(all.revolutions);
     const { turn, x } = overSpeed(all);
     const grid = add(own, 'div', undefined, { class: 'grid' });

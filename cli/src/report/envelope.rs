@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 /// Points at most; where there are more revolutions a point stands for several.
 const POINTS: f64 = 400.0;
-/// What the last turn may lack of a whole one (rad), as its angle is rounded.
+/// What the last turn may lack of a whole one (rad) beside a row, as its angle is rounded: runs begin a row before their first one.
 const WHOLE: f64 = 1e-6;
 
 /// Those of the columns of one angle while the rows pass.
@@ -25,8 +25,9 @@ pub(crate) struct Enveloper {
 /// One or a few revolutions.
 struct Turn {
     number: f64,
-    /// Time and angle (rad) of the first and the last row.
+    /// Time and angle (rad) of the first and the last row, and how far that is from the row before.
     ends: [[f64; 2]; 2],
+    row: f64,
     /// A column each: least and largest.
     columns: Vec<[f64; 2]>,
 }
@@ -67,10 +68,11 @@ impl Enveloper {
         // What comes back stays in the turn in which it was.
         if self.own.as_ref().is_none_or(|own| number > own.number) {
             let columns = vec![[f64::INFINITY, f64::NEG_INFINITY]; self.columns.len()];
-            let next = Turn { number, ends: [[time, angle]; 2], columns };
+            let next = Turn { number, ends: [[time, angle]; 2], row: 0.0, columns };
             self.found.extend(self.own.replace(next));
         }
         let Some(own) = &mut self.own else { return };
+        own.row = angle - own.ends[1][1];
         own.ends[1] = [time, angle];
         for ([least, most], place) in own.columns.iter_mut().zip(&self.columns) {
             (*least, *most) = (least.min(row[*place]), most.max(row[*place]));
@@ -82,7 +84,7 @@ impl Enveloper {
         // Turns that began but did not end, or in which a standstill is, tell of no speed.
         let ended = |own: &&Turn| {
             let end = self.begins + (own.number + 1.0) * self.revolutions * TAU;
-            own.ends[1][1] >= end - WHOLE
+            own.ends[1][1] + own.row.max(0.0) >= end - WHOLE
         };
         let all = self.found.iter().chain(self.own.as_ref().filter(ended));
         let all: Vec<&Turn> = all.filter(|own| own.ends[1][0] > own.ends[0][0]).collect();

@@ -2,7 +2,8 @@
 //!
 //! Over the last whole revolutions of a body by θ, x = Σ A_n cos(n θ + φ_n) is fitted by least squares, whose terms are
 //! a constant, the orders 1 to 3 and, over two revolutions or more, ½ and 1½: what else there is, is nearly orthogonal to
-//! them over whole revolutions. Once and twice the angles of other bodies are fitted beside them, where they differ by a
+//! them over whole revolutions. With weights of a Hann window, where the revolutions are many enough, that is also so of what turns
+//! nearly as often. Once and twice the angles of other bodies are fitted beside them, where they differ by a
 //! revolution or more: what a second spool does is no order of the first.
 
 use std::f64::consts::TAU;
@@ -65,9 +66,11 @@ pub(crate) struct Signal {
     /// Twice a revolution.
     #[serde(rename = "2X")]
     pub(crate) second: Order,
-    /// Once in two revolutions, where so many were fitted and nothing else has nearly that frequency.
+    /// Once and three times in two revolutions, where so many were fitted and nothing else has nearly that frequency.
     #[serde(rename = "0.5X", skip_serializing_if = "Option::is_none")]
     half: Option<Order>,
+    #[serde(rename = "1.5X", skip_serializing_if = "Option::is_none")]
+    one_half: Option<Order>,
 }
 
 /// One order.
@@ -111,7 +114,8 @@ pub(crate) fn orders(
         let names: Vec<&str> = angles.chain(columns.iter().map(|own| own.0)).collect();
         let revolutions = window.revolutions;
         let orders = window.terms();
-        let half = orders.iter().position(|own| *own == (0, HALVES[0]));
+        let is_tapered = window.is_tapered(&orders);
+        let halves = HALVES.map(|half| orders.iter().position(|own| *own == (0, half)));
         let mut fit = Fit::new(orders.len(), columns.len());
         let mut terms = Terms::new(orders);
         let whole = revolutions as f64 * TAU;
@@ -119,10 +123,14 @@ pub(crate) fn orders(
         history.scan(window.from, &names, &mut |row| {
             // A row counts by the angle since the row before, as far as it belongs to these revolutions.
             let turned = before.map_or(0.0, |before| (row[0] - before).abs());
-            let inside = turned.min(whole - (window.ends[0][1] - row[0]).abs());
+            let left = (window.ends[0][1] - row[0]).abs();
+            let inside = turned.min(whole - left);
             if inside > 0.0 {
                 let (angles, values) = row.split_at(1 + others.len());
-                fit.add(inside, terms.at(angles), values);
+                // Hann's window keeps what is no order out of those that are.
+                let taper = 1.0 - (TAU * left / whole).cos();
+                let weight = if is_tapered { taper * inside } else { inside };
+                fit.add(weight, terms.at(angles), values);
             }
             before = Some(row[0]);
         })?;
@@ -152,7 +160,8 @@ pub(crate) fn orders(
                 rows_per_revolution,
                 first,
                 second,
-                half: half.map(|place| order(&own, place)),
+                half: halves[0].map(|place| order(&own, place)),
+                one_half: halves[1].map(|place| order(&own, place)),
             });
         }
     }
@@ -250,6 +259,17 @@ impl Window {
         let mut places: Vec<usize> = all.map(|own| own.0).collect();
         places.dedup();
         places
+    }
+
+    /// Whether the revolutions tell all terms apart with the weights of a Hann window, too: they are two revolutions apart then.
+    fn is_tapered(&self, terms: &[(usize, f64)]) -> bool {
+        let turned = |own: &[f64; 2]| own[1] - own[0];
+        let order = |(place, times): &(usize, f64)| {
+            times * (turned(&self.ends[*place]) / turned(&self.ends[0])).abs()
+        };
+        let mut all: Vec<f64> = std::iter::once(0.0).chain(terms.iter().map(order)).collect();
+        all.sort_by(f64::total_cmp);
+        all.windows(2).all(|pair| (pair[1] - pair[0]) * self.revolutions as f64 >= 2.0 - 1e-3)
     }
 
     /// What is fitted beside the constant: places of angles, and how often each goes in a revolution of its angle.

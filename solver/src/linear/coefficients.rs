@@ -13,6 +13,8 @@ use crate::monitor::Monitor;
 
 /// Share of the coefficients of a joint by which they may vary with an angle unsaid.
 const VARIES: f64 = 1e-4;
+/// Eccentricity over clearance of a journal that stands in the middle.
+const CENTRED: f64 = 1e-6;
 /// Stiffness (N/m) that is none.
 const NOTHING: f64 = 1e-6;
 
@@ -62,7 +64,10 @@ impl LinearMachine {
                 displacement: *moved,
                 force: *force,
                 eccentricity: *ratio,
-                attitude: ratio.and_then(|_| attitude(*moved, *force, speed)),
+                // What stands in the middle has no direction there.
+                attitude: ratio
+                    .filter(|own| *own > CENTRED)
+                    .and_then(|_| attitude(*moved, *force, speed)),
                 whole: joint
                     .whole()
                     .map(|plane| whole(found.tangents.planes[plane], speed, position)),

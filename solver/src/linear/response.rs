@@ -24,7 +24,7 @@ use crate::plane_rows::PlaneRows;
 const SAMPLES: usize = 96;
 /// What is smaller than this share of the largest is nothing.
 const NOTHING: f64 = 1e-6;
-/// Amplitudes up to which a motion by other orders than once a turn is rounding (m).
+/// Amplitudes up to which a motion is rounding (m), but for those of loads that turn with the body.
 const LEAST: f64 = 1e-10;
 /// Share of the forces that act that is rounding of them.
 const ROUNDING: f64 = 1e-9;
@@ -147,8 +147,11 @@ impl LinearMachine {
             .collect();
         let size = |own: &[Vibration]| own.iter().map(|own| own.orbit().major).fold(0.0, f64::max);
         let most = all.iter().map(|own| size(&own.1)).fold(0.0, f64::max);
-        // Once a turn something is excited, however little: the response is as small as its unbalance.
-        let bound = |order: f64| (NOTHING * most).max(if order == 1.0 { 0.0 } else { LEAST });
+        // What turns with the body excites it once a turn, however little: the response is as small as an unbalance.
+        let mut loads = self.loaded.loads.iter();
+        let is_told = loads.any(|own| own.body == body && own.turns_with_its_body());
+        let least = |order: f64| if is_told && order == 1.0 { 0.0 } else { LEAST };
+        let bound = |order: f64| (NOTHING * most).max(least(order));
         Ok(all.into_iter().filter(|own| size(&own.1) > bound(own.0)).collect())
     }
 

@@ -324,19 +324,25 @@ fn response_rows(all: &[Done]) -> String {
     );
     for done in all {
         for own in &done.responses.all {
-            for (place, speed) in done.responses.speeds.iter().enumerate() {
+            let of_speed =
+                |place: usize| [&own.readings[place], &own.phases[place], &own.orbits[place]];
+            let speeds = done.responses.speeds.iter().enumerate();
+            let mut all: Vec<(f64, [&Vec<f64>; 3])> =
+                speeds.map(|(place, speed)| (*speed, of_speed(place))).collect();
+            all.extend(own.at_peaks.iter().map(|(speed, own)| (*speed, own.each_ref())));
+            all.sort_by(|a, b| a.0.total_cmp(&b.0));
+            for (speed, [readings, phases, orbits]) in all {
                 let mut row = |name: &str, value: f64, phase: &str| {
-                    let (rpm, scaled) = (words::rpm(*speed), own.scale * value);
+                    let (rpm, scaled) = (words::rpm(speed), own.scale * value);
                     let lead = format!("{},{},{rpm},{name}", done.name, own.name);
                     let _ = writeln!(text, "{lead},{value},{scaled},{phase}");
                 };
-                let readings = own.readings[place].iter().zip(&own.phases[place]);
-                for (probe, (value, phase)) in done.probes.iter().zip(readings) {
+                for (probe, (value, phase)) in done.probes.iter().zip(readings.iter().zip(phases)) {
                     // What does not move has no phase.
                     let phase = if *value > 0.0 { phase.to_string() } else { String::new() };
                     row(&probe.name, *value, &phase);
                 }
-                for (close, value) in done.closes.iter().zip(&own.orbits[place]) {
+                for (close, value) in done.closes.iter().zip(orbits) {
                     row(&close.point.name, *value, "");
                 }
             }

@@ -51,6 +51,8 @@ pub(super) struct Response {
     pub(super) phases: Vec<Vec<f64>>,
     /// By speeds, by close clearances: major axis, peak to peak (µm).
     pub(super) orbits: Vec<Vec<f64>>,
+    /// At the peaks, rising: speed (rad/s), and readings, phases and axes there.
+    pub(super) at_peaks: Vec<(f64, [Vec<f64>; 3])>,
     /// By probes: heights in µm peak to peak.
     pub(super) peaks: Vec<Vec<Peak>>,
     /// S_cc.
@@ -94,6 +96,7 @@ pub(super) fn found(
             readings: Vec::new(),
             phases: Vec::new(),
             orbits: Vec::new(),
+            at_peaks: Vec::new(),
             peaks: vec![Vec::new(); probes.len()],
             scale: 0.0,
         })
@@ -151,7 +154,7 @@ pub(super) fn found(
         for (own, response) in unbalance.iter().zip(&mut all) {
             let applied = own.applied();
             let mut near: Option<Standstill> = None;
-            let mut at = |speed: f64| -> Result<Option<Vec<f64>>, Error> {
+            let mut whole = |speed: f64| -> Result<Option<[Vec<f64>; 3]>, Error> {
                 if interruption.asked() {
                     return Ok(None);
                 }
@@ -162,7 +165,10 @@ pub(super) fn found(
                 let equations = linear.linearised(&here)?;
                 let moved = linear.response_to((&here, &equations), of, &applied, &points);
                 near = Some(here);
-                Ok(standing(moved)?.map(|own| read(&own).concat()))
+                Ok(standing(moved)?.map(|own| read(&own)))
+            };
+            let mut at = |speed: f64| {
+                Ok(whole(speed)?.map(|[readings, _, orbits]| [readings, orbits].concat()))
             };
             let mut readings = Readings::new(kinds.clone(), &mut at);
             let found = (0..kinds.len())
@@ -174,6 +180,13 @@ pub(super) fn found(
             let mut found: Vec<Vec<Peak>> = found.into_iter().map(|own| own.all).collect();
             let orbits = found.split_off(probes.len());
             response.peaks = found;
+            let peaks = response.peaks.iter().chain(&orbits).flatten();
+            let mut peaks: Vec<f64> = peaks.map(|own| own.speed).collect();
+            peaks.sort_by(f64::total_cmp);
+            peaks.dedup();
+            for speed in peaks {
+                response.at_peaks.extend(whole(speed)?.map(|own| (speed, own)));
+            }
             judge(&mut lines, response, lateral, &speeds, (probes, closes), &orbits);
         }
     }
