@@ -173,7 +173,11 @@ impl Machine {
     /// How far the bore of a bearing turns about its axis against the frame of its body (rad).
     pub(crate) fn turn_of_bore(&self, bearing: usize, q: &[f64]) -> f64 {
         let monitor = &self.monitors[bearing];
-        dot(&monitor.sections[1], &q[self.places()[monitor.bodies[1]].flexible.clone()])
+        let (own, body) = (&monitor.sections[1], monitor.bodies[1]);
+        // A rigid body has one section, which is all of it.
+        let whole = || self.bodies[body].measures().first().map(|own| own.rotation.row(2));
+        let row = if own.is_empty() { whole().unwrap_or_default() } else { own.clone() };
+        dot(&row, &q[self.places()[body].flexible.clone()])
     }
 
     /// What stands at a place of q.

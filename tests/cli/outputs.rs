@@ -189,7 +189,7 @@ fn a_run_stops_at_its_steady_state() {
         .file("whole.toml", &format!("{ROTOR}{march}"));
     let said = done(&bench, &["run", "case.toml", "--no-figures"]);
     assert!(
-        said.contains("steady from ") && said.contains(" % of what they vary by in a cycle"),
+        said.contains("steady from ") && said.contains(", nothing is left to change"),
         "{said}"
     );
     done(&bench, &["run", "whole.toml", "--no-figures"]);

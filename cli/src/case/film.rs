@@ -324,8 +324,9 @@ impl FilmSource {
             journal.shape(|angle, z| bore.depth([angle, z], [clearance, radius, length]));
             let nodes = journal.film.grid.places();
             for name in bore.missed(&nodes, (radius, length)) {
-                let what = format!("the pocket `{}` lies between nodes of the film", name.text());
-                let help = "make it larger, or take more nodes in `grid`".to_owned();
+                let what = format!("no node of the film lies in the pocket `{}`", name.text());
+                let help = "place it within the film and its `arc`, make it larger, or take more nodes in `grid`"
+                    .to_owned();
                 note(name, WrongFilm { what, help });
             }
             let [least, _] = journal.gaps();

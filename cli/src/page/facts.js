@@ -32,7 +32,7 @@ function beyondLinear(text) {
   const found = [];
   for (const own of told.split(', ')) {
     const [, amplitude, name] = /^(\S+) µm in (.+)$/.exec(own) || [];
-    const journal = about.journals.find((one) => one.title === titleOf(name || ''));
+    const journal = name && about.journals.find((one) => one.title === titleOf(name));
     if (!journal || !journal.columns.every((one) => columns.has(one))) continue;
     const moves = Math.max(...journal.columns.map(half));
     if (moves > 1.5 * Number(amplitude)) found.push({ moves, words: `${name} is linear for amplitudes up to ${amplitude} µm about the state of this analysis, and moves by ${shown(moves, 3)} µm in the last cycle of the run` });
@@ -288,9 +288,14 @@ function results() {
   if (!wholeRun()) add(own, 'p', `A cycle is ${shown(1e3 * summary.cycle_s, 5)} ms: ${plain(about.cycle)}. ${about.steady[0].toUpperCase()}${about.steady.slice(1)}.`);
   const moving = summary.supports;
   if (moving.length && about.words[0]?.title === 'The mass') {
-    table(own, ['', '', ['force', 'N'], ['displacement of the mass', 'mm']], moving.flatMap((support, k) => ['min', 'mean', 'max'].map((which) => [which === 'min' ? `Stop ${k + 1}` : '', which, [support.RX_N[which], 'N'], [1e-3 * support.X_um[which], 'mm']])), [1]);
+    // A mean that is nothing beside the extremes is rounding.
+    const clean = (all, which) => (Math.abs(all[which]) > 1e-7 * Math.max(Math.abs(all.min), Math.abs(all.max)) ? all[which] : 0);
+    table(own, ['', '', ['force x', 'N'], ['displacement of the mass, x', 'mm']], moving.flatMap((support, k) => ['min', 'mean', 'max'].map((which) => [which === 'min' ? `Stop ${k + 1}` : '', which, [clean(support.RX_N, which), 'N'], [1e-3 * clean(support.X_um, which), 'mm']])), [1]);
   } else if (moving.length) {
-    const heads = ['', '', ['force x', 'N'], ['force y', 'N'], ['eccentricity x', 'µm'], ['eccentricity y', 'µm'], ['clearance', 'µm']];
+    // What has no clearance is displaced, and has no place in a bore.
+    const bores = moving.filter((support) => support.clearance_um > 0).length;
+    const called = bores === moving.length ? 'eccentricity' : bores ? 'eccentricity or displacement' : 'displacement';
+    const heads = ['', '', ['force x', 'N'], ['force y', 'N'], [`${called} x`, 'µm'], [`${called} y`, 'µm'], ...(bores ? [['clearance', 'µm']] : [])];
     // What is nothing beside the largest of its kind is rounding.
     const most = (names) => Math.max(...moving.flatMap((support) => names.flatMap((name) => ['min', 'max'].map((which) => Math.abs(support[name]?.[which] || 0)))));
     const [force, way] = [most(['RX_N', 'RY_N']), most(['EX_um', 'EY_um'])];
@@ -302,7 +307,7 @@ function results() {
     const still = named_.filter((one) => !couples(one) && !pushes(one[1])).map(([name]) => name);
     const rows = named_.filter((one) => !couples(one) && pushes(one[1])).flatMap(([name, support]) => ['min', 'mean', 'max'].map((which) => [
       which === 'min' ? name : '', which, [clean(support.RX_N[which], force), 'N'], [clean(support.RY_N[which], force), 'N'], [clean(support.EX_um[which], way), 'µm'], [clean(support.EY_um[which], way), 'µm'],
-      which === 'min' && support.clearance_um > 0 ? [support.clearance_um, 'µm'] : '']));
+      ...(!bores ? [] : [which === 'min' && support.clearance_um > 0 ? [support.clearance_um, 'µm'] : ''])]));
     table(own, heads, rows, [1]);
     const moments = about.groups.filter((group) => group.quantity === 'moment' && group.shown && group.lines.every(([name]) => columns.has(name)));
     if (moments.length) table(own, ['', '', ['torque', 'N·m']], moments.flatMap((group) => group.lines.map(([name]) => lastCycle(name)).flatMap(([least, most]) => [[group.title, 'min', [least, 'N·m']], ['', 'max', [most, 'N·m']]])), [1]);

@@ -22,7 +22,7 @@ function marked(joints, bodies, size) {
     const corners = [[r, 0, 0], [0, r, 0], [-r, 0, 0], [0, -r, 0]].map((own) => own.map((x, k) => x + at[k]));
     for (const end of [r, -r]) corners.forEach((own, k) => quad(own, corners[(k + 1) % 4], [at[0], at[1], at[2] + end], [at[0], at[1], at[2] + end]));
   };
-  for (const { name, of, to, axis, z, radius, point, angle } of joints) {
+  for (const { name, of, to, axis, z, radius, point, angle, named_at } of joints) {
     const shown_ = bodies.find((own) => own.body.name === of);
     const [first, last] = [Math.min(...z), Math.max(...z)];
     const middle = 0.5 * (first + last);
@@ -42,7 +42,7 @@ function marked(joints, bodies, size) {
       base.forEach((own, k) => quad(tip, tip, own, base[(k + 1) % 4]));
       quad(...base);
     }
-    if (name) names.push({ name, at: at(0, middle, r + 0.01 * size) });
+    if (name) names.push({ name, at: at(named_at, middle, r + 0.01 * size) });
   }
   return { points: new Float32Array(points), triangles: new Uint32Array(triangles), names };
 }

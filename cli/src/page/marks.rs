@@ -21,6 +21,8 @@ pub(super) struct Mark {
     point: bool,
     /// Of a stop on one side (rad from x).
     angle: Option<f64>,
+    /// Where its name stands (rad from x): in the middle of a pad.
+    named_at: f64,
 }
 
 /// All of a case; `free`: where bodies stand along the axis (m) of which the case does not say it.
@@ -56,6 +58,10 @@ fn of_joint(
         radius: radius.filter(|own| *own > 0.0),
         point: joint.sides[0].at.is_some(),
         angle: joint.angle,
+        named_at: plan.laws[place]
+            .film()
+            .and_then(|own| own.pad())
+            .map_or(0.0, |[start, size, ..]| start + 0.5 * size),
     };
     if let (Some(gears), Some(second)) = (&joint.gears, second) {
         let [x, y] = axes_apart([first, second]);

@@ -15,12 +15,12 @@ function inTheRun(name_, body, point, order) {
     const { x, turn } = overSpeed(tracked_);
     const rpm = x.unit === 'rpm' ? speedOfAxis(name_, tracked_, x, turn) : null;
     if (!rpm) return none;
-    // Where a motion below 1X appears or ceases the fit has a part of it.
-    const shaken = (one) => { const [below, overall] = [numbers(one.below), numbers(one.overall)]; const moves = Array.from(below, (own, k) => own > 0.2 * overall[k]); return turn(Float32Array.from(numbers(one.first), (value, k) => (moves.slice(Math.max(k - 3, 0), k + 4).every((own) => own === moves[k]) ? value : NaN))); };
+    // Where something moves below 1X the joints are other ones, and as it appears or ceases the fit has a part of it.
+    const shaken = (one) => { const [below, overall] = [numbers(one.below), numbers(one.overall)]; const moves = Array.from(below, (own, k) => own > 0.2 * overall[k]); return turn(Float32Array.from(numbers(one.first), (value, k) => (moves.slice(Math.max(k - 4, 0), k + 5).some(Boolean) ? NaN : value))); };
     const own = names.map((name) => tracked_.signals.find((one) => one.column === name));
     const series_ = own.map((one, k) => one && { name: `${'xy'[k]} in the run`, x: rpm, y: shaken(one), style: k, dash: '1.5 2.5' }).filter(Boolean);
     const seconds = numbers(tracked_.time);
-    return { ...none, series: series_, note: `in the run, which passes these speeds in ${shown(Math.abs(seconds[seconds.length - 1] - seconds[0]), 3)} s, peaks have little time to build up, and other motions change what the joints do` };
+    return { ...none, series: series_, note: `in the run, which passes these speeds in ${shown(Math.abs(seconds[seconds.length - 1] - seconds[0]), 3)} s, peaks have little time to build up; it is left out where something moves below 1X` };
   }
   const omega = [...columns.keys()].find((name) => name === signal.angle.replace('theta', 'omega').replace(/_rad$/, '_rad_s'));
   if (!isSteady() || !omega) return none;

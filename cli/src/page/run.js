@@ -268,12 +268,13 @@ function tracked() {
       new Chart(grid, {
         id: `order-${id}`, title, zero: true, sync: 'orders', x: axis, y: { label: short(whole.quantity), unit: whole.unit, amplitude: true }, marks: thresholds(x),
         series: [...one('first', '1X', 0), ...one('second', '2X', 2).filter((two) => two.y.some((value) => value > 0.01 * most)), ...(slow ? one('below', 'largest below 1X', 4).map((line) => ({ ...line, y: Array.from(line.y, (value) => (value > 0 ? value : NaN)) })) : []), draw(own.map(([, signal]) => turn(numbers(signal.overall))).reduce((most, values) => most.map((value, k) => Math.max(value, values[k]))), 'overall', 6, { dash: '2 3' })],
-        note: slow ? `a part below 1X is told where it is ${shown(2 / n, 2)} revolutions or more from 1X; within ${shown(n)} revolutions of where a motion below 1X appears or ceases, 1X and its phase have a part of it` : '',
+        note: [thresholds(x).length ? 'what begins to grow at a mark is seen later: growth takes time' : '', slow ? `a part below 1X is told where it is ${shown(2 / n, 2)} revolutions or more from 1X; within ${shown(n)} revolutions of where a motion below 1X appears or ceases, 1X and its phase have a part of it` : ''].filter(Boolean).join('; '),
       });
-      new Chart(grid, {
+      const phases = own.map(([axis, signal], k) => { const first = numbers(signal.first); const most_ = Math.max(...own.map(([, one_]) => numbers(one_.first).reduce((a, b) => Math.max(a, b), 0))); return draw(unwrapped(turn(Float32Array.from(numbers(signal.first_phase_deg), (phase, place) => (first[place] > 0.02 * most_ && first[place] > 0.02 * overall[k][place] ? phase : NaN)))), `1X ${axis}`, k); });
+      if (phases.some((one_) => one_.y.some(Number.isFinite))) new Chart(grid, {
         id: `phase-${id}`, title: `${title}, phase of 1X`, sync: 'orders', x: axis, y: { label: 'phase', unit: '°' },
         // What hardly moves has a phase by chance.
-        series: own.map(([axis, signal], k) => { const first = numbers(signal.first); const most_ = Math.max(...own.map(([, one_]) => numbers(one_.first).reduce((a, b) => Math.max(a, b), 0))); return draw(unwrapped(turn(Float32Array.from(numbers(signal.first_phase_deg), (phase, place) => (first[place] > 0.02 * most_ && first[place] > 0.02 * overall[k][place] ? phase : NaN)))), `1X ${axis}`, k); }),
+        series: phases,
       });
       if (slow) new Chart(grid, {
         id: `below-${id}`, title: `${title}, order of the largest part below 1X`, sync: 'orders', x: axis, y: { label: 'order', unit: '1' }, note: 'where it is more than a fifth of overall',

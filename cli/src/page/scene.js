@@ -271,6 +271,7 @@ class Scene {
     }
     gl.disable(gl.BLEND);
     gl.depthMask(true);
+    gl.uniform1f(this.at('dense'), 1);
   }
 
   // Joints where they stand at rest, and their names.

@@ -18,7 +18,7 @@ function shown(value, digits = 5) {
   if (!Number.isFinite(value)) return '–';
   if (value === 0) return '0';
   const size = Math.abs(value);
-  if (size >= 1e6 || size < 1e-4) return value.toExponential(digits - 1).replace(/\.?0+e/, 'e').replace('-', '−').replace('e+', 'e');
+  if (size >= 1e6 || size < 1e-4) return value.toExponential(digits - 1).replace(/\.?0+e/, 'e').replace('e+', 'e').replaceAll('-', '−');
   return String(Number(value.toPrecision(digits))).replace('-', '−');
 }
 

@@ -334,7 +334,7 @@ impl Summary {
         let facts = &self.steady_state;
         let left = |left: f64| {
             let much = match left {
-                ..1e-6 => "nothing of".to_owned(),
+                ..1e-6 => return "nothing is left to change".to_owned(),
                 ..1.0 => format!("{} % of", whirl_text::shown(100.0 * left, 2, 1e-3..1e6)),
                 // How much more is an estimate of what is slower than the cycle.
                 _ if left.is_finite() => "more than".to_owned(),

@@ -9,6 +9,7 @@ mod idle;
 mod joints;
 mod of_case;
 mod others;
+mod pads;
 mod planes;
 mod planned_body;
 mod planned_joint;
@@ -130,7 +131,9 @@ impl JoinedPlan {
             InputForm::Mass => None,
         };
         let laws = laws_of(measured.collect(), place)?;
-        Ok(JoinedPlan { bodies, attached, joints, drives, loads, outputs, fields, laws })
+        let plan = JoinedPlan { bodies, attached, joints, drives, loads, outputs, fields, laws };
+        warnings.extend(pads::warnings(&joined.joints, &plan));
+        Ok(plan)
     }
 
     /// The bodies that have meshes.
