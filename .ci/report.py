@@ -107,7 +107,7 @@ def check(browser, folder):
     charts = browser.run('whirl.charts.map((own) => ({ id: own.spec.id, ...own.values() }))')
     for chart in charts:
         for axis in (chart['x'], chart['y']):
-            assert '(' in axis or any(word in axis for word in ('|E| / c', 'revolutions', 'iterations', 'log decrement', 'share of what is allowed', 'order', 'body', 'turn')), (chart['id'], axis)
+            assert '(' in axis or any(word in axis for word in ('|E| / c', 'revolutions', 'iterations', 'log decrement', 'share of what is allowed', 'order', 'body', 'turn', 'ratio')), (chart['id'], axis)
         for ends in chart['view'].values():
             assert all(math.isfinite(own) for own in ends) and ends[1] > ends[0], chart
     compared = in_space(browser, folder) + lateral(browser, folder, charts)
@@ -216,7 +216,7 @@ def first_of(theta, revolutions):
 
 
 def envelopes(browser, rows, charts):
-    """Extremes of revolutions: all of the history between the first and the last of them."""
+    """Extremes of revolutions and of their neighbours: all of the history but a last one that lacks more than a row."""
     compared = 0
     for chart in charts:
         if not chart['id'].startswith('envelope-'):
@@ -232,7 +232,10 @@ def envelopes(browser, rows, charts):
                 turn = math.floor(sense * (angle - theta[0]) / (2 * math.pi * revolutions) + 1e-9)
                 least, most = found.get(turn, (value, value))
                 found[turn] = (min(least, value), max(most, value))
-            extremes[axis] = list(found.values())[:-1]
+            whole, row = abs(theta[-1] - theta[0]) / (2 * math.pi * revolutions), abs(theta[-1] - theta[-2]) / (2 * math.pi * revolutions)
+            turns = list(found.values()) if math.ceil(whole - 1e-9) - whole <= row else list(found.values())[:-1]
+            beside = [turns[max(k - 1, 0):k + 2] for k in range(len(turns))]
+            extremes[axis] = [(min(own[0] for own in all), max(own[1] for own in all)) for all in beside]
         for line in chart['series']:
             which, axis = line['name'].split(' ')
             known = [own[which == 'largest'] for own in extremes[axis]]

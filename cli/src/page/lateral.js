@@ -7,12 +7,6 @@ const CLAUSES = [
   { title: 'Stability, level II', clause: '6.8.6' },
 ];
 
-// Quantities of the table as sentences.
-const CALLED = {
-  'level I Q_0/Q_A (10 or more: 10)': 'level I Q_0/Q_A (10 stands for 10 and more)',
-  'level I critical speed ratio (region A up to)': 'level I critical speed ratio (region A up to the limit)',
-};
-
 // Units as people write them.
 const symbols = (words) => words.replace(/\bum\b/g, 'µm').replace(/\^3/g, '³');
 
@@ -41,7 +35,7 @@ function lateral(own, name, tables, lines) {
       const [unit, more] = row.unit === 'um pk-pk' ? ['µm', ' pk-pk'] : [row.unit === 1 ? '1' : String(row.unit), ''];
       const cell = (value) => (typeof value !== 'number' ? '' : more ? [value, unit] : shown(value, 5));
       const named = unit === '1' ? '' : () => `${Units.of(unit)[0]}${more}`;
-      return [...lead(row), row.unbalance, row.clause, CALLED[row.quantity] || row.quantity, row.place, typeof row.speed_rpm === 'number' ? shown(row.speed_rpm, 6) : '', cell(row.value), cell(row.limit), named, row.pass];
+      return [...lead(row), row.unbalance, row.clause, row.quantity, row.place, typeof row.speed_rpm === 'number' ? shown(row.speed_rpm, 6) : '', cell(row.value), cell(row.limit), named, row.pass];
     };
     table(host, heads, some.map(made), words, (cell) => { if (cell.textContent === 'NO') cell.className = 'words fails'; if (cell.textContent === 'yes') cell.className = 'words passes'; });
   };

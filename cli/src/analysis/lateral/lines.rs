@@ -103,7 +103,7 @@ const NUMBERS: [(&str, &str, Option<&str>); 8] = [
         Some("scaled_response_limit_um_pkpk"),
     ),
     ("level_1_log_decrement", "level I log decrement at Q_A", None),
-    ("level_1_stiffness_ratio", "level I Q_0/Q_A (10 or more: 10)", None),
+    ("level_1_stiffness_ratio", "level I Q_0/Q_A (10 for all above)", None),
     ("level_2_log_decrement", "level II log decrement", None),
 ];
 

@@ -86,7 +86,7 @@ pub(super) fn found(
         let shown = ratio.min(standard::RATIOS[1]);
         let pass = if ratio >= standard::RATIOS[0] { Pass::Yes } else { Pass::LevelTwo };
         add(
-            "level I Q_0/Q_A (10 or more: 10)",
+            "level I Q_0/Q_A (10 for all above)",
             "",
             Some(rpm),
             shown,
@@ -104,7 +104,7 @@ pub(super) fn found(
                 let boundary = standard::region_boundary(density);
                 let is_safe = csr <= boundary || ratio >= standard::RATIOS[1];
                 let pass = if is_safe { Pass::Yes } else { Pass::LevelTwo };
-                let quantity = "level I critical speed ratio (region A up to)";
+                let quantity = "level I critical speed ratio (limit: end of region A)";
                 add(quantity, "", Some(words::rpm(first.speed())), csr, Some(boundary), "1", pass);
             }
         } else {
