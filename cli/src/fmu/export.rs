@@ -48,7 +48,7 @@ pub(crate) fn export(arguments: &ExportArguments) -> Result<String, Failure> {
         || streams::warned(|warnings| machine::build_planned(&case, Some(&cache), warnings));
     let built = progress::during(show, case.reducing(), build)?;
     let variables = Variables::of(&case, &built, &parameters);
-    unanswered(&case).iter().for_each(|own| streams::warn(own));
+    unanswered(&case).iter().for_each(streams::warn);
     let (name, resources) = resources(arguments, (&text, &case), &cache)?;
     let state = resources.iter().find(|own| own.0 == LAST_STATE);
     let begins = state.map_or(Ok(0.0), |own| start::time_of(&own.1))?;

@@ -132,7 +132,8 @@ impl JoinedPlan {
         };
         let laws = laws_of(measured.collect(), place)?;
         let plan = JoinedPlan { bodies, attached, joints, drives, loads, outputs, fields, laws };
-        warnings.extend(pads::warnings(&joined.joints, &plan));
+        let placed = |place: usize| (plan.clearance(place).0, plan.stations(place));
+        warnings.extend(pads::warnings(&joined.joints, &plan.laws, &placed));
         Ok(plan)
     }
 

@@ -2,8 +2,7 @@
 
 use whirl_text::rounded;
 
-use super::JoinedPlan;
-use crate::case::{Joint, JointKind};
+use crate::case::{Joint, JointKind, LawSource};
 
 /// Clearance over radius of a film that is far from thin.
 const WIDE: f64 = 0.05;
@@ -19,13 +18,17 @@ struct Pad<'a> {
     z: [f64; 2],
 }
 
-/// Warnings of all films of a plan.
-pub(super) fn warnings(joints: &[Joint], plan: &JoinedPlan) -> Vec<String> {
+/// Warnings of all films. `placed`: clearance and planes along z (m) of a joint by its place.
+pub(super) fn warnings(
+    joints: &[Joint],
+    laws: &[LawSource],
+    placed: &dyn Fn(usize) -> (f64, Vec<f64>),
+) -> Vec<String> {
     let mut all = Vec::new();
     let mut pads: Vec<Pad> = Vec::new();
-    for (place, (joint, law)) in joints.iter().zip(&plan.laws).enumerate() {
+    for (place, (joint, law)) in joints.iter().zip(laws).enumerate() {
         let Some(film) = law.film().filter(|_| joint.kind == JointKind::Bearing) else { continue };
-        let clearance = plan.clearance(place).0;
+        let (clearance, z) = placed(place);
         if let Some(radius) = joint.bearing.journal_radius.filter(|own| clearance > WIDE * own) {
             all.push(format!(
                 "the clearance of `{}`, {} µm, is more than a twentieth of the radius of its journal, {} mm: films are thin, with clearances \
@@ -36,7 +39,6 @@ pub(super) fn warnings(joints: &[Joint], plan: &JoinedPlan) -> Vec<String> {
             ));
         }
         let Some([start, size, radius, length]) = film.pad() else { continue };
-        let z = plan.stations(place);
         let middle = z.iter().sum::<f64>() / z.len().max(1) as f64;
         let z = [middle - 0.5 * length, middle + 0.5 * length];
         let own = Pad { joint, arc: [start, size, radius], z };
