@@ -180,14 +180,14 @@ fn beam(force: &str) -> String {
     let bushing = |name: &str, z: u32| {
         format!(
             "[joint.{name}]\nkind = \"bushing\"\nfirst = {{ body = \"s\", z = \"{z} mm\" }}\n\
-             stiffness = {{ xx = \"1e9 N/m\", yy = \"1e9 N/m\" }}\naxial = {{ stiffness = \"1e9 N/m\" }}\n\
+             stiffness = {{ xx = \"1e9 N/m\", yy = \"1e9 N/m\" }}\naxial_stiffness = \"1e9 N/m\"\n\
              damping = {{ xx = \"2e5 N*s/m\", yy = \"2e5 N*s/m\" }}\n"
         )
     };
     format!(
         "title = \"a beam\"\n[material]\nsteel = {{ youngs_modulus = \"200 GPa\", poissons_ratio = 0.3, density = \"7860 kg/m^3\" }}\n\
          [body.s]\nturns = \"no\"\nmaterial = \"steel\"\nmodes = 1\ndamping = \"1e-4 s\"\n\
-         sections = [{{ length = \"400 mm\", outer = \"40 mm\" }}]\ncells = {{ sectors = 8, rings = 2 }}\n{}{}\
+         sections = [{{ length = \"400 mm\", outer = \"40 mm\" }}]\n{}{}\
          [loads.q]\nbody = \"s\"\nz = \"150 mm\"\nforce = {force}\n\
          [output.o]\nquantity = \"displacement\"\nbody = \"s\"\nz = \"150 mm\"\ncomponents = [\"x\", \"y\", \"z\"]\n\
          [march]\ntime_step = \"2e-5 s\"\nsteps = 300\n",

@@ -332,7 +332,10 @@ class Chart {
       let value = '';
       if (this.cursor !== null && !spec.map && own.x.length) {
         const at = this.nearest(own, this.cursor);
-        value = own.y ? `<b>${shown(own.y[at] * ay.factor)}</b>` : `<b>${shown(own.least[at] * ay.factor)} … ${shown(own.most[at] * ay.factor)}</b>`;
+        // A line tells nothing beyond its ends.
+        const room = 0.02 * (this.drawn.x1 - this.drawn.x0);
+        const beyond = !own.path && (this.cursor < own.x[0] - room || this.cursor > own.x[own.x.length - 1] + room);
+        value = beyond ? '<b>–</b>' : own.y ? `<b>${shown(own.y[at] * ay.factor)}</b>` : `<b>${shown(own.least[at] * ay.factor)} … ${shown(own.most[at] * ay.factor)}</b>`;
         value = ` ${value} ${escaped(ay.unit === '1' ? '' : ay.unit)}${own.words ? ` ${escaped(own.words[at])}` : ''}`;
       }
       const off = this.hidden.has(own.name) ? ' style="opacity:.4"' : '';

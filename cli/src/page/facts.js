@@ -38,7 +38,7 @@ function beyondLinear(text) {
     if (moves > 1.5 * Number(amplitude)) found.push({ moves, words: `${name} is linear for amplitudes up to ${amplitude} µm about the state of this analysis, and moves by ${shown(moves, 3)} µm in the last cycle of the run` });
   }
   const most = found.reduce((best, own) => (own.moves > (best?.moves || 0) ? own : best), null);
-  return most ? [`${most.words}${found.length > 1 ? `; ${found.length - 1} more are beyond theirs` : ''}: what is found here holds for small motions alone`] : [];
+  return most ? [`${most.words}${found.length > 1 ? `; ${found.length === 2 ? '1 more is beyond its limit' : `${found.length - 1} more are beyond their limits`}` : ''}: what is found here holds for small motions alone`] : [];
 }
 
 // What analyses found that must not be missed, a line each; of a page without a run also what passes.
@@ -48,7 +48,7 @@ function foundBox() {
   let bad = false;
   for (const { name, text, failed, interrupted } of analyses?.analyses || []) {
     if (failed) note(name, `came to nothing: ${text}`);
-    if (interrupted) note(name, 'interrupted: what was found up to then');
+    if (interrupted) note(name, 'interrupted: only what was found until then is shown');
     const danger = failed ? [] : text.split('\n').filter((line) => DANGER.test(line));
     bad ||= failed || interrupted;
     // What the run presses together stands open in the state of the analysis.
@@ -136,7 +136,7 @@ function facts() {
   // Over a run-up the last revolutions are half a window behind the last point.
   const passed = [largestOrder()].find((own) => own && own.amplitude >= last);
   const slow = largestBelow();
-  if (slow) fact('largest part below 1X', [slow.amplitude, 'µm', true], `${slow.title}: ${shown(slow.order, 3)} times the speed of ${shown(slow.rpm, 4)} rpm, ${shown((slow.order * slow.rpm) / 60, 3)} Hz${slow.rings ? ', a motion that keeps this frequency and rings down' : ''}`);
+  if (slow) fact('largest part below 1X', [slow.amplitude, 'µm', true], `${slow.title}: ${shown(slow.order, 3)} times the speed of ${shown(slow.rpm, 4)} rpm, ${shown((slow.order * slow.rpm) / 60, 3)} Hz${slow.rings ? ', a motion that keeps this frequency and rings down' : ''}${slow.first ? '; before, it cannot be told from 1X' : ''}`);
   if (top && /^1X/.test(top.words)) return;
   if (passed) fact('largest 1X', [passed.amplitude, 'µm', true], `${passed.title}, at ${shown(passed.rpm, 4)} rpm${passed.first ? ', where the curve begins' : ''}; looked for where more than half of what moves is 1X`);
   else if (orders.length) {
@@ -177,7 +177,7 @@ function largestBelow() {
         while (faded + 1 < below.length && below[faded + 1] < below[faded] && Math.abs(hertz(faded + 1) - hertz(k)) < 0.05 * hertz(k)) faded++;
         return below[faded] < 0.5 * below[k];
       };
-      below.forEach((amplitude, k) => { if (amplitude > 0.2 * overall[k] && (!top || amplitude > top.amplitude)) top = { amplitude, rpm: rpm[k], order: order[k], title, rings: rings(k) }; });
+      below.forEach((amplitude, k) => { if (amplitude > 0.2 * overall[k] && (!top || amplitude > top.amplitude)) top = { amplitude, rpm: rpm[k], order: order[k], title, rings: rings(k), first: k > 0 && !(below[k - 1] > 0) }; });
     }
   }
   return top;
@@ -200,6 +200,7 @@ function strongest() {
     if (signal.unit !== 'µm' || !(spectrum.turning_hz > 0) || signal.columns.some(([name]) => varies.has(name))) return;
     for (const line of spectrum.lines) {
       const [frequency, amplitude] = [numbers(line.frequency_hz), numbers(line.amplitude)];
+      const step = frequency.reduce((least, own, k) => (k > 0 && own - frequency[k - 1] < least ? own - frequency[k - 1] : least), Infinity);
       for (let at = 0; at < frequency.length; at++) {
         const order = frequency[at] / spectrum.turning_hz;
         // Nearer to nothing it is a drift.
@@ -210,11 +211,23 @@ function strongest() {
         // The larger circle gives its sense.
         if (other > amplitude[at] || (top && amplitude[at] + other <= top.amplitude)) continue;
         const way = !spectrum.two_sided ? '' : other > 0.9 * amplitude[at] ? ', along a line' : order > 0 ? ' forward' : ' backward';
-        top = { amplitude: amplitude[at] + other, hertz: Math.abs(frequency[at]), unit: signal.unit, title: signal.title, words: exciting(frequency[at]) && Math.abs(Math.abs(order) - 1) >= 0.005 ? `at the frequency of ${exciting(frequency[at])}${way}` : `${Math.abs(Math.abs(order) - 1) < 0.005 ? '1X' : `${shown(Math.abs(order), 3)} times the speed`}${body ? ` of ${body}` : ''}${way}` };
+        const [fine, more] = between(frequency, amplitude, at, step);
+        const order_ = (frequency[at] + fine) / spectrum.turning_hz;
+        top = { amplitude: more * (amplitude[at] + other), hertz: Math.abs(frequency[at] + fine), unit: signal.unit, title: signal.title, words: exciting(frequency[at] + fine) && Math.abs(Math.abs(order_) - 1) >= 0.005 ? `at the frequency of ${exciting(frequency[at] + fine)}${way}` : `${Math.abs(Math.abs(order_) - 1) < 0.005 ? '1X' : `${shown(Math.abs(order_), 3)} times the speed`}${body ? ` of ${body}` : ''}${way}` };
       }
     }
   });
   return top;
+}
+
+// How far a line lies from the largest of its frequencies (Hz), and by what its amplitude is larger: of a sine with a Hann window.
+function between(frequency, amplitude, at, step) {
+  const beside = (k) => (k >= 0 && k < amplitude.length && Math.abs(Math.abs(frequency[k] - frequency[at]) - step) < 0.01 * step ? amplitude[k] : 0);
+  const [below, above] = [beside(at - 1), beside(at + 1)];
+  const share = Math.max(below, above) / amplitude[at];
+  const off = Math.min(Math.max((2 * share - 1) / (share + 1), 0), 0.5);
+  if (!(below > 0 && above > 0) || !(off > 0)) return [0, 1];
+  return [(above > below ? off : -off) * step, (Math.PI * off * (1 - off * off)) / Math.sin(Math.PI * off)];
 }
 
 // The amplitude at the frequency that is nearest.
@@ -263,7 +276,7 @@ function lawCurves(own) {
 function lastCycle(name) {
   const [own, time] = [columns.get(name), numbers(run.histories.time)];
   let [least, most] = [Infinity, -Infinity];
-  for (let k = time.length - 1; k >= 0 && time[k] > run.ends - summary.cycle_s; k--) {
+  for (let k = time.length - 1; k >= 0 && time[k] > run.ends - summary.cycle_s - 0.51 * about.row_s; k--) {
     least = Math.min(least, numbers(own.values || own.least)[k]);
     most = Math.max(most, numbers(own.values || own.most)[k]);
   }
@@ -320,7 +333,7 @@ function results() {
   } else if (summary.orders) {
     add(own, 'h3', 'Orders');
     const { signals } = summary.orders;
-    add(own, 'p', `x = A cos(nθ + φ), A from 0 to the peak, fitted over whole revolutions at the end of the run${new Set(signals.map((one) => one.angle)).size > 1 ? ', with once and twice the angles of the other bodies beside' : ''}. What is not a multiple of half the speed leaks into these numbers where the revolutions are few: see the spectra.`, { class: 'soft' });
+    add(own, 'p', `x = A cos(nθ + φ), A from 0 to the peak, fitted over whole revolutions at the end of the run${/^not steady/.test(about.steady) ? ' with the weights of a Hann window, as it is not steady' : ''}${new Set(signals.map((one) => one.angle)).size > 1 ? ', with once and twice the angles of the other bodies beside' : ''}.${/^not steady/.test(about.steady) ? '' : ' What is no multiple of half the speed leaks into these numbers where the revolutions are few: see the spectra.'}`, { class: 'soft' });
     const named = (name) => { const signal = about.signals.find((one) => one.columns.some(([column]) => column === name)); return signal ? `${signal.title}: ${signal.quantity} ${signal.columns.find(([column]) => column === name)[1]}` : name; };
     const unit = (name) => about.signals.find((one) => one.columns.some(([column]) => column === name))?.unit || '';
     const has = (order) => signals.some((one) => one[order] && one[order].amplitude > 0.1 * Math.max(one['1X'].amplitude, one['2X'].amplitude));
@@ -338,7 +351,7 @@ function results() {
       return [named(one.signal), ...orders.flatMap(told), String(one.revolutions)];
     });
     const mixed = signals.filter((one) => one.mixed_with?.length && counts(one));
-    if (mixed.length) add(own, 'p', `1X or 2X of another body is at the same frequency as in ${mixed.length === signals.length ? 'all of these' : [...new Set(mixed.map((one) => named(one.signal)))].join(', ')}, or cannot be told apart from them in this run.`, { class: 'soft' });
+    if (mixed.length) add(own, 'p', `${mixed.length === signals.length ? 'In all of these' : `In ${[...new Set(mixed.map((one) => named(one.signal)))].join(', ')}`} 1X or 2X of another body has the same or nearly the same frequency: the numbers have a part of it.`, { class: 'soft' });
     const host = add(own, 'div');
     const fill = () => { host.replaceChildren(); table(host, heads(), rows(), orders.map((_, k) => 2 + 3 * k)); };
     fill();

@@ -22,11 +22,11 @@ function marked(joints, bodies, size) {
     const corners = [[r, 0, 0], [0, r, 0], [-r, 0, 0], [0, -r, 0]].map((own) => own.map((x, k) => x + at[k]));
     for (const end of [r, -r]) corners.forEach((own, k) => quad(own, corners[(k + 1) % 4], [at[0], at[1], at[2] + end], [at[0], at[1], at[2] + end]));
   };
-  for (const { name, of, to, axis, z, radius, point, angle, named_at } of joints) {
+  for (const { name, of, to, axis, z, radius, point, angle, named_at, exact } of joints) {
     const shown_ = bodies.find((own) => own.body.name === of);
     const [first, last] = [Math.min(...z), Math.max(...z)];
     const middle = 0.5 * (first + last);
-    const r = point ? 0.015 * size : 1.02 * (Math.max(radius || 0, !radius || shown_?.body.sketched ? (shown_ ? radiusAt(shown_, axis, middle) : 0) : 0) || 0.1 * size);
+    const r = exact ? radius : point ? 0.015 * size : 1.02 * (Math.max(radius || 0, !radius || shown_?.body.sketched ? (shown_ ? radiusAt(shown_, axis, middle) : 0) : 0) || 0.1 * size);
     const at = (turn, z_, far = r) => [axis[0] + far * Math.cos(turn), axis[1] + far * Math.sin(turn), z_];
     const half = 0.006 * size;
     if (point) dot([...axis, middle], r);

@@ -23,6 +23,8 @@ pub(super) struct Mark {
     angle: Option<f64>,
     /// Where its name stands (rad from x): in the middle of a pad.
     named_at: f64,
+    /// Whether the radius is that of its ring, whatever stands for the body: of a pad.
+    exact: bool,
 }
 
 /// All of a case; `free`: where bodies stand along the axis (m) of which the case does not say it.
@@ -46,6 +48,7 @@ fn of_joint(
     let bodies = &case.machine.bodies;
     let [first, second] = joint.sides.each_ref().map(|side| side.body.map(|body| &bodies[body]));
     let Some(first) = first else { return Vec::new() };
+    let pad = plan.laws[place].film().and_then(|own| own.pad());
     let mark = |of: &NamedBody, to: Option<&NamedBody>, axis: [f64; 2], radius: Option<f64>| Mark {
         name: joint.called.title.clone(),
         of: of.name.text().to_owned(),
@@ -58,10 +61,8 @@ fn of_joint(
         radius: radius.filter(|own| *own > 0.0),
         point: joint.sides[0].at.is_some(),
         angle: joint.angle,
-        named_at: plan.laws[place]
-            .film()
-            .and_then(|own| own.pad())
-            .map_or(0.0, |[start, size, ..]| start + 0.5 * size),
+        named_at: pad.map_or(0.0, |[start, size, ..]| start + 0.5 * size),
+        exact: pad.is_some() && joint.bearing.journal_radius.is_some(),
     };
     if let (Some(gears), Some(second)) = (&joint.gears, second) {
         let [x, y] = axes_apart([first, second]);

@@ -20,7 +20,7 @@ function inTheRun(name_, body, point, order) {
     const own = names.map((name) => tracked_.signals.find((one) => one.column === name));
     const series_ = own.map((one, k) => one && { name: `${'xy'[k]} in the run`, x: rpm, y: shaken(one), style: k, dash: '1.5 2.5' }).filter(Boolean);
     const seconds = numbers(tracked_.time);
-    return { ...none, series: series_, note: `in the run, which passes these speeds in ${shown(Math.abs(seconds[seconds.length - 1] - seconds[0]), 3)} s, peaks have little time to build up; it is left out where something moves below 1X` };
+    return { ...none, series: series_, note: `the run, which passes these speeds in ${shown(Math.abs(seconds[seconds.length - 1] - seconds[0]), 3)} s, need not follow the linear response: peaks take time to build up, and joints change with the amplitude; it is left out where something moves below 1X` };
   }
   const omega = [...columns.keys()].find((name) => name === signal.angle.replace('theta', 'omega').replace(/_rad$/, '_rad_s'));
   if (!isSteady() || !omega) return none;
@@ -68,7 +68,7 @@ Object.assign(CHARTED, {
     const told = every.filter(([, own]) => own[0].order === 0 || high(own) >= 0.01 * largest).sort(([, a], [, b]) => rank(a) - rank(b) || (rank(a) === 1 ? high(b) - high(a) : 0));
     const all = told.slice(0, 24);
     const charts = [];
-    const unstable = [...((analyses?.analyses || []).find((own) => own.name === name)?.text || '').matchAll(/^UNSTABLE above ([\d.]+) rpm/gm)].map((own) => ({ x: Number(own[1]), name: 'unstable above' }));
+    const unstable = [...((analyses?.analyses || []).find((own) => own.name === name)?.text || '').matchAll(/^UNSTABLE above ([\d.]+) rpm/gm)].map((own) => ({ x: Number(own[1]), name: `unstable above ${shown(Number(own[1]), 5)}` }));
     const several = new Set(rows.map((row) => row.body)).size > 1;
     const found = tables.get(`${name}.peaks.csv`)?.rows || [];
     const beside = grouped(tables.get(`${name}.near.csv`)?.rows || [], 'body', 'point', 'order');

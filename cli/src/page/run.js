@@ -157,25 +157,28 @@ function spectra() {
   const far = Math.max(...sharp.map((spectrum) => Math.max(3.3 * (spectrum.turning_hz || 0), ...spectrum.lines.map(lastPeak))));
   const end = Math.max(...run.spectra.flatMap((spectrum) => spectrum.lines.map((line) => { const all = numbers(line.frequency_hz); return all[all.length - 1]; })));
   const charts = [];
-  const near = (two_sided) => (far < 0.7 * end ? [two_sided ? -far : 0, far] : undefined);
-  if (near()) {
+  // Each as far as it has something to show.
+  const own_ = (spectrum) => Math.max(3.3 * (spectrum.turning_hz || 0), ...spectrum.lines.map(lastPeak));
+  const near = (spectrum) => (far < 0.7 * end || own_(spectrum) < 0.7 * far ? [spectrum.two_sided ? -own_(spectrum) : 0, own_(spectrum)] : undefined);
+  if (far < 0.7 * end) {
     const whole = add(add(own, 'label', undefined, { class: 'choose screen' }), 'input', undefined, { type: 'checkbox' });
-    whole.after(` all frequencies, to ${shown(end, 4)} Hz: beyond ${shown(far, 3)} Hz nothing is above a thousandth of the largest`);
-    whole.addEventListener('change', () => { for (const chart of charts) { chart.spec.range = whole.checked ? undefined : near(chart.spec.two_sided); chart.view = null; if (chart.over) chart.render(); } });
+    whole.after(` all frequencies, to ${shown(end, 4)} Hz: beyond what is shown nothing is above a thousandth of the largest`);
+    whole.addEventListener('change', () => { for (const chart of charts) { chart.spec.range = whole.checked ? undefined : near(chart.spec.spectrum); chart.view = null; if (chart.over) chart.render(); } });
   }
   const grid = add(own, 'div', undefined, { class: 'grid' });
   if (smeared.length) add(own, 'p', `Left out, as its speed changes too much in this time for lines to be seen: ${[...new Set(smeared.map((k) => about.signals[k].title))].join(', ')}. See the orders, the envelope and the spectra over the run.`, { class: 'soft' });
   run.spectra.forEach((spectrum, k) => {
     const signal = about.signals[k];
     if (!spectrum.lines.length || smeared.includes(k)) return;
-    const orders = spectrum.turning_hz > 0 ? [1, 2, 0.5] : [];
-    const marks = orders.flatMap((order) => { const name = order === 0.5 ? '½X' : `${order}X`; const at = order * spectrum.turning_hz; return spectrum.two_sided ? [{ x: -at, name: `−${name}` }, { x: at, name }] : [{ x: at, name }]; });
+    const marked_ = (orders) => orders.flatMap((order) => { const name = order === 0.5 ? '½X' : `${order}X`; const at = order * spectrum.turning_hz; return spectrum.two_sided ? [{ x: -at, name: `−${name}` }, { x: at, name }] : [{ x: at, name }]; });
     const body = turningOf(signal.angle);
     // What turns otherwise has its own 1X.
+    const marks = spectrum.turning_hz > 0 ? marked_([1]) : [];
     for (const [other, hertz] of spectrum.turning_hz > 0 ? turningHertz() : []) if (other !== body && marks.every((one) => Math.abs(Math.abs(one.x) - hertz) > 0.02 * hertz)) marks.push(...(spectrum.two_sided ? [{ x: -hertz, name: `−1X ${other}` }] : []), { x: hertz, name: `1X ${other}` });
+    if (spectrum.turning_hz > 0) marks.push(...marked_([2, 0.5]).filter((one) => marks.every((other) => Math.abs(other.x - one.x) > 0.02 * Math.abs(one.x))));
     const note = spectrum.turning_hz > 0 ? `1X: ${body} at ${shown(60 * spectrum.turning_hz, 4)} rpm${varies.has(signal.angle) ? ' on average' : ''}` : '';
     charts.push(new Chart(grid, {
-      two_sided: spectrum.two_sided, range: near(spectrum.two_sided), id: `spectrum-${slug(signal.title)}-${slug(signal.quantity)}`, title: `${signal.title}: ${signal.quantity}`, zero: true, sync: `frequency ${spectrum.two_sided}`,
+      spectrum, range: near(spectrum), id: `spectrum-${slug(signal.title)}-${slug(signal.quantity)}`, title: `${signal.title}: ${signal.quantity}`, zero: true, sync: `frequency ${spectrum.two_sided}`,
       x: { label: spectrum.two_sided ? 'frequency, backward < 0 < forward' : 'frequency', unit: 'Hz', short: 'frequency' }, y: { label: short(signal.quantity), unit: signal.unit, amplitude: true },
       marks, note, series: spectrum.lines.map((line, place) => ({ name: line.name, x: numbers(line.frequency_hz), y: numbers(line.amplitude), style: place })),
     }));
@@ -249,7 +252,7 @@ function tracked() {
   const own = part('orders', `Orders over ${run.tracked.some((all) => overSpeed(all).x.unit === 'rpm') ? 'speed' : 'time'}`);
   for (const all of run.tracked) {
     const n = all.revolutions;
-    add(own, 'p', `Amplitudes and phases of x = A cos(nθ + φ), tracked by the angle: each point is a fit over ${shown(n)} revolutions with the weights of a Hann window. It tells an order from what differs from it by ${shown(2 / n, 3)} orders or more; nearer than that, both are in one. Overall is half of largest less least value in the same revolutions, of the direction in which it is larger: where it is far above 1X, something else moves${2 / n < 0.45 ? `: the largest part between ${shown(2 / n, 2)} and ${shown(1 - 2 / n, 2)} times the speed is shown with its order where it matters${run.tracked.length > 1 || new Set(about.signals.map((one) => one.angle)).size > 1 ? ', without once the speeds of other bodies' : ''}` : ', and its spectra tell what'}. Curves begin and end half of ${shown(n)} revolutions inside the run.`, { class: 'soft' });
+    add(own, 'p', `Amplitudes and phases of x = A cos(nθ + φ), tracked by the angle: each point is a fit over ${shown(n)} revolutions with the weights of a Hann window. It tells an order from what differs from it by ${shown(2 / n, 3)} orders or more; nearer than that, both are in one. Overall is half of largest less least value in the same revolutions, of the direction in which it is larger: where it is far above 1X, something else moves${2 / n < 0.45 ? `: the largest part between ${shown(2 / n, 2)} and ${shown(1 - 2 / n, 2)} times the speed is shown with its order where it matters${run.tracked.length > 1 || new Set(about.signals.map((one) => one.angle)).size > 1 ? ', 1X of other bodies left out' : ''}` : ', and its spectra tell what'}. Curves begin and end half of ${shown(n)} revolutions inside the run.`, { class: 'soft' });
     const { turn, x } = overSpeed(all);
     const grid = add(own, 'div', undefined, { class: 'grid' });
     for (const whole of about.signals) {
@@ -268,13 +271,14 @@ function tracked() {
       new Chart(grid, {
         id: `order-${id}`, title, zero: true, sync: 'orders', x: axis, y: { label: short(whole.quantity), unit: whole.unit, amplitude: true }, marks: thresholds(x),
         series: [...one('first', '1X', 0), ...one('second', '2X', 2).filter((two) => two.y.some((value) => value > 0.01 * most)), ...(slow ? one('below', 'largest below 1X', 4).map((line) => ({ ...line, y: Array.from(line.y, (value) => (value > 0 ? value : NaN)) })) : []), draw(own.map(([, signal]) => turn(numbers(signal.overall))).reduce((most, values) => most.map((value, k) => Math.max(value, values[k]))), 'overall', 6, { dash: '2 3' })],
-        note: [thresholds(x).length ? 'what begins to grow at a mark is seen later: growth takes time' : '', slow ? `a part below 1X is told where it is ${shown(2 / n, 2)} revolutions or more from 1X; within ${shown(n)} revolutions of where a motion below 1X appears or ceases, 1X and its phase have a part of it` : ''].filter(Boolean).join('; '),
+        note: [thresholds(x).length ? 'what begins to grow at a mark is seen later: growth takes time' : '', slow ? `a part below 1X can be told from 1X where it is ${shown(2 / n, 2)} orders or more below it; within ${shown(n)} revolutions of where a motion below 1X appears or ceases, 1X and its phase contain a part of it` : ''].filter(Boolean).join('; '),
       });
       const phases = own.map(([axis, signal], k) => { const first = numbers(signal.first); const most_ = Math.max(...own.map(([, one_]) => numbers(one_.first).reduce((a, b) => Math.max(a, b), 0))); return draw(unwrapped(turn(Float32Array.from(numbers(signal.first_phase_deg), (phase, place) => (first[place] > 0.02 * most_ && first[place] > 0.02 * overall[k][place] ? phase : NaN)))), `1X ${axis}`, k); });
-      if (phases.some((one_) => one_.y.some(Number.isFinite))) new Chart(grid, {
+      const told_ = phases.filter((one_) => Array.from(one_.y).filter(Number.isFinite).length > 2);
+      if (told_.length) new Chart(grid, {
         id: `phase-${id}`, title: `${title}, phase of 1X`, sync: 'orders', x: axis, y: { label: 'phase', unit: '°' },
         // What hardly moves has a phase by chance.
-        series: phases,
+        series: told_,
       });
       if (slow) new Chart(grid, {
         id: `below-${id}`, title: `${title}, order of the largest part below 1X`, sync: 'orders', x: axis, y: { label: 'order', unit: '1' }, note: 'where it is more than a fifth of overall',

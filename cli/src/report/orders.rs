@@ -2,8 +2,8 @@
 //!
 //! Over the last whole revolutions of a body by θ, x = Σ A_n cos(n θ + φ_n) is fitted by least squares, whose terms are
 //! a constant, the orders 1 to 3 and, over two revolutions or more, ½ and 1½: what else there is, is nearly orthogonal to
-//! them over whole revolutions. With weights of a Hann window, where the revolutions are many enough, that is also so of what turns
-//! nearly as often. Once and twice the angles of other bodies are fitted beside them, where they differ by a
+//! them over whole revolutions. Of a run that came to no steady state the orders 1 to 3 are fitted over eight revolutions, with the weights
+//! of a Hann window, which keeps what is no order out of them. Once and twice the angles of other bodies are fitted beside them, where they differ by a
 //! revolution or more: what a second spool does is no order of the first.
 
 use std::f64::consts::TAU;
@@ -23,6 +23,10 @@ const ORDERS: [f64; 3] = [1.0, 2.0, 3.0];
 const HALVES: [f64; 2] = [0.5, 1.5];
 /// Orders of every other angle that are fitted beside them.
 const BESIDE: [f64; 2] = [1.0, 2.0];
+/// Revolutions that are fitted of a run that came to no steady state, if it has so many: what turns nearly as often is told apart then.
+const UNSTEADY: usize = 8;
+/// How far orders are apart that are fitted together, in revolutions of the window: with equal weights, and with those of a Hann window.
+const APART: [f64; 2] = [1.0, 2.0];
 /// Revolutions up to which more are taken than a cycle has, where orders of other angles are nearer than a revolution.
 const TOGETHER: f64 = 64.0;
 /// Bodies that turn against each other by less than this (rad) all along are one.
@@ -90,7 +94,7 @@ pub(crate) struct Order {
 pub(crate) fn orders(
     history: &dyn ReadHistory,
     all: &[Oscillation],
-    cycle: f64,
+    (cycle, is_steady): (f64, bool),
 ) -> io::Result<Option<OrderFacts>> {
     let mut signals = Vec::new();
     let mut all_angles: Vec<&String> = Vec::new();
@@ -102,7 +106,9 @@ pub(crate) fn orders(
     for &angle in &all_angles {
         let others: Vec<&str> =
             all_angles.iter().filter(|own| **own != angle).map(|own| own.as_str()).collect();
-        let Some(window) = Window::of(history, (angle, &others), cycle)? else { continue };
+        let Some(window) = Window::of(history, (angle, &others), (cycle, is_steady))? else {
+            continue;
+        };
         let own = all.iter().filter(|own| own.angle.as_ref() == Some(angle));
         let columns: Vec<(&str, String)> = own
             .flat_map(|own| {
@@ -114,7 +120,6 @@ pub(crate) fn orders(
         let names: Vec<&str> = angles.chain(columns.iter().map(|own| own.0)).collect();
         let revolutions = window.revolutions;
         let orders = window.terms();
-        let is_tapered = window.is_tapered(&orders);
         let halves = HALVES.map(|half| orders.iter().position(|own| *own == (0, half)));
         let mut fit = Fit::new(orders.len(), columns.len());
         let mut terms = Terms::new(orders);
@@ -129,7 +134,7 @@ pub(crate) fn orders(
                 let (angles, values) = row.split_at(1 + others.len());
                 // Hann's window keeps what is no order out of those that are.
                 let taper = 1.0 - (TAU * left / whole).cos();
-                let weight = if is_tapered { taper * inside } else { inside };
+                let weight = if is_steady { inside } else { taper * inside };
                 fit.add(weight, terms.at(angles), values);
             }
             before = Some(row[0]);
@@ -177,6 +182,8 @@ struct Window {
     ends: Vec<[f64; 2]>,
     /// Which of them turn as the first one does.
     locked: Vec<bool>,
+    /// Whether what varies in a cycle repeats itself, so that all that is no order of an angle is an order of the cycle.
+    is_steady: bool,
 }
 
 impl Window {
@@ -184,7 +191,7 @@ impl Window {
     fn of(
         history: &dyn ReadHistory,
         (angle, others): (&str, &[&str]),
-        cycle: f64,
+        (cycle, is_steady): (f64, bool),
     ) -> io::Result<Option<Self>> {
         let Some(end) = history.last_time()? else { return Ok(None) };
         let names: Vec<&str> = std::iter::once(angle).chain(others.iter().copied()).collect();
@@ -208,13 +215,13 @@ impl Window {
                 let from = last_cycle(history, 1.05 * window)?;
                 let ends = first.into_iter().zip(last.iter().copied()).map(<[f64; 2]>::from);
                 let (ends, locked) = (ends.collect(), locked.clone());
-                let own = Window { from, revolutions: whole as usize, ends, locked };
-                let needed = own.needed();
+                let own = Window { from, revolutions: whole as usize, ends, locked, is_steady };
+                let needed = own.needed().max(if is_steady { 1.0 } else { UNSTEADY as f64 });
                 if needed <= whole {
                     return Ok(Some(own));
                 }
-                // Where no window tells them apart the shortest one is as good as any.
-                best = best.or(Some(own));
+                // Where no window tells them apart the shortest one is as good as any, and the longest one where nothing is steady.
+                best = if is_steady { best.or(Some(own)) } else { Some(own) };
                 if needed > TOGETHER {
                     return Ok(best);
                 }
@@ -238,9 +245,9 @@ impl Window {
         all.collect()
     }
 
-    /// Whether orders differ by a revolution or more.
+    /// Whether orders differ by as many revolutions as tell them apart.
     fn apart(&self, a: f64, b: f64) -> bool {
-        (a - b).abs() * self.revolutions as f64 >= 1.0 - 1e-3
+        (a - b).abs() * self.revolutions as f64 >= APART[usize::from(!self.is_steady)] - 1e-3
     }
 
     /// Revolutions after which those beside are a revolution away from all of its own orders, but for those that are one of these.
@@ -248,7 +255,8 @@ impl Window {
         let all = self.beside().into_iter().filter(|own| !self.locked[own.0]);
         let away = all.flat_map(|(.., order)| ORDERS.map(|own| (order - own).abs()));
         // Gears and drives keep ratios to the digits of a history.
-        let revolutions = away.filter(|own| *own > 1e-6).map(|own| (1.0 / own - 1e-3).ceil());
+        let apart = APART[usize::from(!self.is_steady)];
+        let revolutions = away.filter(|own| *own > 1e-6).map(|own| (apart / own - 1e-3).ceil());
         revolutions.fold(1.0, f64::max)
     }
 
@@ -261,23 +269,13 @@ impl Window {
         places
     }
 
-    /// Whether the revolutions tell all terms apart with the weights of a Hann window, too: they are two revolutions apart then.
-    fn is_tapered(&self, terms: &[(usize, f64)]) -> bool {
-        let turned = |own: &[f64; 2]| own[1] - own[0];
-        let order = |(place, times): &(usize, f64)| {
-            times * (turned(&self.ends[*place]) / turned(&self.ends[0])).abs()
-        };
-        let mut all: Vec<f64> = std::iter::once(0.0).chain(terms.iter().map(order)).collect();
-        all.sort_by(f64::total_cmp);
-        all.windows(2).all(|pair| (pair[1] - pair[0]) * self.revolutions as f64 >= 2.0 - 1e-3)
-    }
-
     /// What is fitted beside the constant: places of angles, and how often each goes in a revolution of its angle.
     fn terms(&self) -> Vec<(usize, f64)> {
         let mut orders: Vec<f64> = ORDERS.to_vec();
         let mut all: Vec<(usize, f64)> = orders.iter().map(|own| (0, *own)).collect();
         orders.push(0.0);
-        let halves = if self.revolutions > 1 { &HALVES[..] } else { &[] };
+        // What is near half of the speed and does not repeat itself is no order.
+        let halves = if self.is_steady && self.revolutions > 1 { &HALVES[..] } else { &[] };
         let halves = halves.iter().map(|own| (0, *own, *own));
         for (place, times, order) in self.beside().into_iter().chain(halves) {
             if orders.iter().all(|own| self.apart(order, *own)) {
@@ -314,7 +312,7 @@ mod tests {
             columns: vec![("x_um".into(), "x")],
             angle: Some("theta_rad".into()),
         }];
-        orders(&history, &all, 10.0).unwrap().map(|mut found| found.signals.remove(0))
+        orders(&history, &all, (10.0, true)).unwrap().map(|mut found| found.signals.remove(0))
     }
 
     #[test]
@@ -333,6 +331,39 @@ mod tests {
         let said = "few rows: 14 a revolution; components at 12 times the speed or more may alias to 1X or 2X";
         assert!(few(14).contains(said), "{}", few(14));
         assert!(!few(24).contains("few rows"), "{}", few(24));
+    }
+
+    /// 1X and 2X beside a whirl that decays at 0.43X and one at 1.6X, of a run that is not steady: as they are to a hundredth.
+    #[test]
+    fn orders_of_what_is_not_steady_are_told_from_what_is_none() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("history.csv");
+        let names = ["t_s", "theta_rad", "x_um"].map(str::to_owned).to_vec();
+        let mut writer = HistoryWriter::create(&path, &names).unwrap();
+        for step in 0..=6000 {
+            let t = 1e-3 * f64::from(step);
+            let theta = TAU * 5.0 * t;
+            let rest = 30.0 * (-0.05 * t).exp() * (0.43 * theta).sin() + 4.0 * (1.6 * theta).cos();
+            let own = 2.0 * (theta + 0.4).cos() + 0.5 * (2.0 * theta - 1.0).cos();
+            writer.push(&[t, theta, own + rest]).unwrap();
+        }
+        writer.finish().unwrap();
+        let history = HistoryFile::open(&path).unwrap();
+        let all = [Oscillation {
+            title: "disc".into(),
+            quantity: "displacement",
+            unit: "µm".to_owned(),
+            columns: vec![("x_um".into(), "x")],
+            angle: Some("theta_rad".into()),
+        }];
+        let of = |is_steady| {
+            orders(&history, &all, (0.4, is_steady)).unwrap().expect("orders").signals.remove(0)
+        };
+        let found = of(false);
+        assert_eq!((found.revolutions, found.half), (8, None));
+        assert!((found.first.amplitude - 2.0).abs() < 0.15, "{found:?}");
+        assert!((found.second.amplitude - 0.5).abs() < 0.1, "{found:?}");
+        assert!((of(true).first.amplitude - 2.0).abs() > 1.0);
     }
 
     /// Two spools whose speeds are 5 : 7, in cycles of one revolution and more: 1X and 2X of each without those of the other; of spools
@@ -363,7 +394,7 @@ mod tests {
                 angle: Some(angle.into()),
             };
             let all = [of("x_um", "theta_rad"), of("y_um", "theta_b_rad")];
-            let found = orders(&history, &all, cycle).unwrap().expect("they turn").signals;
+            let found = orders(&history, &all, (cycle, true)).unwrap().expect("they turn").signals;
             let known = match ratio {
                 2.0 => {
                     [[20.0, (3.0 + 8.0 * 1.0_f64.cos()).hypot(8.0 * 1.0_f64.sin())], [11.0, 2.0]]
@@ -402,7 +433,7 @@ mod tests {
                 angle: Some(angle.into()),
             };
             let all = [of("x_um", "theta_rad"), of("y_um", "theta_b_rad")];
-            let found = orders(&history, &all, 0.4).unwrap().expect("they turn");
+            let found = orders(&history, &all, (0.4, true)).unwrap().expect("they turn");
             assert_eq!(!found.signals[0].mixed_with.is_empty(), said, "{ratio}");
             let text = super::super::of_orders(Some(&found));
             assert_eq!(text.contains("cannot be told apart"), said, "{text}");
@@ -438,7 +469,7 @@ mod tests {
             angle: Some("theta_rad".into()),
         }];
         for cycle in [0.1, 0.05, 0.001] {
-            let found = orders(&history, &all, cycle).unwrap().expect("it turns").signals;
+            let found = orders(&history, &all, (cycle, true)).unwrap().expect("it turns").signals;
             let [x, y] = found.as_slice() else { panic!("two signals") };
             // Orders that are not fitted leave a trace, as rows do not meet the revolution's start.
             let near = |found: Order, amplitude: f64, phase: f64| {
@@ -453,6 +484,6 @@ mod tests {
             assert!((y.first.amplitude - 4.0).abs() < 1e-6 && y.second.amplitude < 1e-6);
             assert!((y.first.phase_deg.abs() - 180.0).abs() < 1e-5);
         }
-        assert!(orders(&history, &[], 0.1).unwrap().is_none());
+        assert!(orders(&history, &[], (0.1, true)).unwrap().is_none());
     }
 }

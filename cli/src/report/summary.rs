@@ -287,6 +287,8 @@ impl Summary {
     ) -> io::Result<Summary> {
         let (cycle, supports) = (case.march().cycle, case.supports());
         let named = case.machine.is_named();
+        // A run that is too short to be tested is taken as it is.
+        let repeats = outcome.steady.is_some() || case.march().steady_cycle().is_none();
         Ok(Summary {
             case: case_facts(case, built),
             version: version::PACKAGE,
@@ -310,7 +312,7 @@ impl Summary {
                 halved_steps: outcome.halved_steps,
             },
             supports: SupportSummary::all(history, (&supports, named), &built.clearances, cycle)?,
-            orders: orders(history, &oscillations(case, &built.machine), cycle)?,
+            orders: orders(history, &oscillations(case, &built.machine), (cycle, repeats))?,
             stresses: BTreeMap::new(),
             cycle_s: cycle,
             cycle: case.march().cycle_called,
@@ -333,16 +335,21 @@ impl Summary {
     pub(crate) fn steadiness(&self, march: &MarchSettings) -> String {
         let facts = &self.steady_state;
         let left = |left: f64| {
-            let much = match left {
-                ..1e-6 => return "nothing is left to change".to_owned(),
-                ..1.0 => format!("{} % of", whirl_text::shown(100.0 * left, 2, 1e-3..1e6)),
-                // How much more is an estimate of what is slower than the cycle.
-                _ if left.is_finite() => "more than".to_owned(),
-                _ => return "the change from cycle to cycle does not decrease".to_owned(),
-            };
-            format!(
-                "what forces and displacements still change is {much} what they vary by in a cycle"
-            )
+            if left < 1e-6 {
+                return "nothing changes any more".to_owned();
+            }
+            if left < 1.0 {
+                let share = whirl_text::shown(100.0 * left, 2, 1e-3..1e6);
+                return format!(
+                    "forces and displacements still drift by {share} % of what they vary by in a cycle"
+                );
+            }
+            // How much more is an estimate of what is slower than the cycle.
+            match left.is_finite() {
+                true => "forces and displacements still drift by more than they vary by in a cycle",
+                false => "the change from cycle to cycle does not decrease",
+            }
+            .to_owned()
         };
         match (facts.time_s, facts.left) {
             _ if !facts.checked => format!(

@@ -329,7 +329,7 @@ fn response_rows(all: &[Done]) -> String {
             let speeds = done.responses.speeds.iter().enumerate();
             let mut all: Vec<(f64, [&Vec<f64>; 3])> =
                 speeds.map(|(place, speed)| (*speed, of_speed(place))).collect();
-            all.extend(own.at_peaks.iter().map(|(speed, own)| (*speed, own.each_ref())));
+            all.extend(own.between.iter().map(|(speed, own)| (*speed, own.each_ref())));
             all.sort_by(|a, b| a.0.total_cmp(&b.0));
             for (speed, [readings, phases, orbits]) in all {
                 let mut row = |name: &str, value: f64, phase: &str| {

@@ -15,8 +15,13 @@ use crate::case::{Analysis, Lateral};
 use crate::errors::Failure;
 use crate::signals::Interruption;
 
-/// Share by which readings may differ that are equal.
+/// Share by which readings may differ that are equal, and of the largest one that is nothing.
 const TIE: f64 = 1e-9;
+/// How far phases may turn from one speed to the next (degrees), speeds that are added for it at most, and how near they are (as a
+/// share).
+const FAR: f64 = 45.0;
+const MOST_ADDED: usize = 120;
+const CLOSE: f64 = 1e-4;
 
 /// A probe: a point and the direction in which it measures.
 #[derive(Debug, Clone)]
@@ -51,8 +56,8 @@ pub(super) struct Response {
     pub(super) phases: Vec<Vec<f64>>,
     /// By speeds, by close clearances: major axis, peak to peak (µm).
     pub(super) orbits: Vec<Vec<f64>>,
-    /// At the peaks, rising: speed (rad/s), and readings, phases and axes there.
-    pub(super) at_peaks: Vec<(f64, [Vec<f64>; 3])>,
+    /// At the peaks, and where phases turn fast: speed (rad/s), and readings, phases and axes there.
+    pub(super) between: Vec<(f64, [Vec<f64>; 3])>,
     /// By probes: heights in µm peak to peak.
     pub(super) peaks: Vec<Vec<Peak>>,
     /// S_cc.
@@ -96,7 +101,7 @@ pub(super) fn found(
             readings: Vec::new(),
             phases: Vec::new(),
             orbits: Vec::new(),
-            at_peaks: Vec::new(),
+            between: Vec::new(),
             peaks: vec![Vec::new(); probes.len()],
             scale: 0.0,
         })
@@ -185,13 +190,55 @@ pub(super) fn found(
             peaks.sort_by(f64::total_cmp);
             peaks.dedup();
             for speed in peaks {
-                response.at_peaks.extend(whole(speed)?.map(|own| (speed, own)));
+                response.between.extend(whole(speed)?.map(|own| (speed, own)));
             }
+            follow(response, &speeds, &mut whole)?;
             judge(&mut lines, response, lateral, &speeds, (probes, closes), &orbits);
         }
     }
     interrupted |= interruption.asked();
     Ok(Responses { speeds, all, lines, notes, interrupted })
+}
+
+/// Adds speeds to a response where the phase of a probe turns far from one to the next.
+fn follow(
+    response: &mut Response,
+    speeds: &[f64],
+    at: &mut dyn FnMut(f64) -> Result<Option<[Vec<f64>; 3]>, Error>,
+) -> Result<(), Error> {
+    let Response { readings, phases, between, .. } = response;
+    let listed = speeds.iter().zip(readings.iter().zip(&*phases));
+    let mut known: Vec<(f64, [Vec<f64>; 2])> =
+        listed.map(|(speed, (size, phase))| (*speed, [size.clone(), phase.clone()])).collect();
+    known.extend(
+        between.iter().map(|(speed, [size, phase, _])| (*speed, [size.clone(), phase.clone()])),
+    );
+    known.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let turns = |[a, b]: [&[Vec<f64>; 2]; 2]| {
+        let both = a[0].iter().zip(&b[0]).zip(a[1].iter().zip(&b[1]));
+        both.filter(|(sizes, _)| *sizes.0 > 0.0 && *sizes.1 > 0.0).any(|(_, (from, to))| {
+            let turn = (to - from).rem_euclid(360.0);
+            turn.min(360.0 - turn) > FAR
+        })
+    };
+    let (mut k, mut added) = (0, 0);
+    while k + 1 < known.len() && added < MOST_ADDED {
+        let [(from, first), (to, second)] = [&known[k], &known[k + 1]];
+        let middle = 0.5 * (from + to);
+        let found = match to - from > CLOSE * to && turns([first, second]) {
+            true => at(middle)?,
+            false => None,
+        };
+        match found {
+            Some(own) => {
+                known.insert(k + 1, (middle, [own[0].clone(), own[1].clone()]));
+                between.push((middle, own));
+                added += 1;
+            }
+            None => k += 1,
+        }
+    }
+    Ok(())
 }
 
 /// Speeds that are counted in the sense of the rotation, rising along the axis.
@@ -299,6 +346,7 @@ fn judge(
     add("6.8.2.11", "scale factor S_cc", "", None, scale, None, "1", Pass::None);
     for (place, (close, peaks)) in closes.iter().zip(orbits).enumerate() {
         let own = largest([0.0, lateral.trip], speeds, &|at| response.orbits[at][place], peaks);
+        let moves = own.1 > TIE * reading;
         let allowed = standard::CLEARANCE * 1e6 * close.clearance;
         // No scale makes what grows without limit small.
         let value = if own.1.is_finite() { scale * own.1 } else { own.1 };
@@ -308,8 +356,8 @@ fn judge(
             "6.8.2.11",
             quantity,
             &close.point.name,
-            Some(own.0),
-            value,
+            moves.then_some(own.0),
+            if moves { value } else { 0.0 },
             Some(allowed),
             "um pk-pk",
             pass,

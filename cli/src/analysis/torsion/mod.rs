@@ -153,7 +153,7 @@ pub(super) fn found(
     if !exciting.is_empty() {
         let _ = writeln!(
             text,
-            "note: amplitudes are not computed here: {} count by the orders that `orders` names alone. Run the case in time for the torques that they make",
+            "note: this analysis compares frequencies and has no amplitudes: of {} only the orders that `orders` names are looked at. Run the case in time for the torques that they make",
             exciting.join(", ")
         );
     }
