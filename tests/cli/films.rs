@@ -268,7 +268,7 @@ fn shapes_of_bores_that_cannot_be_are_refused() {
         ("lobes = 2\npreload = 0.5\nlobe_offset = 1.5", ["share of the arc", "lobe_offset = 0.5"]),
         (
             "pocket.p = { angle = \"1 deg\", width = \"0.1 mm\", depth = \"9 um\" }",
-            ["the pocket `p` lies between nodes", "more nodes in `grid`"],
+            ["no node of the film lies in the pocket `p`", "more nodes in `grid`"],
         ),
         ("profile = \"turns.csv\"", ["goes around the bore more than once", "over one turn"]),
         ("profile = \"in.csv\"", ["leaves a gap of -20 µm", "beyond the round bore"]),

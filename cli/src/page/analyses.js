@@ -270,7 +270,7 @@ function swept() {
 
 // Lines that tell what an analysis comes to, and among them what must not be missed.
 const DANGER = /^UNSTABLE|NOT STABLE|^DOES NOT PASS|too large for a linear|vary by (?:[2-9]\d|\d{3,}) %/;
-const FOUND = /^stable |^a further motion|^one motion stops|^no critical speed|critically damped|joints are linear, within|nothing closes the clearance|^all modes are|^in operation|amplitudes are not computed|^PASSES/;
+const FOUND = /^stable |^a further motion|^one motion stops|^no critical speed|critically damped|joints are linear, within|nothing closes the clearance|^all modes are|^in operation|has no amplitudes|^PASSES/;
 
 // Sentences of the terminal without the quotes of its commands.
 const plain = (words, sentence = true) => (sentence ? words.replace(/`([^`]+)`/g, '$1').replace(/(^|[\s(=])-(?=\d)/g, '$1−').replace(/^(left out: .*? rpm), as no equilibrium was found .*$/, '$1, where no equilibrium was found') : words);
