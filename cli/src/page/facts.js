@@ -24,6 +24,21 @@ function head() {
 // A joint as charts call it.
 const titleOf = (name) => { const plain_ = name.replace(/^\S+ /, ''); return [plain_, name[0].toUpperCase() + name.slice(1)].find((own) => columns.has(`ratio ${own}`)) || plain_; };
 
+// Bodies that turn freely and otherwise in the state of an analysis than at the end of the run.
+function otherSpeeds(text) {
+  if (!run) return [];
+  const free = about.words.find((one) => one.title === 'Speeds')?.lines.filter((line) => /: free/.test(line)).map((line) => line.split(':')[0]) || [];
+  const lines = about.groups.find((own) => own.title === 'Speed of rotation')?.lines || [];
+  return text.split('\n').flatMap((line) => {
+    const [, body, told] = /^(\S+) at (-?[\d.]+) rpm$/.exec(line) || [];
+    const column = free.includes(body) && columns.get(lines.find(([, own]) => own === body)?.[0]);
+    if (!column) return [];
+    const all = numbers(column.values || column.most);
+    const ends = (all[all.length - 1] * 30) / Math.PI;
+    return Math.abs(ends - told) > 0.1 * Math.max(Math.abs(ends), Math.abs(told)) ? [`${body} turns at ${shown(Number(told), 4)} rpm in the state of this analysis, and at ${shown(ends, 4)} rpm at the end of the run: where no couple acts on it, its speed in the analysis is a guess`] : [];
+  });
+}
+
 // Where the run moves farther than joints are linear about the state of an analysis.
 function beyondLinear(text) {
   if (!run || /too large for a linear/.test(text)) return [];
@@ -54,6 +69,7 @@ function foundBox() {
     // What the run presses together stands open in the state of the analysis.
     const open = (failed ? '' : text).match(/nothing closes the clearance of (.+): without stiffness/)?.[1].split(', ').map(titleOf) || [];
     const closed = open.filter((own) => columns.has(`ratio ${own}`) && extremes(`ratio ${own}`)[1] > 1);
+    if (!failed) otherSpeeds(text).forEach((line) => note(name, line));
     if (!closed.length && !failed) beyondLinear(text).forEach((line) => note(name, line));
     if (closed.length) { bad = true; note(name, `nothing closes the clearance of ${closed.join(', ')} in the state of this analysis, but the run does: what is found here does not describe the motion of the run`); }
     // One bearing that moves too far stands for all, and a run that is here has the answer.
