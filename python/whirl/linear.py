@@ -652,7 +652,7 @@ class Analyses:
     ) -> Any:
         ratios = _ratios(ratios)
         orders = _orders(orders)
-        if count is not None and not (isinstance(count, (int, np.integer)) and 0 < count < 2**31):
+        if count is not None and not (isinstance(count, (int, np.integer)) and 0 <= count < 2**31):
             raise ValueError(f"count is how many modes are wanted, a whole number from 1 on, not {count!r}")
         count = None if count is None else int(count)
         wanted = (kind, of, _speeds(speeds), ratios, count, orders, None)
@@ -668,7 +668,7 @@ def _ratios(ratios: Mapping[str, float] | None) -> list[tuple[str, float]]:
         return []
     if not isinstance(ratios, Mapping):
         raise TypeError(
-            f"ratios are speeds of other bodies over that, such as {{'high': 1.5}}, not {ratios!r}"
+            f"ratios are speeds of other bodies over that, such as {{'high': 1.5}}, not the number or text {ratios!r}"
         )
     found = [(name, _number(own, f"the ratio of {name}")) for name, own in ratios.items()]
     for name, own in found:
