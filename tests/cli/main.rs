@@ -43,6 +43,7 @@ mod other_runs;
 mod outputs;
 mod own_mesh;
 mod pads;
+mod pads_told;
 mod parquet_file;
 mod periodic;
 mod pulses;

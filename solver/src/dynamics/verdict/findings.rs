@@ -1,7 +1,8 @@
 //! What the program itself believes of a run.
 
 use super::energy::EnergyBalance;
-use super::film_meter::FilmQuality;
+use super::film_findings::of_films;
+use super::finding::{Finding, beyond, mended, shorter};
 use super::periods::{FewestSteps, LEAST_STEPS};
 use super::quality::Quality;
 use super::rings::{RINGING, Ringing, RingingPart};
@@ -9,28 +10,6 @@ use super::state_errors::StateError;
 use crate::dynamics::iteration::{HalvedAt, HalvedSteps};
 use crate::dynamics::lengths::AutomaticStep;
 use crate::dynamics::motion::MovingPart;
-use crate::film::{OIL_LASTS, TIPPED};
-
-/// Something that was measured and is beyond its limit.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Finding {
-    /// What was measured.
-    pub what: String,
-    /// The bearing or stop where it was, counted from 0, if it was at one.
-    pub bearing: Option<usize>,
-    /// The part of the machine where it was, if it was in one.
-    pub part: Option<MovingPart>,
-    /// The coordinate of the machine whose equation it is of, by its place in q, if it is of one.
-    pub coordinate: Option<usize>,
-    /// How much it is, in `unit`.
-    pub value: f64,
-    /// How much it may be.
-    pub limit: f64,
-    /// Unit of value and limit; `1` for a fraction.
-    pub unit: String,
-    /// What to do about it.
-    pub remedy: String,
-}
 
 /// Energy made by steps, as a fraction of what flowed. A linear contact of frequency ω makes (ωΔt)²/6 of the energy that it takes,
 /// on average over where in a step it begins and ends, so that its peaks are off by half of that: by (ωΔt)²/12, which is 1 % at
@@ -50,8 +29,6 @@ const INERTIA_ERROR: f64 = 0.02;
 const SUMMED_ERROR: f64 = 0.01;
 /// A rate times the step in which a state that comes to rest by it is followed.
 const FOLLOWED: f64 = 0.3;
-/// Steps in which the gap of a film changes too fast, as a fraction of all.
-const FILM_STEPS: f64 = 0.01;
 /// What does not balance, as a fraction of the energy in play.
 const ENERGY_ERROR: f64 = 0.05;
 
@@ -135,16 +112,10 @@ pub fn findings(
     let often = halved(quality, (time_step, automatic)).into_iter();
     let too_fast = outrun(quality, time_step, automatic.is_some());
     let rings = rings(quality, time_step, automatic);
-    let tipped = quality.films.and_then(|own| tipped(&own));
-    let touches = quality.films.and_then(|own| touches(&own));
-    // No step follows what is no film any more.
-    let films = quality.films.filter(|_| tipped.is_none() && touches.is_none());
-    let squeezed = films.and_then(|own| squeezed(&own, time_step, automatic));
-    let heated = quality.films.and_then(|own| heated(&own));
-    let unknown = quality.films.and_then(|own| unknown_viscosity(&own));
     let forgets = quality.states.and_then(|own| missed(&own, time_step, automatic));
-    let of_films = tipped.into_iter().chain(touches).chain(squeezed).chain(heated).chain(unknown);
-    let of_steps = found.map(finding).chain(unjudged).chain(forgets).chain(of_films);
+    let of_films = quality.films.map(|own| of_films(&own, (time_step, automatic)));
+    let of_steps =
+        found.map(finding).chain(unjudged).chain(forgets).chain(of_films.into_iter().flatten());
     too_far.chain(too_fast).chain(of_steps).chain(rings).chain(often).collect()
 }
 
@@ -184,62 +155,6 @@ fn rings(quality: &Quality, time_step: f64, automatic: Option<AutomaticStep>) ->
         ),
     };
     Some(Finding { bearing, part, ..beyond(what, (value, limit, "1"), remedy) })
-}
-
-/// Whether gaps of a film change too fast for the steps.
-fn squeezed(
-    films: &FilmQuality,
-    time_step: f64,
-    automatic: Option<AutomaticStep>,
-) -> Option<Finding> {
-    let FilmQuality { share, bearing, .. } = *films;
-    (share > FILM_STEPS).then(|| {
-        let what =
-            "steps in which the gap of a film changes by more than itself, as a fraction of all";
-        let own = beyond(what, (share, FILM_STEPS, "1"), mended(0.5 * time_step, automatic));
-        Finding { bearing: Some(bearing), ..own }
-    })
-}
-
-/// Whether the surfaces of a film touch.
-fn touches(films: &FilmQuality) -> Option<Finding> {
-    let (gap, bearing) = films.thinnest;
-    (gap < 0.0).then(|| {
-        let remedy = "look for a load that the film cannot carry, a speed of zero, or a start beyond its clearance; put a stop beside the \
-                      film if the surfaces are to touch";
-        let what = "smallest gap of a film: its surfaces touch, which no film stands for";
-        let own = beyond(what, (1e6 * gap, 0.0, "um"), remedy.to_owned());
-        Finding { bearing: Some(bearing), ..own }
-    })
-}
-
-/// Whether the bore of a film, as of a pad, turns farther than a little.
-fn tipped(films: &FilmQuality) -> Option<Finding> {
-    let (turned, bearing) = films.turned;
-    (turned > TIPPED).then(|| {
-        let remedy = "the pad has tipped over: look at the side of its pivot, and give a pad that nothing loads a `preload`";
-        let what = "turn of a bore of a film about its axis, which is taken as small";
-        let own = beyond(what, (turned, TIPPED, "rad"), remedy.to_owned());
-        Finding { bearing: Some(bearing), ..own }
-    })
-}
-
-/// Whether a film is hotter than any oil may be.
-fn heated(films: &FilmQuality) -> Option<Finding> {
-    let (value, bearing) = films.hottest.filter(|own| own.0 > OIL_LASTS)?;
-    let remedy = "cool the film: let more oil pass, through openings with a pressure or ends that are fed, give `housing` in its \
-                  [heat], or a lower `share`; or say its `temperature` there";
-    let own = beyond("temperature of a film", (value, OIL_LASTS, "K"), remedy.to_owned());
-    Some(Finding { bearing: Some(bearing), ..own })
-}
-
-/// Whether a film is hotter or colder than its viscosity is known.
-fn unknown_viscosity(films: &FilmQuality) -> Option<Finding> {
-    let ([value, limit], bearing) = films.unknown?;
-    let remedy = "give the table of the viscosity rows as far as the film warms up or cools down: beyond its last row it is taken as there";
-    let what = "temperature of a film beyond the rows of its viscosity";
-    let own = beyond(what, (value, limit, "K"), remedy.to_owned());
-    Some(Finding { bearing: Some(bearing), ..own })
 }
 
 /// Whether steps miss what the states of laws do.
@@ -335,33 +250,6 @@ fn outrun(quality: &Quality, time_step: f64, automatic: bool) -> Option<Finding>
         let own = beyond(what, (steps, LEAST_STEPS, "steps"), remedy);
         Finding { part: Some(MovingPart { body, turns: true }), ..own }
     })
-}
-
-/// What is beyond its limit, at no place yet.
-fn beyond(
-    what: impl Into<String>,
-    (value, limit, unit): (f64, f64, &str),
-    remedy: String,
-) -> Finding {
-    let (what, unit) = (what.into(), unit.to_owned());
-    Finding { what, bearing: None, part: None, coordinate: None, value, limit, unit, remedy }
-}
-
-/// The remedy of a shorter step, or of a narrower tolerance where the march chooses its steps.
-fn mended(step: f64, automatic: Option<AutomaticStep>) -> String {
-    automatic.map_or_else(|| shorter(step), narrower)
-}
-
-/// The remedy of a shorter step, in two digits rounded down.
-fn shorter(step: f64) -> String {
-    let unit = 10.0_f64.powf(step.log10().floor() - 1.0);
-    let text = format!("{:.1e}", (step / unit + 1e-6).floor() * unit);
-    format!("set `time_step = \"{text} s\"` in [march], and as many more steps")
-}
-
-/// The remedy where the march chooses its steps: a tenth of the tolerance, in two digits.
-fn narrower(AutomaticStep { tolerance, .. }: AutomaticStep) -> String {
-    format!("set `step_tolerance = {:.1e}` or less in [march]", 0.1 * tolerance)
 }
 
 #[cfg(test)]

@@ -9,7 +9,9 @@
 
 mod early;
 mod energy;
+mod film_findings;
 mod film_meter;
+mod finding;
 mod findings;
 mod histogram;
 mod in_space;
@@ -29,7 +31,8 @@ mod windows;
 
 pub use energy::EnergyBalance;
 pub use film_meter::FilmQuality;
-pub use findings::{Finding, findings};
+pub use finding::Finding;
+pub use findings::findings;
 pub(super) use meters::{MeterSums, Meters};
 pub use periods::{FewestSteps, LEAST_STEPS};
 pub use quality::Quality;
