@@ -137,7 +137,7 @@ pub(super) fn orders(
                 let below = &one.below[0];
                 if below.iter().zip(&one.overall).any(|(own, all)| *own > WHIRLS * all) {
                     let name = named("largest below 1X", signal, axis);
-                    lines.push((name, Style::Thin, below.clone()));
+                    lines.push((name, Style::Doubted, below.clone()));
                 }
                 overall.iter_mut().zip(&one.overall).for_each(|(most, own)| *most = most.max(*own));
             }
