@@ -44,6 +44,7 @@ mod outputs;
 mod own_mesh;
 mod pads;
 mod pads_told;
+mod page_facts;
 mod parquet_file;
 mod periodic;
 mod pulses;

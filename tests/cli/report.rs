@@ -14,14 +14,14 @@ const RUN_UP: &str = "include = \"weight.toml\"\ntitle = \"</script><b>a run-up 
 /// Bytes of a page, at most.
 const MOST: usize = 3_000_000;
 
-pub(crate) fn ran(bench: &Workbench, arguments: &[&str]) -> String {
+pub(super) fn ran(bench: &Workbench, arguments: &[&str]) -> String {
     let outcome = bench.whirl(arguments);
     assert_eq!(outcome.status, 0, "{arguments:?}: {}", outcome.stderr);
     outcome.stdout
 }
 
 /// The page in a folder, and what is embedded in it.
-pub(crate) fn page(bench: &Workbench, folder: &str) -> (String, Value) {
+pub(super) fn page(bench: &Workbench, folder: &str) -> (String, Value) {
     let text = fs::read_to_string(bench.path(folder).join("report.html")).expect("a page");
     let (_, rest) =
         text.split_once("<script id=\"data\" type=\"application/json\">").expect("data");
@@ -31,7 +31,7 @@ pub(crate) fn page(bench: &Workbench, folder: &str) -> (String, Value) {
 }
 
 /// Packed numbers.
-pub(crate) fn numbers(packed: &Value) -> Vec<f64> {
+pub(super) fn numbers(packed: &Value) -> Vec<f64> {
     let letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let text = packed["base64"].as_str().expect("base64").trim_end_matches('=');
     let (mut bytes, mut bits, mut held) = (Vec::new(), 0_u32, 0);
@@ -404,61 +404,4 @@ fn films_are_shown_over_the_angle() {
     // No figure of the file is shown beside the charts that the page draws.
     let figures = data["figures"].as_array().expect("figures");
     assert!(!figures.iter().any(|own| own["name"] == "film.svg"));
-}
-
-/// Contacts are those of the history, the curve of a law is its formula, and bodies are told with their sections, materials and bearings.
-#[test]
-fn pages_tell_contacts_laws_and_what_bodies_are_made_of() {
-    let bench = Workbench::new();
-    ran(&bench, &["run", "annular-rub", "--out", "out", "--no-figures"]);
-    let (_, data) = page(&bench, "out");
-    let text = bench.history_text("out");
-    let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<&str>>());
-    let names = lines.next().expect("names");
-    let place = |name: &str| names.iter().position(|own| *own == name).expect("a column");
-    let [time, x, y] = ["t_s", "EX1_um", "EY1_um"].map(place);
-    let rows = lines.map(|row| {
-        let number = |place: usize| row[place].parse::<f64>().expect("a number");
-        (number(time), number(x).hypot(number(y)) > 1000.0)
-    });
-    let rows: Vec<(f64, bool)> = rows.collect();
-    let begins: Vec<f64> =
-        rows.windows(2).filter(|pair| !pair[0].1 && pair[1].1).map(|pair| pair[1].0).collect();
-    let contact = &data["run"]["contacts"][0];
-    assert_eq!(contact["times"], begins.len());
-    assert_eq!(contact["first_s"].as_f64(), begins.first().copied());
-    let share = rows.iter().filter(|own| own.1).count() as f64 / rows.len() as f64;
-    assert!((contact["share"].as_f64().expect("a share") - share).abs() < 1e-12);
-    assert_eq!(contact["lasts"], rows[rows.len() - 1].1);
-    // A ring of 1e5 N/m beyond a gap of 1 mm.
-    let points = data["about"]["laws"][0]["points"].as_array().expect("points");
-    assert!(points.len() > 100);
-    for own in points {
-        let [e, force] = [0, 1].map(|k| own[k].as_f64().expect("a number"));
-        let known = -1e5 * 1e-3 * (e.abs() - 1.0).max(0.0) * e.signum();
-        assert!((force - known).abs() < 1e-4, "{force} N for {known} at {e} mm");
-    }
-
-    let case = "title = \"sections\"\n[material]\nsteel = { youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, density = \"7850 kg/m^3\" }\n\
-                [body.rotor]\nturns = \"prescribed\"\nspeed = \"3000 rpm\"\nmaterial = \"steel\"\nmodes = 4\ndamping = \"1e-5 s\"\n\
-                sections = [{ length = \"100 mm\", outer = \"40 mm\" }, { length = \"50 mm\", outer = \"60 mm\", inner = \"20 mm\" }]\n\
-                unbalance.u = { mass = \"1 g\", radius = \"30 mm\", z = \"120 mm\" }\n\
-                [joint.a]\nkind = \"bushing\"\nfirst = { body = \"rotor\", z = \"10 mm\" }\n\
-                stiffness = { xx = \"1e7 N/m\", yy = \"1e7 N/m\" }\ndamping = { xx = \"1e3 N*s/m\", yy = \"1e3 N*s/m\" }\n\
-                axial_stiffness = \"1e6 N/m\"\naxial_damping = \"1e2 N*s/m\"\n\
-                [joint.b]\nkind = \"bushing\"\nfirst = { body = \"rotor\", z = \"140 mm\" }\n\
-                stiffness = { xx = \"1e7 N/m\", yy = \"1e7 N/m\" }\ndamping = { xx = \"1e3 N*s/m\", yy = \"1e3 N*s/m\" }\n\
-                [march]\ntime_step = \"1e-4 s\"\nduration = \"0.05 s\"\n";
-    let bench = Workbench::new().file("case.toml", case);
-    ran(&bench, &["modes", "case.toml", "--out", "out", "--no-figures"]);
-    let (_, data) = page(&bench, "out");
-    let words = data["analyses"]["words"].as_array().expect("words");
-    let of = |title: &str| words.iter().find(|own| own["title"] == title).expect("a part");
-    let rows = &of("Sections of rotor")["table"];
-    assert_eq!(rows[1], serde_json::json!(["0 to 100", "40", "–", "steel"]));
-    assert_eq!(rows[2], serde_json::json!(["100 to 150", "60", "20", "steel"]));
-    let bodies = of("Bodies")["lines"].to_string();
-    assert!(bodies.contains("steel: E = 210 GPa, ν = 0.3, ρ = 7850 kg/m³"), "{bodies}");
-    // The speed of the run is marked in charts over the speed.
-    assert_eq!(data["analyses"]["analyses"][0]["run_rpm"], serde_json::json!([3000.0]));
 }

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 use whirl_text::rounded;
 
 use super::groups::{Group, groups, moved};
+use super::teeth::Teeth;
 use crate::case::{Case, Joint, JointKind, LawSource};
 use crate::figures::at_zero;
 use crate::machine::Built;
@@ -111,6 +112,8 @@ pub(crate) struct About {
     pub(super) groups: Vec<Group>,
     pub(super) signals: Vec<Signal>,
     pub(super) journals: Vec<Journal>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) teeth: Vec<Teeth>,
     /// From row to row (s).
     pub(super) row_s: f64,
     /// The cycle (s), and what it is.
@@ -174,6 +177,7 @@ impl About {
             laws: LawCurve::all(case, &built.laws),
             groups: groups(case, built, &columns),
             journals: journals.collect(),
+            teeth: Teeth::all(case),
             signals,
             columns: columns
                 .into_iter()

@@ -1,12 +1,12 @@
-//! How often, when and how long a journal was beyond its clearance.
+//! How often, when and how long something touches, or is apart: journals beyond their clearance, teeth that part.
 
 use serde::Serialize;
 
-/// The contacts of a journal over the whole run, as a page has them.
+/// How often that was over the whole run, as a page has it.
 #[derive(Debug, Serialize)]
 pub(super) struct Contact {
     title: String,
-    /// Times that it came into contact.
+    /// Times that it began.
     times: usize,
     /// When it first was (s).
     first_s: f64,
@@ -23,18 +23,17 @@ pub(super) struct Contacts {
     times: usize,
     first: Option<f64>,
     rows: [usize; 2],
-    /// Since when it is in contact.
+    /// Since when it is so.
     since: Option<f64>,
     longest: f64,
     lasts: bool,
 }
 
 impl Contacts {
-    /// Takes a row: its time (s), and eccentricity by clearance.
-    pub(super) fn add(&mut self, time: f64, ratio: f64) {
-        let touches = ratio > 1.0;
-        self.rows = [self.rows[0] + usize::from(touches), self.rows[1] + 1];
-        if !touches {
+    /// Takes a row: its time (s), and whether it is so.
+    pub(super) fn add(&mut self, time: f64, is_so: bool) {
+        self.rows = [self.rows[0] + usize::from(is_so), self.rows[1] + 1];
+        if !is_so {
             self.since = None;
             self.lasts = false;
             return;
@@ -49,7 +48,7 @@ impl Contacts {
         }
     }
 
-    /// Of a journal; none where it never was in contact.
+    /// Under a title; none where it never was so.
     pub(super) fn finish(self, title: &str) -> Option<Contact> {
         Some(Contact {
             title: title.to_owned(),
@@ -70,7 +69,7 @@ mod tests {
     fn contacts_are_counted_with_their_times() {
         let of = |ratios: &[f64]| {
             let mut own = Contacts::default();
-            ratios.iter().enumerate().for_each(|(k, ratio)| own.add(k as f64, *ratio));
+            ratios.iter().enumerate().for_each(|(k, ratio)| own.add(k as f64, *ratio > 1.0));
             own.finish("left")
         };
         let found = of(&[0.5, 1.2, 1.5, 1.1, 0.9, 1.0, 1.3, 0.2]).expect("contacts");

@@ -61,7 +61,8 @@ const size = (bytes) => (bytes < 1e3 ? `${bytes} B` : bytes < 1e6 ? `${shown(byt
 const columns = new Map();
 if (run) {
   run.names.forEach((name, k) => columns.set(name, run.histories.columns[k]));
-  run.ratios.forEach((title, k) => columns.set(`ratio ${title}`, run.histories.columns[run.names.length + k]));
+  const beside = [...run.ratios.map((title) => `ratio ${title}`), ...run.teeth.map(({ title }) => `teeth ${title}`)];
+  beside.forEach((name, k) => columns.set(name, run.histories.columns[run.names.length + k]));
 }
 
 function series(name, label, factor, style) {

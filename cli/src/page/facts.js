@@ -254,13 +254,26 @@ function mirrored(frequency, amplitude, wanted) {
   return near ? amplitude[best] : 0;
 }
 
-// How often and how long journals were beyond their clearances.
+// How often and how long journals were beyond their clearances, and teeth apart.
 function contacts(own) {
-  if (!run?.contacts.length) return;
+  if (!run) return;
+  toothContacts(own);
+  if (!run.contacts.length) return;
   add(own, 'h3', 'Contacts in the whole run');
   const lasts = (one) => (one.lasts ? ', to the end' : '');
   table(own, ['', 'times', 'first at (s)', 'share of the time', 'longest'], run.contacts.map((one) => [one.title, String(one.times), shown(one.first_s, 5), `${shown(100 * one.share, 3)} %`, `${shown(1e3 * one.longest_s, 4)} ms${lasts(one)}`]));
   add(own, 'p', 'Beyond 100 % of the clearance the parts are pressed together; a contact ends when they part.', { class: 'soft' });
+}
+
+function toothContacts(own) {
+  if (!run.teeth.length) return;
+  add(own, 'h3', 'Teeth in the whole run');
+  table(own, ['', ['largest normal force', 'N'], ['least', 'N'], 'parted', 'share of the time', 'longest apart'], run.teeth.map(({ title, backlash, apart }) => {
+    const [least, most] = extremes(`teeth ${title}`);
+    const parted = apart ? [`${apart.times} ${apart.times === 1 ? 'time' : 'times'}, first at ${shown(apart.first_s, 5)} s`, `${shown(100 * apart.share, 3)} %`, `${shown(1e3 * apart.longest_s, 4)} ms${apart.lasts ? ', to the end' : ''}`] : [backlash ? 'never' : 'cannot', '', ''];
+    return [title, [most, 'N'], [least, 'N'], ...parted];
+  }));
+  if (run.teeth.some(({ title, backlash }) => backlash && extremes(`teeth ${title}`)[0] < 0)) add(own, 'p', 'Below zero the other flank carries: the teeth were driven back.', { class: 'soft' });
 }
 
 function theCase() {

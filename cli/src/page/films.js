@@ -56,7 +56,12 @@ function filmSpec(film, levels, { frame, words, unit }) {
   // The place that is looked for first: of a gap the narrowest.
   let best = 0;
   const narrow = unit === 'µm';
-  for (let k = 0; k < nodes; k++) if (narrow ? parts[frame * nodes + k] < parts[frame * nodes + best] : parts[frame * nodes + k] > parts[frame * nodes + best]) best = k;
+  // Of places that are alike the nearest to the middle.
+  const off = (k) => Math.abs(rows[Math.floor(k / around)]);
+  for (let k = 0; k < nodes; k++) {
+    const apart = (narrow ? -1 : 1) * (parts[frame * nodes + k] - parts[frame * nodes + best]);
+    if (apart > 0 || (apart === 0 && off(k) < off(best))) best = k;
+  }
   const place = { x: angles[best % around], y: rows[Math.floor(best / around)] };
   return {
     id: `film-${slug(film.name)}`, title: `${film.name}: ${words}`, height: 150, series: [],

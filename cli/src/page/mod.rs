@@ -23,6 +23,7 @@ mod run;
 mod shapes;
 mod spectra;
 mod sweeps;
+mod teeth;
 mod turned;
 
 use std::path::Path;

@@ -9,12 +9,16 @@ function histories() {
   add(own, 'p', every === 1
     ? `All ${run.histories.rows} rows of history.csv, to seven digits.`
     : `The ${run.histories.rows} rows of history.csv, of every ${every} the least and the largest value, so that no peak is lost; history.csv has all of them.`, { class: 'soft' });
-  add(own, 'p', 'Drag over a chart to zoom into all of them, double-click to see the whole run again; Shift and drag moves. By keys: arrows move the cursor, + and − zoom, 0 shows all. A click on a name in a legend hides its line.', { class: 'soft screen' });
+  add(own, 'p', 'Drag over a chart to zoom into all of them, double-click to see the whole run again; Shift and drag moves. By keys: arrows move the cursor, + and − zoom, 0 shows all. A click on a name in a legend hides its line, and the axis fits the others.', { class: 'soft screen' });
   const choose = add(own, 'div', undefined, { class: 'choose' });
   const grid = add(own, 'div', undefined, { class: 'grid' });
   const groups = [];
   if (run.ratios.length) {
     groups.push({ title: 'Eccentricity relative to the clearance', quantity: '|E| / c', unit: '1', shown: true, factor: 1, lines: run.ratios.map((title) => [`ratio ${title}`, title]), levels: [{ y: 1, name: 'clearance' }], zero: true });
+  }
+  for (const { title, backlash } of run.teeth) {
+    const words = backlash ? 'above zero on the flank by which the first gear pushes the second from x to y, below zero on the other one, zero while they are apart' : 'below zero they would part, as there is no backlash in the case';
+    groups.push({ title: `${title}: normal force of the teeth`, quantity: 'normal force', unit: 'N', shown: true, factor: 1, lines: [[`teeth ${title}`, 'normal force']], levels: extremes(`teeth ${title}`)[0] > 0 ? [] : [{ y: 0, name: '' }], note: words });
   }
   groups.push(...about.groups);
   // A millionth of a revolution a minute is rounding.
@@ -23,7 +27,7 @@ function histories() {
   const varies = (group) => group.lines.some(([name]) => { const [least, most] = extremes(name); return most - least > 1e-3 * Math.max(Math.abs(least), Math.abs(most)); });
   const make = (group) => new Chart(grid, {
     id: `history-${slug(group.title)}`, title: group.title, sync: 'time', x: { label: 'time', unit: 's' }, y: { label: group.quantity, unit: group.unit },
-    range: [run.begins, run.ends], levels: group.levels, zero: group.zero,
+    range: [run.begins, run.ends], levels: group.levels, zero: group.zero, note: group.note,
     series: group.lines.map(([name, label], k) => series(name, label, group.factor, k % 7)),
   });
   for (const group of groups) {
@@ -40,6 +44,17 @@ function histories() {
   if (still.length) add(own, 'p', `Zero all along: ${still.join('; ')}.`, { class: 'soft' });
   const hidden = groups.length > 8;
   if (hidden) { const more = add(own, 'details', undefined, { class: 'screen' }); add(more, 'summary', 'Choose what is shown'); more.append(choose); own.insertBefore(more, grid); }
+}
+
+// Where arrows stand on a path; on a line, which is passed to and fro, they would say nothing.
+function arrowed(x, y) {
+  const mean = (all) => all.reduce((a, b) => a + b, 0) / all.length;
+  const [mx, my] = [mean(x), mean(y)];
+  let [xx, xy, yy] = [0, 0, 0];
+  for (let k = 0; k < x.length; k++) { const [a, b] = [x[k] - mx, y[k] - my]; xx += a * a; xy += a * b; yy += b * b; }
+  const [middle, apart] = [0.5 * (xx + yy), Math.hypot(0.5 * (xx - yy), xy)];
+  if (middle - apart < 1e-4 * (middle + apart)) return [];
+  return [0.35, 0.8].map((part_) => Math.floor(part_ * x.length)).filter((at) => at > 0);
 }
 
 function orbits() {
@@ -74,9 +89,8 @@ function orbits() {
       const [x, y] = (whole ? [orbit.way_x_um, orbit.way_y_um] : [orbit.x_um, orbit.y_um]).map(numbers);
       let from = 0;
       if (!whole && orbit.revolutions > 0) while (from < before.length - 2 && before[from] > shownRevolutions * (1 + 1e-6)) from++;
-      const count = x.length - from;
       spec.framed = framed;
-      spec.series = [{ name: isJournal(orbit) ? 'centre of the journal' : `centre of ${orbit.moved}`, path: true, x: y.subarray(from), y: x.subarray(from), style: 0, arrows: [Math.floor(0.35 * count), Math.floor(0.8 * count)].filter((at) => at > 0) }];
+      spec.series = [{ name: isJournal(orbit) ? 'centre of the journal' : `centre of ${orbit.moved}`, path: true, x: y.subarray(from), y: x.subarray(from), style: 0, arrows: arrowed(y.subarray(from), x.subarray(from)) }];
       spec.dots = whole ? [{ x: y[0], y: x[0], style: 1, name: 'start' }] : orbit.keyphasors.filter((own) => own[2] <= shownRevolutions * (1 + 1e-6)).map(([px, py]) => ({ x: py, y: px, style: 1, name: 'keyphasor' }));
       const over = whole ? 'the whole run' : orbit.revolutions > 0 ? (shownRevolutions >= orbit.revolutions ? `last ${shown(orbit.revolutions, 3)} revolutions` : shownRevolutions === 1 ? 'last revolution' : `last ${shown(shownRevolutions, 3)} revolutions`) : 'last cycle';
       const whose_ = severalTurn() && !whole && orbit.revolutions > 0 ? ` of ${turningOf(about.journals.find((one) => one.title === orbit.title)?.angle)}` : '';
@@ -98,11 +112,10 @@ function orbits() {
     spec.update = () => {
       let from = 0;
       if (orbit.revolutions > 0) while (from < before.length - 2 && before[from] > shownRevolutions * (1 + 1e-6)) from++;
-      const count = fx.length - from;
       const turned = Math.min(shownRevolutions, orbit.revolutions);
       const whose_ = severalTurn() && orbit.revolutions > 0 ? ` of ${turningOf(about.journals.find((one) => one.title === orbit.title)?.angle)}` : '';
       spec.note = `${orbit.revolutions > 0 ? (turned === 1 ? 'last revolution' : `last ${shown(turned, 3)} revolutions`) : 'last cycle'}${whose_}`;
-      spec.series = [{ name: `force on ${orbit.moved}`, path: true, x: fy.subarray(from), y: fx.subarray(from), style: 2, arrows: [Math.floor(0.35 * count), Math.floor(0.8 * count)].filter((at) => at > 0) }];
+      spec.series = [{ name: `force on ${orbit.moved}`, path: true, x: fy.subarray(from), y: fx.subarray(from), style: 2, arrows: arrowed(fy.subarray(from), fx.subarray(from)) }];
     };
     spec.update();
     charts.push(new Chart(polar, spec));
@@ -133,9 +146,16 @@ function overAngle() {
     const { title, quantity, unit, factor, lines } = about.groups[group];
     if (packed.every((own_) => numbers(own_).every((value) => value === 0))) continue;
     const x = numbers(degrees);
+    const all = packed.map((own_) => (factor === 1 ? numbers(own_) : numbers(own_).map((value) => value * factor)));
+    // Ripples far from zero, or from each other, would be flat.
+    const ends_ = all.map((values) => values.reduce(([a, b], value) => [Math.min(a, value), Math.max(b, value)], [Infinity, -Infinity]));
+    const reach_ = Math.max(0, ...ends_.map((own_) => own_[1])) - Math.min(0, ...ends_.map((own_) => own_[0]));
+    const means = all.map((values) => values.reduce((a, b) => a + b, 0) / values.length);
+    const flat = ends_.every(([a, b]) => b - a < 0.05 * reach_) && ends_.some(([a, b]) => b - a > 1e-6 * reach_);
+    const called = (label, k) => (flat ? `${label} less its mean, ${shown(means[k] * Units.of(unit)[1], 5)} ${kindOf(Units.of(unit)[0])}` : label);
     new Chart(grid, {
       id: `angle-${slug(title)}`, title, sync: `angle ${revolutions.toFixed(3)}`, x: { label: severalTurn() ? `angle of ${turningOf(about.groups[group].angle)}` : 'angle', unit: '°' }, y: { label: quantity, unit }, range: [x[0] < 10 ? 0 : x[0], revolutions > 0.95 ? 360 * Math.round(x[x.length - 1] / 360) : x[x.length - 1]],
-      series: lines.map(([, label], k) => ({ name: label, x, y: factor === 1 ? numbers(packed[k]) : numbers(packed[k]).map((value) => value * factor), style: k % 7 })),
+      series: lines.map(([, label], k) => ({ get name() { return called(label, k); }, x, y: flat ? all[k].map((value) => value - means[k]) : all[k], style: k % 7 })),
     });
   }
 }

@@ -12,6 +12,7 @@ use super::kept::{Histories, Kept};
 use super::orbits::{Orbit, Ways};
 use super::over_speed::{PackedEnvelope, PackedOrders};
 use super::spectra::{self, Slices, Spectrum, Waterfall};
+use super::teeth::{Teeth, TeethRun};
 use super::turned::Turned;
 use crate::history::ReadHistory;
 use crate::report::{Enveloper, Tracker, begun, varying};
@@ -30,16 +31,17 @@ type Placed = (Vec<usize>, Option<usize>);
 /// All of it.
 #[derive(Debug, Serialize)]
 pub(super) struct RunData {
-    /// Names of the columns kept: those of the history but the time, and then those of the ratios.
+    /// Names of the columns kept: those of the history but the time. Behind them come the ratios, and the normal forces of teeth.
     names: Vec<String>,
     histories: Histories,
-    /// Titles of the ratios of eccentricity and clearance, the last of the columns.
+    /// Titles of the ratios of eccentricity and clearance.
     ratios: Vec<String>,
     /// s, both of the rows.
     begins: f64,
     ends: f64,
     orbits: Vec<Orbit>,
     contacts: Vec<Contact>,
+    teeth: Vec<TeethRun>,
     turned: Vec<Turned>,
     /// Over how long (s), and one a signal.
     spectrum_s: f64,
@@ -83,11 +85,16 @@ impl RunData {
         let signals = about.signals.iter().map(of_signal).collect::<io::Result<Vec<Placed>>>()?;
         let journals =
             about.journals.iter().map(of_journal).collect::<io::Result<Vec<Placed>>>()?;
+        let of_teeth = |own: &Teeth| {
+            let [x, y] = own.forces.each_ref().map(|own| place(own));
+            io::Result::Ok([x?, y?])
+        };
+        let teeth = about.teeth.iter().map(of_teeth).collect::<io::Result<Vec<[usize; 2]>>>()?;
         let ratios: Vec<(usize, f64)> = (0..journals.len())
             .map(|k| (k, about.journals[k].clearance_um))
             .filter(|own| own.1 > 0.0)
             .collect();
-        let mut kept = Kept::new(names.len() - 1 + ratios.len(), rows);
+        let mut kept = Kept::new(names.len() - 1 + ratios.len() + teeth.len(), rows);
         let mut angles: Vec<usize> = signals.iter().filter_map(|own| own.1).collect();
         angles.sort_unstable();
         angles.dedup();
@@ -133,13 +140,18 @@ impl RunData {
         let mut ways = Ways::new(journals.len(), rows);
         let wanted = wanted(&signals, &journals, &of_angle);
         let mut contacts: Vec<Contacts> = ratios.iter().map(|_| Contacts::default()).collect();
+        let mut apart: Vec<Contacts> = teeth.iter().map(|_| Contacts::default()).collect();
         history.scan(history.start(), &names, &mut |row| {
             let time = row[0];
             let ratio = |&(k, clearance): &(usize, f64)| {
                 row[journals[k].0[0]].hypot(row[journals[k].0[1]]) / clearance
             };
-            kept.add(time, row[1..].iter().copied().chain(ratios.iter().map(ratio)));
-            contacts.iter_mut().zip(&ratios).for_each(|(own, k)| own.add(time, ratio(k)));
+            let force = |(own, place): (&Teeth, &[usize; 2])| own.normal(place.map(|k| row[k]));
+            let normal = about.teeth.iter().zip(&teeth).map(force);
+            let beside = ratios.iter().map(ratio).chain(normal.clone());
+            kept.add(time, row[1..].iter().copied().chain(beside));
+            contacts.iter_mut().zip(&ratios).for_each(|(own, k)| own.add(time, ratio(k) > 1.0));
+            apart.iter_mut().zip(normal).for_each(|(own, force)| own.add(time, force == 0.0));
             trackers.iter_mut().for_each(|own| own.add(time, row));
             envelopes.iter_mut().for_each(|own| own.add(time, row));
             slices.iter_mut().for_each(|own| own.add(time, row));
@@ -174,6 +186,15 @@ impl RunData {
                 .into_iter()
                 .zip(&ratios)
                 .filter_map(|(own, k)| own.finish(&title(k)))
+                .collect(),
+            teeth: apart
+                .into_iter()
+                .zip(&about.teeth)
+                .map(|(own, of)| TeethRun {
+                    title: of.title.clone(),
+                    backlash: of.backlash,
+                    apart: own.finish(&of.title),
+                })
                 .collect(),
             turned: turned.collect(),
             spectrum_s: span,
