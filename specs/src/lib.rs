@@ -23,6 +23,8 @@ mod register;
 pub mod registers;
 mod registry;
 mod rows;
+#[cfg(target_arch = "x86_64")]
+mod sine;
 #[cfg(test)]
 mod traced;
 mod triangle;

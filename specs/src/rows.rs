@@ -8,18 +8,26 @@ use crate::registers::{Register, Registers, Task};
 
 /// What is computed for one spring, over any lane type and without fused operations.
 pub trait SpringKernel<const INPUTS: usize, const OUTPUTS: usize> {
+    /// Whether all of it is computed side by side: a register that is not full takes no longer than a spring then.
+    const SIDE_BY_SIDE: bool = true;
+
     /// Outputs of one lane of springs. To be `#[inline(always)]`.
     fn spring<L: Lane>(inputs: [L; INPUTS]) -> [L; OUTPUTS];
 }
 
 /// The same for any numbers in the places of those of a spec.
 pub trait SkeletonKernel<const INPUTS: usize, const NUMBERS: usize, const OUTPUTS: usize> {
+    /// As [`SpringKernel::SIDE_BY_SIDE`].
+    const SIDE_BY_SIDE: bool = true;
+
     /// Outputs of one lane of springs. To be `#[inline(always)]`.
     fn spring<L: Lane>(inputs: [L; INPUTS], numbers: [L; NUMBERS]) -> [L; OUTPUTS];
 }
 
 /// A kernel that has its numbers is one that takes none.
 impl<K: SpringKernel<I, O>, const I: usize, const O: usize> SkeletonKernel<I, 0, O> for K {
+    const SIDE_BY_SIDE: bool = K::SIDE_BY_SIDE;
+
     #[inline(always)]
     fn spring<L: Lane>(inputs: [L; I], _: [L; 0]) -> [L; O] {
         K::spring(inputs)
@@ -104,30 +112,65 @@ impl<K: SkeletonKernel<I, N, O>, const I: usize, const N: usize, const O: usize>
 
     #[inline(always)]
     fn run<L: Register>(self) {
-        const { assert!(size_of::<L::Chunk>() == L::WIDTH * size_of::<f64>()) };
+        const { assert!(size_of::<L::Chunk>() == L::WIDTH * size_of::<f64>() && L::WIDTH <= WIDEST) };
         let springs = self.springs;
         let whole = if L::WIDTH > 1 { springs / L::WIDTH } else { 0 };
+        // What is left goes side by side, too, if that is no longer than one by one.
+        let left = springs - whole * L::WIDTH;
+        let last = L::WIDTH > 1 && K::SIDE_BY_SIDE && left > 1;
         // Slices of every row would cost more to compile than most laws.
         let (from, to) = (self.inputs.as_ptr(), self.outputs.as_mut_ptr());
         let numbers = self.numbers.map(L::splat);
-        for k in 0..whole {
+        for k in 0..whole + usize::from(last) {
             let spring = k * L::WIDTH;
+            let is_full = k < whole;
             let mut values = [L::splat(0.0); I];
             for (i, value) in values.iter_mut().enumerate() {
                 // SAFETY: a row has as many values as there are springs, `each_spring` saw I such rows, and a
-                // register from this spring on ends within the row.
-                *value = L::load(unsafe { &*from.add(i * springs + spring).cast() });
+                // register from this spring on ends within the row, or as many values as are left.
+                let row = unsafe { from.add(i * springs + spring) };
+                *value = match is_full {
+                    // SAFETY: as above.
+                    true => L::load(unsafe { &*row.cast() }),
+                    // SAFETY: as above.
+                    false => some(unsafe { std::slice::from_raw_parts(row, left) }),
+                };
             }
             for (o, value) in K::spring(values, numbers).iter().enumerate() {
                 // SAFETY: the same of O rows, which nothing else refers to.
-                value.store(unsafe { &mut *to.add(o * springs + spring).cast() });
+                let row = unsafe { to.add(o * springs + spring) };
+                match is_full {
+                    // SAFETY: as above.
+                    true => value.store(unsafe { &mut *row.cast() }),
+                    // SAFETY: as above.
+                    false => keep(*value, unsafe { std::slice::from_raw_parts_mut(row, left) }),
+                }
             }
         }
-        let first = whole * L::WIDTH;
+        let first = if last { springs } else { whole * L::WIDTH };
         if first < springs {
             self.rest(first);
         }
     }
+}
+
+/// The most values of a register.
+const WIDEST: usize = 8;
+
+/// Fewer values than a register has, and the first of them in the other places.
+#[inline(always)]
+fn some<L: Register>(values: &[f64]) -> L {
+    let mut all = [values[0]; WIDEST];
+    all[..values.len()].copy_from_slice(values);
+    L::load(&L::chunks(&all)[0])
+}
+
+/// The first values of a register.
+#[inline(always)]
+fn keep<L: Register>(register: L, values: &mut [f64]) {
+    let mut all = [0.0; WIDEST];
+    register.store(&mut L::chunks_mut(&mut all)[0]);
+    values.copy_from_slice(&all[..values.len()]);
 }
 
 /// The first N rows of `len` values.

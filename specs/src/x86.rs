@@ -5,6 +5,7 @@ use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::register::{Register, Sums, Zeros};
+use crate::sine::{Cosine, Sine};
 use crate::{Lane, Shared};
 
 /// A lane type by intrinsics. What is not to be inlined is compiled once, not for every kernel; the functions behind
@@ -66,6 +67,13 @@ macro_rules! register {
                 Self::load(&values)
             }
 
+            /// Whether a mask holds anywhere.
+            #[inline(always)]
+            fn any(mask: $mask) -> bool {
+                let [yes, no] = [Self::splat(1.0), Self::splat(0.0)];
+                Self::select(mask, yes, no).to_array() != [0.0; $width]
+            }
+
             #[inline(always)]
             fn to_array(self) -> [f64; $width] {
                 let mut values = [0.0; $width];
@@ -108,6 +116,16 @@ macro_rules! register {
                 let mut values = self.to_array();
                 one_by_one(&mut values, function);
                 Self::from_array(values)
+            }
+            #[inline(always)]
+            fn sin(self) -> Self {
+                let (value, left) = Self::shared(Sine(self));
+                if Self::any(left) { self.each(libm::sin) } else { value }
+            }
+            #[inline(always)]
+            fn cos(self) -> Self {
+                let (value, left) = Self::shared(Cosine(self));
+                if Self::any(left) { self.each(libm::cos) } else { value }
             }
             #[inline(always)]
             fn powf(self, exponent: Self) -> Self {

@@ -177,6 +177,11 @@ impl Function {
         self.row().lane
     }
 
+    /// Whether lanes compute it side by side; the others go one value after the other.
+    pub(crate) fn is_side_by_side(self) -> bool {
+        matches!(self, Function::Sin | Function::Cos | Function::Abs)
+    }
+
     /// The function of this name in formulas.
     pub(crate) fn named(name: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|function| function.name() == name)

@@ -74,6 +74,15 @@ impl Program {
         start..end
     }
 
+    /// Whether lanes compute all of it side by side.
+    pub(crate) fn is_side_by_side(&self) -> bool {
+        self.instructions.iter().all(|own| match own.operation {
+            Operation::Function(function, _) => function.is_side_by_side(),
+            Operation::Power(..) => false,
+            _ => true,
+        })
+    }
+
     /// Stage at which an operand is known; constants belong to the first.
     pub(crate) fn stage_of(&self, operand: Operand) -> usize {
         match operand {

@@ -115,13 +115,14 @@ fn rows(
     [function, written]: [TokenStream; 2],
     [about_spring, about_rows]: [TokenStream; 2],
 ) -> TokenStream {
-    let body = body(program);
+    let (body, one_by_one) = (body(program), one_by_one(program));
     let input_count = Literal::usize_unsuffixed(inputs.len());
     let count = Literal::usize_unsuffixed(program.outputs.len());
     quote! {
         enum #kernel {}
 
         impl SpringKernel<#input_count, #count> for #kernel {
+            #one_by_one
             #about_spring
             #[inline(always)]
             fn spring<L: Lane>([#(#inputs),*]: [L; #input_count]) -> [L; #count] {
@@ -141,6 +142,7 @@ fn with_numbers(law: &LawSpec, (program, kernel): (&Program, &str)) -> (TokenStr
     let skeleton = program.skeleton().filter(|(_, numbers)| !numbers.is_empty());
     let Some((skeleton, numbers)) = skeleton else { return (TokenStream::new(), quote!(None)) };
     let (inputs, body) = (taken(law, program), body(&skeleton.program));
+    let one_by_one = one_by_one(&skeleton.program);
     let names = skeleton.numbers().map(identifier);
     let about = documented(&format!(
         "The same with numbers that are given: {} takes those of the file, in the order in which they stand there.",
@@ -153,6 +155,7 @@ fn with_numbers(law: &LawSpec, (program, kernel): (&Program, &str)) -> (TokenStr
         enum #kernel {}
 
         impl SkeletonKernel<#input_count, #number_count, #output_count> for #kernel {
+            #one_by_one
             #about
             #[inline(always)]
             fn spring<L: Lane>(
@@ -171,6 +174,16 @@ fn with_numbers(law: &LawSpec, (program, kernel): (&Program, &str)) -> (TokenStr
         })
     };
     (text, entry)
+}
+
+/// What a kernel says of functions that lanes compute one value after the other.
+fn one_by_one(program: &Program) -> Option<TokenStream> {
+    let is_said = !program.is_side_by_side();
+    is_said.then(|| {
+        quote!(
+            const SIDE_BY_SIDE: bool = false;
+        )
+    })
 }
 
 /// The inputs of a law as a kernel of one spring names them; those that only parameters of zero multiply are not used.
