@@ -178,7 +178,17 @@ def over_angle(browser, rows, charts):
             every = max(round(span / len(line['x'])), 1)
             # It ends where θ is a multiple of 360°, and in each row the angle is that since such a place.
             ends = [k for k in range(len(turns)) if abs((turns[k] - line['x'][-1] / 360) % 1 - 0.5) > 0.5 - 2e-6]
-            fits = lambda end: all(near(line['y'][-k], known[end - (k - 1) * every], scale) for k in range(1, len(line['x']) + 1))
+            count = len(line['x'])
+            ripple = re.search(r'less its mean, (\S+)', line['name'])
+            if ripple:
+                assert near(sum(line['y']) / count, 0, scale), (column, line['name'])
+            def fits(end):
+                shown = [known[end - (k - 1) * every] for k in range(count, 0, -1)]
+                # The mean of what is shown, which its legend tells to five digits.
+                mean = sum(shown) / count if ripple else 0
+                if ripple and not math.isclose(mean, float(ripple.group(1).replace('−', '-')), rel_tol=6e-5):
+                    return False
+                return all(near(own + mean, value, 2 * scale if ripple else scale) for own, value in zip(line['y'], shown))
             end = next((own for own in reversed(ends) if fits(own)), None)
             assert end is not None, (column, line['x'][-1])
             for k in range(1, len(line['x']) + 1):

@@ -154,6 +154,10 @@ def sweep(
     CaseError
         A point whose case is wrong; nothing was run then.
     """
+    if workers is not None and workers < 1:
+        raise ValueError(f"`workers` is how many points run at a time, at least 1, not {workers}")
+    if columns and out is None:
+        raise TypeError("`columns` are those of histories in `out`: name that, or pass them to `to_xarray`")
     case = case if isinstance(case, Case) else Case(case)
     keys, points = expanded(case, vary)
     points[0].case._inner.demand_march()
@@ -421,7 +425,12 @@ class _Layout:
         if not self.path.exists():
             # Its arrays are known with the first point that has results.
             if point.results is not None:
-                self.dataset().to_zarr(self.path, mode="w-", zarr_format=2)
+                whole = self.dataset()
+                done = whole[["done"]].drop_vars([key for key in whole.coords])
+                whole.assign(done=whole["done"] & False).to_zarr(
+                    self.path, mode="w-", zarr_format=2
+                )
+                done.to_zarr(self.path, mode="r+")
             return
         if point.results is None:
             found = found[["done", "error"]]
@@ -429,9 +438,10 @@ class _Layout:
         without = [
             own_name for own_name in own.variables if not set(own[own_name].dims) & set(self.keys)
         ]
-        own.drop_vars([*without, *(key for key in self.keys if key in own.variables)]).to_zarr(
-            self.path, region=region
-        )
+        own = own.drop_vars([*without, *(key for key in self.keys if key in own.variables)])
+        # Whoever reads while it is written: what is done is whole.
+        own.drop_vars("done").to_zarr(self.path, region=region)
+        own[["done"]].to_zarr(self.path, region=region)
 
     def close(self) -> None:
         """Without any results there are the errors."""
@@ -469,12 +479,14 @@ class _Layout:
             put("complete", (), (), point, point.results.complete, fill=False)
             put("steps", (), (), point, summary.march.steps, fill=0)
             for quantity, statistic in itertools.product(_QUANTITIES, _STATISTICS):
-                values = [float(own[quantity][statistic]) for own in supports]
+                values = [_number(own[quantity][statistic]) for own in supports]
                 name, unit = f"{quantity.rsplit('_', 1)[0]}_{statistic}", quantity.rsplit("_", 1)[1]
                 meaning = f"{statistic} of {quantity} over the last cycle"
                 put(name, ("support",), (len(values),), point, values, unit, meaning)
             for name in ("t_s", *self.columns) if self.columns else ():
                 column = point.results.history.column(name)
+                if summary.march.steps and not len(point.results.history.array):
+                    raise WhirlError("no histories were kept: sweep with `keep_histories=True`")
                 padded = np.full(self.rows, np.nan)
                 own = point.results[name]
                 padded[: len(own)] = own
@@ -485,6 +497,11 @@ class _Layout:
             names = [own.get("joint") or str(own.support) for own in named.summary.supports]
             coords["support"] = ("support", np.array(names))
         return xarray.Dataset(arrays, coords=coords, attrs={"case": self.name})
+
+
+def _number(value: float | None) -> float:
+    """NaN of a run that ended in its first step."""
+    return np.nan if value is None else float(value)
 
 
 def _labels(values: Sequence[Any]) -> np.ndarray:

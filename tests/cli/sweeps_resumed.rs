@@ -254,3 +254,75 @@ fn a_sweep_whose_rigid_matrices_were_changed_is_not_resumed() {
     assert_eq!(outcome.status, 2, "{}", outcome.stderr);
     assert!(outcome.stderr.contains("M.mtx"), "{}", outcome.stderr);
 }
+
+/// Histories stay with their points where further ones come between them, and those that are gone are made again.
+#[test]
+fn histories_follow_their_points() {
+    let study = |values: &str| {
+        format!(
+            "case = \"mass.toml\"\nkeep = \"histories\"\n[vary]\nstop.1.gap = [{values}]\n\
+             mass.damping = [\"1 N*s/m\", \"0 N*s/m\"]\n"
+        )
+    };
+    let bench = bench(100, &study("\"1 mm\", \"2 mm\""));
+    done(&bench.whirl(&["sweep", "study.toml", "--out", "cut"]));
+    let is_whole = |bench: &Workbench| {
+        for number in 0..6 {
+            let [cut, whole] = ["cut", "whole"]
+                .map(|own| bench.history_text(&format!("{own}/points/0000{number}")));
+            assert!(cut == whole, "point {number}");
+        }
+        assert_eq!(bench.listing_of("cut/points").len(), 6);
+        assert!(text(bench, "cut/table.csv") == text(bench, "whole/table.csv"));
+    };
+    // One more value in the middle, in another order: 0 and 1 become 2 and 3, 2 and 3 become 0 and 1.
+    let bench = bench.file("study.toml", &study("\"2 mm\", \"1 mm\", \"1.5 mm\""));
+    let resume = |bench: &Workbench| {
+        let outcome = bench.whirl(&["sweep", "study.toml", "--out", "cut", "--resume"]);
+        done(&outcome);
+        outcome.stderr
+    };
+    let modified = |bench: &Workbench, point: &str| {
+        fs::metadata(bench.path(&format!("cut/points/{point}/history.csv")))
+            .unwrap()
+            .modified()
+            .unwrap()
+    };
+    let before = modified(&bench, "00000");
+    assert!(resume(&bench).contains("resuming after 4 of 6 points\n"));
+    assert_eq!(modified(&bench, "00002"), before, "nothing is done again");
+    done(&bench.whirl(&["sweep", "study.toml", "--out", "whole"]));
+    is_whole(&bench);
+    // What was being moved when the power failed, what is gone, and what is of nobody.
+    let at = |name: &str| bench.path(&format!("cut/points/{name}"));
+    fs::rename(at("00004"), at(".00003.moved")).unwrap();
+    fs::remove_dir_all(at("00001")).unwrap();
+    fs::write(at("00005/point.toml"), "# point 0\n").unwrap();
+    let said = resume(&bench);
+    assert!(
+        said.contains("4 of 6 points; 2 are run again, because their histories are missing"),
+        "{said}"
+    );
+    is_whole(&bench);
+}
+
+/// An interrupted sweep has a page of what is done.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_sweep_has_a_page() {
+    let bench = bench(200_000, STUDY);
+    let mut command =
+        bench.command(&["sweep", "study.toml", "--out", "cut", "--quiet", "--jobs", "1"]);
+    let mut child = command.stderr(Stdio::null()).stdout(Stdio::null()).spawn().expect("it runs");
+    let start = Instant::now();
+    while fs::metadata(bench.path("cut/sweep.journal")).map_or(0, |file| file.len()) < 4000 {
+        assert!(start.elapsed() < Duration::from_secs(60));
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    let id = child.id().to_string();
+    std::process::Command::new("kill").args(["-INT", &id]).status().expect("it is told");
+    assert_eq!(child.wait().expect("it ends").code(), Some(1));
+    let page = text(&bench, "cut/report.html");
+    assert!(page.contains(" of 15 points are done"));
+    assert!(bench.path("cut/sweep.json").exists());
+}

@@ -134,7 +134,9 @@ fn function(place: usize, program: &Program) -> String {
 fn source(cases: &[Case], points: &[[f64; 2]]) -> String {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/src");
     let mut text = String::from("#![allow(unused, non_snake_case)]\n");
-    for module in ["columns", "lane", "number", "register", "registers", "vector", "wide", "x86"] {
+    for module in
+        ["columns", "lane", "number", "register", "registers", "sine", "vector", "wide", "x86"]
+    {
         let path = root.join(module).with_extension("rs");
         let here = if module == "x86" { "#[cfg(target_arch = \"x86_64\")]\n" } else { "" };
         writeln!(text, "{here}#[path = {path:?}]\nmod {module};").expect("a string");

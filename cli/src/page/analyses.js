@@ -239,6 +239,8 @@ function swept() {
     const host = add(own, 'div', undefined, { class: 'grid' });
     const pick = (words, options) => { const box = add(add(choose, 'label', `${words} `), 'select'); for (const name of options) add(box, 'option', name, { value: name }); box.addEventListener('change', () => show()); return box; };
     const [y, x] = [pick('show', up), pick('over', across)];
+    // At first one of a run's results, not of its steps.
+    y.value = up.find((name) => /_[^_.]+\.(max|1X)/.test(name) && !constant(name)) || up[0];
     const by = pick('a line for each', ['–', ...sweep.varied.concat('direction').filter((name) => names.includes(name))]);
     // What has most values lies on the axis.
     const many = (name) => new Set(rows.map((row) => row[name])).size;

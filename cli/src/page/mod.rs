@@ -130,7 +130,7 @@ fn page(folder: &Path, is_kept: bool) -> Result<String, String> {
             folder.display()
         )
     })?;
-    let title = format!("{name}: {title}");
+    let title = if title.is_empty() { name.clone() } else { format!("{name}: {title}") };
     let (mut files, figures) =
         files::all(folder, analyses.as_ref()).map_err(|why| cannot("", &why))?;
     files.retain(|_| is_kept);

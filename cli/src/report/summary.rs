@@ -195,12 +195,16 @@ impl SupportSummary {
     }
 }
 
-/// Least, mean and largest of some values; all zero if there are none.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+/// Least, mean and largest of some values; NaN if there are none.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub(crate) struct Statistics {
     pub(crate) min: f64,
     pub(crate) mean: f64,
     pub(crate) max: f64,
+}
+
+impl Statistics {
+    const NONE: Self = Statistics { min: f64::NAN, mean: f64::NAN, max: f64::NAN };
 }
 
 /// What is gathered of the values of one column: straight lines between them.
@@ -225,7 +229,7 @@ impl Signal {
 
     /// Over the seconds that the values cover, and a rest in which the last leads to the first again.
     fn statistics(&self, covered: f64, rest: f64) -> Statistics {
-        let Some([first, last]) = self.ends else { return Statistics::default() };
+        let Some([first, last]) = self.ends else { return Statistics::NONE };
         let all = covered + rest;
         let mean = match all > 0.0 {
             true => (self.integral + 0.5 * (first + last) * rest) / all,
@@ -253,6 +257,14 @@ struct EnergyFacts {
     #[serde(flatten)]
     balance: EnergyBalance,
     error: f64,
+}
+
+impl EnergyFacts {
+    /// Of what was marched, if anything was.
+    fn new(balance: Option<&EnergyBalance>) -> Self {
+        let balance = balance.copied().unwrap_or_else(EnergyBalance::none);
+        EnergyFacts { balance, error: balance.error() }
+    }
 }
 
 /// Simulated and wall time.
@@ -322,10 +334,7 @@ impl Summary {
                 time_s: outcome.steady.map(|steady| steady.time),
                 left: outcome.left,
             },
-            energy_balance_j: EnergyFacts {
-                balance: outcome.energy,
-                error: outcome.energy.error(),
-            },
+            energy_balance_j: EnergyFacts::new((steps > 0).then_some(&outcome.energy)),
             time,
             error,
         })

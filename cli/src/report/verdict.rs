@@ -59,6 +59,9 @@ impl VerdictFacts {
     ) -> Self {
         let quality = &outcome.quality;
         let judged = |error: f64| if quality.judged { error } else { f64::NAN };
+        // A march that ended in its first step has no measures.
+        let marched = diverged.is_none_or(|[done, _]| done > 0);
+        let of_march = |measure: f64| if marched { measure } else { f64::NAN };
         let key = if length.1.is_some() { "output_step" } else { "time_step" };
         let diverged = diverged.map(|steps| FindingFacts::diverged(steps, key));
         let of_run = diverged.into_iter().chain(from.map(FindingFacts::inherited));
@@ -75,16 +78,16 @@ impl VerdictFacts {
             sound: findings.is_empty(),
             findings,
             measures: Measures {
-                energy_made_share: quality.energy_made_share,
-                energy_error_share: outcome.energy.error_fraction(),
+                energy_made_share: of_march(quality.energy_made_share),
+                energy_error_share: of_march(outcome.energy.error_fraction()),
                 local_error: judged(quality.local_error),
                 largest_local_error: judged(quality.largest_local_error),
-                unresolved_motion: quality.unresolved_motion,
-                inertia_error: quality.inertia_error,
-                ringing: quality.ringing.share,
+                unresolved_motion: of_march(quality.unresolved_motion),
+                inertia_error: of_march(quality.inertia_error),
+                ringing: of_march(quality.ringing.share),
                 state_error: quality.states.map(|own| own.local.0),
                 state_error_sum: quality.states.map(|own| own.summed.0),
-                row_error: quality.row_error,
+                row_error: of_march(quality.row_error),
             },
         }
     }

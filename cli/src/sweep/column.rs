@@ -1,5 +1,7 @@
 //! What a table says of a key that varies: numbers in one unit, or texts.
 
+use whirl_codegen::document::tree::Content;
+
 use super::vary::Varied;
 use crate::values::level::{Level, in_unit_of};
 
@@ -59,7 +61,10 @@ impl Column {
         let number = || Some(in_unit_of(&level.quantity()?, &self.unit.as_ref()?.quantity()?));
         match number() {
             Some(number) => Shown::Number(number),
-            None => Shown::Text(level.literal.trim_matches('"').to_owned()),
+            None => Shown::Text(match &level.node.content {
+                Content::Text(text) => text.clone(),
+                _ => level.literal.clone(),
+            }),
         }
     }
 }

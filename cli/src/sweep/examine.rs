@@ -6,7 +6,8 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-use whirl_codegen::diagnostic::{Diagnostic, Diagnostics};
+use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics};
+use whirl_solver::cache::Key;
 
 use super::definition::Sweep;
 use super::identity::Inputs;
@@ -87,6 +88,7 @@ pub(super) fn examine(
     }
     let found = found.into_inner().expect("no reader panics");
     let mut inputs = found.finish(sweep, warnings)?;
+    chained(sweep)?;
     inputs.add_bodies(&buildable(sweep)?);
     Ok(inputs.identity(sweep))
 }
@@ -127,6 +129,35 @@ impl Found {
         all.into_result(())?;
         Ok(self.inputs)
     }
+}
+
+/// Sees that points that go on from each other have the same bodies.
+///
+/// # Errors
+/// The first and the last of a chain have others.
+fn chained(sweep: &Sweep) -> Result<(), Failure> {
+    let (Some(along), Some(axis)) = (sweep.along, sweep.axes.last()) else { return Ok(()) };
+    let bodies = |place: usize| -> Result<Vec<Key>, Failure> {
+        let mut places = vec![0; sweep.axes.len()];
+        *places.last_mut().expect("there is an axis") = place;
+        machine::keys(&sweep.case(&sweep.at(place, &places), &mut Vec::new())?)
+    };
+    // What keeps a point from being built is said where it is run.
+    let (Ok(first), Ok(last)) = (bodies(0), bodies(sweep.chain() / along.passes() - 1)) else {
+        return Ok(());
+    };
+    if first == last {
+        return Ok(());
+    }
+    let key = &sweep.keys[axis.keys[0]];
+    let message = format!(
+        "points cannot continue along `{}`: with it the bodies change, and a state is one of certain bodies",
+        key.name
+    );
+    let error =
+        Diagnostic::new(&key.place.source, Code::BAD_VALUE, Some(key.place.span.clone()), message);
+    let help = "name another key by `along = \"KEY\"`, or leave `continue` out, so that every point starts as the case does";
+    Err(Diagnostics::from(error.help(help)).into())
 }
 
 /// The case at the first point whose meshes and sets are right.

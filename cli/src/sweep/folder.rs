@@ -8,16 +8,13 @@ use std::time::Duration;
 use whirl_solver::cache::{Key, pack, remove_unfinished, unpack, write_whole};
 
 use super::files::{CSV, FIGURES, PARQUET};
+use super::histories::POINTS;
 use super::journal;
 use crate::created::CreatedFolders;
 use crate::errors::Failure;
-use crate::history;
 use crate::lock::{Lock, Locked};
-use crate::results::{self, REPORT, STATE, SUMMARY, SWEEP};
-use crate::simulate::InMemory;
+use crate::results::{self, REPORT, SWEEP};
 
-/// Folder of what is kept of points, each by its number.
-const POINTS: &str = "points";
 /// Folder of the states from which points go on that are not done.
 const CHAINS: &str = "chains";
 
@@ -94,36 +91,6 @@ impl SweepFolder {
             .map_err(|error| format!("cannot write `{}`: {error}", path.display()))
     }
 
-    /// Keeps history, summary and last state of a point, all of them or nothing.
-    ///
-    /// # Errors
-    /// Why not, with the path.
-    pub(super) fn keep_point(&self, number: usize, run: &InMemory) -> Result<(), String> {
-        let (whole, half) =
-            (self.of_point(number), self.path(POINTS).join(format!(".{number:05}.part")));
-        let write = || {
-            absent_is_fine(fs::remove_dir_all(&half))?;
-            fs::create_dir_all(&half)?;
-            write_whole(&half.join(history::NAME), run.history.csv().as_bytes())?;
-            write_whole(&half.join(SUMMARY), run.summary.as_bytes())?;
-            if let Some(state) = &run.state {
-                write_whole(&half.join(STATE), state)?;
-            }
-            absent_is_fine(fs::remove_dir_all(&whole))?;
-            fs::rename(&half, &whole)
-        };
-        let written: io::Result<()> = write();
-        written.map_err(|error| {
-            let _ = fs::remove_dir_all(&half);
-            format!("cannot write `{}`: {error}", whole.display())
-        })
-    }
-
-    /// Folder of what is kept of a point.
-    pub(super) fn of_point(&self, number: usize) -> PathBuf {
-        self.path(POINTS).join(format!("{number:05}"))
-    }
-
     /// Keeps the state from which the point after `number`, which `point` tells from all others, goes on; none if it begins
     /// as the case does.
     ///
@@ -164,9 +131,10 @@ impl SweepFolder {
             let called = entry.file_name();
             let called = called.to_string_lossy();
             let half = called.starts_with('.') && called.ends_with(".part");
+            let moved = called.starts_with('.') && called.ends_with(".moved");
             let stem = called.trim_end_matches(".bin");
             let ours = stem.len() >= 5 && stem.bytes().all(|c| c.is_ascii_digit());
-            if half || whole && ours {
+            if half || whole && (ours || moved) {
                 let path = entry.path();
                 if path.is_dir() { fs::remove_dir_all(path)? } else { fs::remove_file(path)? }
             }
@@ -185,7 +153,7 @@ fn state_of(point: Key) -> Key {
     Key::of(&("whirl sweep state 1", point))
 }
 
-fn absent_is_fine(done: io::Result<()>) -> io::Result<()> {
+pub(super) fn absent_is_fine(done: io::Result<()>) -> io::Result<()> {
     match done {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
         _ => Ok(()),

@@ -5,7 +5,7 @@ use std::{fs, io};
 
 use whirl_solver::cache::Key;
 
-use super::definition::Sweep;
+use super::definition::{Keep, Sweep};
 use super::folder::SweepFolder;
 use super::journal::{self, Journal, Record, Records};
 use super::row::{Row, Verdict};
@@ -18,6 +18,8 @@ pub(super) struct Kept {
     /// Where the row of every point begins, if it is there, and whether it came to no end.
     rows: Vec<Option<u64>>,
     failed: Vec<bool>,
+    /// Whether something was marched.
+    marched: Vec<bool>,
     /// Lists of names that rows have.
     pub(super) names: Vec<Vec<String>>,
     /// Bytes of whole records.
@@ -42,6 +44,7 @@ impl Kept {
         let mut kept = Kept {
             rows: vec![None; sweep.count()],
             failed: vec![false; sweep.count()],
+            marched: vec![false; sweep.count()],
             names: Vec::new(),
             whole: 0,
             others: 0,
@@ -56,6 +59,7 @@ impl Kept {
                     Some(number) => {
                         kept.rows[*number] = Some(start);
                         kept.failed[*number] = row.verdict == Verdict::Failed;
+                        kept.marched[*number] = sweep.marches && !row.values.is_empty();
                     }
                     None => kept.others += 1,
                 },
@@ -103,8 +107,12 @@ impl Kept {
         let mut differs = before.changed_in(identity);
         if kept.others > 0 {
             differs.push(format!(
-                "the points: {} finished ones are no longer part of the sweep",
-                kept.others
+                "the points: {} finished ones are no longer part of the sweep{}",
+                kept.others,
+                match sweep.along {
+                    Some(_) => ", or no longer go on from the same ones: values of the key along which points continue can be added at its end only",
+                    None => "",
+                }
             ));
         }
         if differs.is_empty() {
@@ -112,6 +120,27 @@ impl Kept {
         } else {
             Err(Failure::OtherSweep { folder: folder(), differs })
         }
+    }
+
+    /// Gives up points whose histories should be there and are not, and counts them.
+    ///
+    /// # Errors
+    /// The folder cannot be arranged, in words.
+    pub(super) fn without_histories(
+        &mut self,
+        results: &SweepFolder,
+        sweep: &Sweep,
+    ) -> Result<usize, String> {
+        let there = results.arrange(sweep)?;
+        let mut lost = 0;
+        for (number, row) in self.rows.iter_mut().enumerate() {
+            let wanted = sweep.keep == Keep::Histories && self.marched[number];
+            if row.is_some() && wanted && !there[number] {
+                *row = None;
+                lost += 1;
+            }
+        }
+        Ok(lost)
     }
 
     /// Number of points that are done.
@@ -154,12 +183,22 @@ impl Kept {
     }
 }
 
-/// What is said of a sweep that is resumed.
-pub(super) fn going_on(kept: Option<&Kept>, results: &SweepFolder, sweep: &Sweep) -> String {
+/// What is said of a sweep that is resumed; `lost`: points whose histories are missing.
+pub(super) fn going_on(
+    kept: Option<&Kept>,
+    lost: usize,
+    results: &SweepFolder,
+    sweep: &Sweep,
+) -> String {
     match kept {
         Some(kept) => {
             let (done, all) = (kept.done(), sweep.count());
-            format!("resuming after {done} of {all} points")
+            let lost = match lost {
+                0 => String::new(),
+                1 => "; 1 is run again, because its history is missing".to_owned(),
+                _ => format!("; {lost} are run again, because their histories are missing"),
+            };
+            format!("resuming after {done} of {all} points{lost}")
         }
         None => {
             let folder = results.folder().display();

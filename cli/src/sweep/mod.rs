@@ -8,6 +8,7 @@ mod examine;
 mod figures;
 mod files;
 mod folder;
+mod histories;
 mod identity;
 mod journal;
 mod kept;
@@ -35,6 +36,7 @@ use self::folder::SweepFolder;
 use self::kept::Kept;
 pub use self::points::Point;
 pub(crate) use self::read::is_sweep;
+use self::table::Counts;
 use self::workers::Ended;
 use crate::errors::Failure;
 use crate::page::{self, SweepFacts};
@@ -85,12 +87,15 @@ pub(crate) fn sweep(order: &Order) -> Result<(), Failure> {
     let identity = streams::warned(|warnings| examine(&sweep, jobs, &stop, warnings))?;
     let mut results =
         streams::warned(|warnings| SweepFolder::open(&folder(order, &sweep), warnings))?;
-    let kept = match order.resume {
+    let mut kept = match order.resume {
         true => Kept::resumed(&results, &sweep, &identity)?,
         false => None,
     };
     if order.resume {
-        show.note(&kept::going_on(kept.as_ref(), &results, &sweep));
+        let lost = kept.as_mut().map_or(Ok(0), |kept| kept.without_histories(&results, &sweep));
+        let lost = lost
+            .map_err(|reason| Failure::Output { path: results.folder().to_path_buf(), reason })?;
+        show.note(&kept::going_on(kept.as_ref(), lost, &results, &sweep));
     }
     let cache = Cache::shared(order.cache.clone());
     let ended = workers::run(
@@ -160,11 +165,22 @@ fn report(
         let counts = table::write(sweep, &mut kept, results)?;
         Ok((kept, counts))
     });
+    let lacks = || format!("`{}` was changed while the sweep was at work", journal::NAME);
     let stopped = stopped
+        .or_else(|| (tabulated.is_ok() && done < sweep.count()).then(lacks))
         .map(|reason| format!("{reason}; {done} of {} points are kept in {folder}", sweep.count()));
     let (mut kept, counts) = match (stopped, tabulated) {
         (None, Ok(found)) => found,
-        (Some(reason), _) | (None, Err(reason)) => return Err(unfinished(reason)),
+        (None, Err(reason)) => return Err(unfinished(reason)),
+        (Some(reason), tabulated) => {
+            // Of what is done there is a page, too.
+            let told = tabulated.and_then(|(_, counts)| {
+                let far = format!("{done} of {} points are done", sweep.count());
+                tell((sweep, order), (&counts, Some(far)), results)
+            });
+            told.err().iter().for_each(|reason| streams::warn(reason));
+            return Err(unfinished(reason));
+        }
     };
     if order.figures {
         let write = |name: &str, content: &[u8]| results.write(name, content);
@@ -176,18 +192,7 @@ fn report(
             return Err(unfinished(reason));
         }
     }
-    let lines = |text: String| text.lines().map(str::to_owned).collect::<Vec<String>>();
-    let facts = SweepFacts::new(
-        (&sweep.name, &sweep.title),
-        (check::varied(sweep), lines(counts.words())),
-        sweep.keys.iter().map(|own| Column::of(own).head).collect(),
-    );
-    let mut written = results.write(SWEEP, facts.json().as_bytes());
-    if order.report {
-        let page = written.and_then(|()| page::made(results.folder()));
-        written = page.and_then(|page| results.write(REPORT, page.as_bytes()));
-    }
-    written.map_err(unfinished)?;
+    tell((sweep, order), (&counts, None), results).map_err(unfinished)?;
     match show {
         ProgressMode::Nothing => Ok(()),
         _ => streams::say(&format!(
@@ -197,4 +202,27 @@ fn report(
             counts.words()
         )),
     }
+}
+
+/// Writes what the sweep was, and the page that tells of it; `far`: how much of it is done, if not all.
+///
+/// # Errors
+/// Why not, with the path.
+fn tell(
+    (sweep, order): (&Sweep, &Order),
+    (counts, far): (&Counts, Option<String>),
+    results: &SweepFolder,
+) -> Result<(), String> {
+    let counts = counts.words();
+    let remarks: Vec<String> = far.into_iter().chain(counts.lines().map(str::to_owned)).collect();
+    let facts = SweepFacts::new(
+        (&sweep.name, &sweep.title),
+        (check::varied(sweep), remarks),
+        sweep.keys.iter().map(|own| Column::of(own).head).collect(),
+    );
+    results.write(SWEEP, facts.json().as_bytes())?;
+    if order.report {
+        results.write(REPORT, page::made(results.folder())?.as_bytes())?;
+    }
+    Ok(())
 }

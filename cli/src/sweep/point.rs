@@ -2,7 +2,7 @@
 
 use std::num::NonZero;
 
-use whirl_solver::cache::Cache;
+use whirl_solver::cache::{Cache, Key};
 
 use super::definition::{Keep, Sweep};
 use super::figures;
@@ -37,12 +37,12 @@ pub(super) enum Undone {
     NotKept(String),
 }
 
-/// Runs a point or analyses it, from the state in which another one ended if there is one. Whatever is wrong with it is a row.
+/// Runs a point, which `key` tells from all others, or analyses it, from the state in which another one ended if there is one. Whatever is wrong with it is a row.
 ///
 /// # Errors
 /// It is interrupted, or cannot be kept.
 pub(super) fn run(
-    (sweep, point): (&Sweep, &Point),
+    (sweep, point, key): (&Sweep, &Point, Key),
     from: Option<&[u8]>,
     (cache, results): (&Cache, &SweepFolder),
     (watch, (interruption, threads)): (&dyn Watch, (&Interruption, NonZero<usize>)),
@@ -64,7 +64,8 @@ pub(super) fn run(
         Err(failure) => return Ok(failed(&failure, warnings)),
     };
     let mut all = match (&built, sweep.marches) {
-        (Some(built), true) => match marched((sweep, &case, built), (point, results), watch) {
+        (Some(built), true) => match marched((sweep, &case, built), ((point, key), results), watch)
+        {
             Ok(all) => all,
             Err(NotMarched::Undone(undone)) => return Err(undone),
             Err(NotMarched::Failed(failure)) => return Ok(failed(&failure, warnings)),
@@ -107,7 +108,7 @@ enum NotMarched {
 
 fn marched(
     (sweep, case, built): (&Sweep, &Case, &Built),
-    (point, results): (&Point, &SweepFolder),
+    (point, results): ((&Point, Key), &SweepFolder),
     watch: &dyn Watch,
 ) -> Result<Done, NotMarched> {
     let (run, facts) = summed_up(case, built, watch).map_err(|failure| match failure {
@@ -125,7 +126,7 @@ fn marched(
         false => None,
     };
     if sweep.keep == Keep::Histories {
-        let kept = results.keep_point(point.number(), &run);
+        let kept = results.keep_point(point, &run);
         kept.map_err(|reason| NotMarched::Undone(Undone::NotKept(reason)))?;
     }
     let (names, row) = Row::of(case, &facts, run.reason.as_deref());

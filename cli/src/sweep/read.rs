@@ -79,7 +79,7 @@ pub(super) fn of_arguments(
                     .to_owned(),
             });
         };
-        text += &format!("{} = {}\n", key.trim(), as_toml(values.trim()));
+        text += &format!("{} = {}\n", key.trim(), listed(values.trim()));
     }
     let source = Source::new(COMMAND_LINE, text);
     let (tree, errors) = Tree::parse(&source);
@@ -108,6 +108,15 @@ pub(super) fn of_arguments(
         marches: analyses.is_empty(),
         analyses: analyses.iter().map(|own| Located::alone(ANALYSE, own)).collect(),
     })
+}
+
+/// Values of a key on the command line as a file has them: `20 um, 30 um` is a list, `20 um .. 60 um, 9` a range.
+fn listed(values: &str) -> String {
+    if values.starts_with(['[', '"', '\'', '{']) || values.contains("..") || !values.contains(',') {
+        return as_toml(values);
+    }
+    let each: Vec<String> = values.split(',').map(|own| as_toml(own.trim())).collect();
+    format!("[{}]", each.join(", "))
 }
 
 /// That a file is no sweep, where the command line varies nothing.

@@ -22,12 +22,19 @@ use crate::values::level::digits;
 pub(super) struct Counts {
     unsound: usize,
     failed: usize,
+    /// Sound, and tested for a steady state in vain.
+    unsteady: usize,
 }
 
 impl Counts {
-    fn add(&mut self, verdict: Verdict) {
-        match verdict {
-            Verdict::Sound => {}
+    fn add(&mut self, row: &Row, names: &[String]) {
+        let of =
+            |name: &str| names.iter().zip(&row.values).find(|own| own.0 == name).map(|own| *own.1);
+        match row.verdict {
+            Verdict::Sound => {
+                let tested = of("steady_state.checked") == Some(1.0);
+                self.unsteady += usize::from(tested && of("steady_state.reached") == Some(0.0));
+            }
             Verdict::NotSound => self.unsound += 1,
             Verdict::Failed => self.failed += 1,
         }
@@ -43,6 +50,10 @@ impl Counts {
         };
         say(self.failed, "failed: `remark` in table.csv says why");
         say(self.unsound, "NOT SOUND: `remark` in table.csv says what was found");
+        say(
+            self.unsteady,
+            "sound, but not in a steady state: see `steady_state.left` in table.csv",
+        );
         text
     }
 }
@@ -130,7 +141,7 @@ pub(super) fn write(
         writeln!(file, "{}", heads.join(","))?;
         for number in 0..sweep.count() {
             let Some((list, row)) = kept.row(number).map_err(io::Error::other)? else { continue };
-            counts.add(row.verdict);
+            counts.add(&row, &kept.names[list]);
             writeln!(file, "{}", line(sweep, &layout, number, (list, &row)))?;
         }
         Ok(())

@@ -147,15 +147,15 @@ fn follow(
         watch.shown.begun(watch.worker);
         let analysed = (watch.interruption, watch.threads);
         let from = state.as_deref();
-        let mut done = match point::run((sweep, &point), from, (cache, results), (watch, analysed))
-        {
-            Ok(done) => done,
-            Err(Undone::Interrupted) => return Break(()),
-            Err(Undone::NotKept(reason)) => {
-                let _ = sender.send(Err(reason));
-                return Break(());
-            }
-        };
+        let mut done =
+            match point::run((sweep, &point, key), from, (cache, results), (watch, analysed)) {
+                Ok(done) => done,
+                Err(Undone::Interrupted) => return Break(()),
+                Err(Undone::NotKept(reason)) => {
+                    let _ = sender.send(Err(reason));
+                    return Break(());
+                }
+            };
         if done.state.is_some() {
             last = Some(number);
         }

@@ -42,6 +42,20 @@ pub struct EnergyBalance {
 const ROUNDINGS: f64 = 16.0;
 
 impl EnergyBalance {
+    /// Of a march without a step: no numbers.
+    pub fn none() -> Self {
+        let no = f64::NAN;
+        EnergyBalance {
+            work_in: no,
+            kinetic: no,
+            strain: no,
+            spring_stored: no,
+            spring_dissipated: no,
+            dissipated: no,
+            ..EnergyBalance::default()
+        }
+    }
+
     /// What does not balance.
     pub fn error(&self) -> f64 {
         let springs = self.spring_stored + self.spring_dissipated;
