@@ -58,9 +58,9 @@ impl VerdictFacts {
         (diverged, from): (Option<[usize; 2]>, Option<&str>),
     ) -> Self {
         let quality = &outcome.quality;
-        let judged = |error: f64| if quality.judged { error } else { f64::NAN };
         // A march that ended in its first step has no measures.
         let marched = diverged.is_none_or(|[done, _]| done > 0);
+        let judged = |error: f64| if quality.judged && marched { error } else { f64::NAN };
         let of_march = |measure: f64| if marched { measure } else { f64::NAN };
         let key = if length.1.is_some() { "output_step" } else { "time_step" };
         let diverged = diverged.map(|steps| FindingFacts::diverged(steps, key));
