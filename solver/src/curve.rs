@@ -51,9 +51,16 @@ impl Curve {
         Ok(Curve { slopes: Some(slopes), ..curve })
     }
 
-    /// The last x, beyond which the curve stays as it is; none of a periodic one.
-    pub(crate) fn last(&self) -> Option<f64> {
-        self.x.last().copied().filter(|_| !self.periodic)
+    /// The x beyond which y stays as it is; none of a periodic one.
+    pub(crate) fn last_change(&self) -> Option<f64> {
+        let last = self.y.last().filter(|_| !self.periodic)?;
+        let changing = self.y.iter().rposition(|own| own != last);
+        Some(self.x[changing.map_or(0, |row| row + 1)])
+    }
+
+    /// Whether y is the same everywhere.
+    pub(crate) fn is_constant(&self) -> bool {
+        self.y.windows(2).all(|pair| pair[0] == pair[1])
     }
 
     /// The last x at which y falls through zero, or comes to it.

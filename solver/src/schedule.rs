@@ -74,7 +74,10 @@ impl Schedule {
 
     /// The time (s) from which on the speed stays as it is.
     pub(crate) fn last(&self) -> f64 {
-        self.starts.last().copied().unwrap_or(0.0)
+        let turns_evenly = |own: &[f64; 6]| own[2..].iter().all(|value| *value == 0.0);
+        let changing = self.coefficients.iter().rposition(|own| !turns_evenly(own));
+        let even = changing.map_or(0, |last| last + 1);
+        self.starts.get(even).or(self.starts.last()).copied().unwrap_or(0.0)
     }
 
     /// Times (s) at which the acceleration jumps.

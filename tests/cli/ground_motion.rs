@@ -319,3 +319,42 @@ fn records_that_leave_the_ground_moving_are_warned_of() {
         words.iter().for_each(|own| assert!(said.contains(own), "{own} in {said}"));
     }
 }
+
+/// Records of instruments that write decimal commas are read as those with points; one without names is refused.
+#[test]
+fn records_may_have_decimal_commas() {
+    let points = "time [s], x [g]\n0, 0\n0.1, 0.25\n0.2, -0.5\n";
+    let bench = Workbench::new()
+        .file("case.toml", &mass(SHAKEN, "8e3 N/m", STEPS))
+        .file("record.csv", points);
+    run(&bench, &[]);
+    let known = bench.history_text("out");
+    let semicolons = points.replace(',', ";").replace('.', ",");
+    fs::write(bench.path("record.csv"), semicolons).unwrap();
+    run(&bench, &[]);
+    assert!(bench.history_text("out") == known);
+    let checked = ran(&bench, &["check", "case.toml"]).stdout;
+    assert!(
+        checked.contains("ground motion by table `record.csv`: up to 4.903 m/s² along x"),
+        "{checked}"
+    );
+    fs::write(bench.path("record.csv"), "0, 0\n0.1, 0.25\n").unwrap();
+    let refused = bench.whirl(&["check", "case.toml"]);
+    assert_eq!(refused.status, 2);
+    assert!(refused.stderr.contains("no line of names"), "{}", refused.stderr);
+}
+
+/// What changes over time is told as the reason where no steady state is, and what stays as it is changes nothing.
+#[test]
+fn a_record_that_changes_late_is_why_nothing_is_steady() {
+    let march = "time_step = \"1e-3 s\"\nduration = \"4 s\"\ncycle_frequency = \"10 Hz\"";
+    let record = |rows: &str| format!("time [s], x [g]\n0, 0.1\n{rows}");
+    let case =
+        mass(SHAKEN, "8e3 N/m", march).replace("stiffness", "damping = \"100 N*s/m\"\nstiffness");
+    let bench = Workbench::new().file("case.toml", &case).file("record.csv", &record("50, 0.1\n"));
+    assert!(run(&bench, &[]).contains("steady from "));
+    fs::write(bench.path("record.csv"), record("3, 0.1\n3.1, 0\n")).unwrap();
+    let said = run(&bench, &[]);
+    let why = "not steady: what is given over time changes until 3.1 s, and the run ends less than 17 cycles later";
+    assert!(said.contains(why), "{said}");
+}

@@ -285,3 +285,39 @@ fn journals_and_bushings_go_around_the_axis() {
     let outcome = bench().file("case.toml", &right).whirl(&["check", "case.toml"]);
     assert!(outcome.status == 0 && !outcome.stderr.contains("off the axis"), "{}", outcome.stderr);
 }
+
+/// A surface over all of a shaft, for two bearings by their stations: the reduced stiffness has the rounding of what is stiff within its mesh,
+/// which is no reason for it not to be round.
+#[test]
+fn a_shaft_with_one_surface_for_two_bearings_is_round() {
+    let bearing = |name: &str, z: u32| {
+        format!(
+            "[joint.{name}]\nkind = \"bearing\"\njournal = {{ body = \"r\", surface = \"ALL\" }}\nstations = [\"{z} mm\"]\n\
+             law = \"ocvirk\"\nradial_clearance = \"40 um\"\njournal_radius = \"20 mm\"\nlength = \"30 mm\"\n"
+        )
+    };
+    let case = format!(
+        "title = \"a shaft\"\n{STEEL}
+[body.r]
+turns = \"prescribed\"
+speed = \"3000 rpm\"
+material = \"steel\"
+modes = 20
+axial_restraint = \"ALL\"
+dimensions = {{ length = \"400 mm\", diameter = \"40 mm\", supports = [\"50 mm\", \"350 mm\"], support_length = \"30 mm\", cells = {{ sectors = 16, rings = 3 }} }}
+sets.ALL = {{ radius = \"20 mm\", z = [\"0 mm\", \"400 mm\"] }}
+{}{}
+[loads.weight]
+body = \"r\"
+sets = [\"ALL\"]
+spread = \"mean\"
+force = \"-40 N\"
+",
+        bearing("a", 50),
+        bearing("b", 350)
+    );
+    let outcome = bench().file("case.toml", &case).whirl(&["modes", "case.toml", "--no-figures"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    assert!(!outcome.stdout.contains("not round"), "{}", outcome.stdout);
+    assert!(outcome.stdout.contains("backward"), "{}", outcome.stdout);
+}

@@ -239,14 +239,13 @@ fn fields_are_written_at_the_times_of_every_point_of_a_chain() {
 /// A state is one of certain bodies: points cannot continue along what changes them.
 #[test]
 fn points_do_not_continue_along_what_changes_bodies() {
-    let study = "case = \"hu2003-5\"\ncontinue = \"up\"\n[vary]\nmarch.steps = [5]\nshaft.modes = [4, 6]\n";
+    let study =
+        "case = \"hu2003-5\"\ncontinue = \"up\"\n[vary]\nmarch.steps = [5]\nshaft.modes = [4, 6]\n";
     let bench = bench_of(study);
     for command in ["check", "sweep"] {
         let outcome = bench.whirl(&[command, "study.toml"]);
         assert_eq!((outcome.status, outcome.stdout.as_str()), (2, ""), "{}", outcome.stderr);
-        for words in
-            ["study.toml:5:", "cannot continue along `shaft.modes`", "along = "]
-        {
+        for words in ["study.toml:5:", "cannot continue along `shaft.modes`", "along = "] {
             assert!(outcome.stderr.contains(words), "`{words}` is not in {}", outcome.stderr);
         }
     }

@@ -334,7 +334,10 @@ fn histories_are_kept_where_they_are_wanted() {
     done(&bench.whirl(&["run", "own.toml", "--no-figures"]));
     // Of the gap as the case has it.
     let folder = "results/study/points/00008";
-    assert_eq!(bench.listing_of(folder), ["history.csv", "point.toml", "state.bin", "summary.json"]);
+    assert_eq!(
+        bench.listing_of(folder),
+        ["history.csv", "point.toml", "state.bin", "summary.json"]
+    );
     assert!(bench.history_text(folder) == bench.history_text("results/own"));
     let [point, own] = [folder, "results/own"].map(|folder| bench.summary(folder));
     assert_eq!(point["supports"], own["supports"]);

@@ -119,6 +119,11 @@ fn of_file(
     (factor, named): (f64, &[Option<Located>; 3]),
 ) -> Result<GroundMotion, Diagnostics> {
     let columns = Columns::read_at_most(source, LIMITS)?;
+    if !columns.is_named() {
+        let message = format!("`{}` has no line of names", name.text());
+        let help = "write one above the numbers, such as `time [s], x [g]`";
+        return Err(name.error_here(Code::TABLE, message).help(help).into());
+    }
     let mut errors = Diagnostics::new();
     let mut of = |called: &str, place: &Located, dimension: Dimension| {
         let column = Which::Named(called.to_owned());

@@ -69,7 +69,8 @@ fn gravity(joined: &JoinedMachine) -> Vec<String> {
     joined.gravity.iter().map(of).collect()
 }
 
-fn ground(joined: &JoinedMachine) -> Vec<String> {
+/// The motion of the ground, if there is one.
+pub(super) fn ground(joined: &JoinedMachine) -> Vec<String> {
     let of = |own: &GroundMotion| {
         let axes = ["x", "y", "z"].into_iter().zip(&own.axes).zip(own.largest);
         let there = axes.filter(|((_, curve), _)| curve.is_some());

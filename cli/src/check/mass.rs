@@ -6,6 +6,7 @@ use std::fmt::Write;
 use whirl_solver::model::{AttachmentKind, LoadAction};
 use whirl_text::rounded;
 
+use super::loads;
 use crate::case::{Form, JoinedMachine};
 use crate::machine::JoinedPlan;
 
@@ -38,6 +39,7 @@ pub(super) fn say(text: &mut String, machine: &JoinedMachine, plan: &JoinedPlan)
             );
         }
     }
+    loads::ground(machine).iter().for_each(|own| line!(text, "{own}"));
     for (place, (joint, law)) in machine.joints.iter().zip(&plan.laws).enumerate() {
         let side = match joint.angle {
             Some(0.0) => "above",

@@ -9,7 +9,7 @@ use whirl_solver::machine::{Body, BodyPlace};
 use whirl_specs::{CLEARANCES, ELEMENTS};
 use whirl_text::rounded;
 
-use super::{OrderFacts, VerdictFacts, last_cycle, orders, oscillations};
+use super::{OrderFacts, VerdictFacts, begun, last_cycle, orders, oscillations};
 use crate::case::{Case, MarchSettings, SupportName};
 use crate::fields::LargestStress;
 use crate::history::ReadHistory;
@@ -249,6 +249,23 @@ struct SteadyFacts {
     /// What is left to change, as a fraction of what varies in a cycle: infinite where nothing settles.
     #[serde(skip_serializing_if = "Option::is_none")]
     left: Option<f64>,
+    /// Until when (s) something changes that is told over time, where too few cycles follow.
+    #[serde(skip)]
+    too_late: Option<f64>,
+}
+
+/// Until when (s) something changes that is told over time, where too few cycles follow for a steady state to be told.
+fn too_late(
+    march: &MarchSettings,
+    outcome: &Outcome,
+    history: &dyn ReadHistory,
+) -> io::Result<Option<f64>> {
+    let until = outcome.told_until;
+    let ends = history.last_time()?.unwrap_or(0.0);
+    let begun = begun(history, march.time_step)?;
+    let cycles = march.steady_rule.cycles() as f64;
+    let is_late = until > begun && until + cycles * march.cycle > ends;
+    Ok((is_late && outcome.steady.is_none()).then_some(until))
 }
 
 /// work_in = kinetic + strain + spring_stored + spring_dissipated + dissipated + error.
@@ -333,6 +350,7 @@ impl Summary {
                 reached: outcome.steady.is_some(),
                 time_s: outcome.steady.map(|steady| steady.time),
                 left: outcome.left,
+                too_late: too_late(case.march(), outcome, history)?,
             },
             energy_balance_j: EnergyFacts::new((steps > 0).then_some(&outcome.energy)),
             time,
@@ -365,6 +383,7 @@ impl Summary {
                 "not tested for a steady state: the run is shorter than {}",
                 march.steady_cycles()
             ),
+            _ if let Some(until) = facts.too_late => too_late_words(until, march),
             (Some(time), Some(own)) => format!("steady from {time:.4} s, {}", left(own)),
             (Some(time), None) => format!("steady from {time:.4} s"),
             (None, Some(own)) => format!("not steady: {}", left(own)),
@@ -386,6 +405,18 @@ impl Summary {
     pub(crate) fn json(&self) -> String {
         let text = serde_json::to_string_pretty(self);
         text.expect("the keys of a summary are strings") + "\n"
+    }
+}
+
+/// Why no steady state was told, in words.
+fn too_late_words(until: f64, march: &MarchSettings) -> String {
+    match until.is_finite() {
+        true => format!(
+            "not steady: what is given over time changes until {} s, and the run ends less than {} later",
+            rounded(until, 6),
+            march.steady_cycles()
+        ),
+        false => "not steady: a speed that is given changes all the time".to_owned(),
     }
 }
 

@@ -27,6 +27,7 @@ pub enum Counted {
 pub(super) fn counted(load: &Load) -> Option<Counted> {
     match (load.onset, &load.time_function) {
         (Onset::Step(from), _) if from > 0.0 => Some(Counted::Later(from)),
+        (Onset::Start, TimeFunction::OverTime(curve)) if curve.is_constant() => None,
         (_, TimeFunction::Sine { .. } | TimeFunction::OverTime(_)) => Some(Counted::AtStart),
         (Onset::Ramp(..), _) => Some(Counted::InFull),
         _ => None,

@@ -6,6 +6,10 @@ use crate::reduction::hertz;
 
 /// Share of the largest eigenvalue below which one is that of a rigid motion.
 const RIGID: f64 = 1e-10;
+/// The same of a body that nothing holds, where the next one is larger by [`GAP`]: a reduced stiffness is a difference, with the rounding
+/// of what is stiff within the mesh.
+const FREE: f64 = 1e-7;
+const GAP: f64 = 1e6;
 /// Share by which eigenvalues of the mean body differ within a pair: rounding, as it is round.
 const EQUAL: f64 = 1e-7;
 
@@ -71,17 +75,19 @@ impl Turn {
         mean
     }
 
-    /// `all`: M, K, and further ones, with what each is measured by. `band`: what counts (Hz).
+    /// `all`: M, K, and further ones, with what each is measured by. `band`: what counts (Hz). `free`: whether nothing holds the body.
     pub(super) fn asymmetry(
         &self,
         all: &[(&Matrix, Scale)],
         band: f64,
+        free: bool,
     ) -> Result<Asymmetry, LinearAlgebraError> {
         let own: Vec<Matrix> = all.iter().map(|(own, _)| congruence(own, &self.basis)).collect();
         let mean: Vec<Matrix> = own.iter().map(|own| self.averaged(own)).collect();
         let eigen = generalised_symmetric_eigen(&mean[1], &mean[0])?;
         let largest = eigen.values.last().copied().unwrap_or(0.0).abs();
-        let is_rigid = |value: f64| value <= RIGID * largest;
+        let rigid = rigid_share(&eigen.values, largest, free);
+        let is_rigid = |value: f64| value <= rigid * largest;
         let inside: Vec<usize> = (0..eigen.values.len())
             .filter(|&k| is_rigid(eigen.values[k]) || hertz(eigen.values[k]) < band)
             .collect();
@@ -126,7 +132,7 @@ impl Turn {
             let share = if whole > 0.0 { norm(&apart, &everything, &weight) / whole } else { 0.0 };
             found.shares.push(share);
             // What damps a rigid motion less is rounding of what damps by stiffness.
-            let rounding = RIGID * norm(&own, &everything, &|_| 1.0);
+            let rounding = rigid * norm(&own, &everything, &|_| 1.0);
             for cluster in &clusters {
                 let square = values[cluster[0]];
                 let one = |_: usize| 1.0;
@@ -152,5 +158,27 @@ impl Turn {
             }
         }
         Ok(found)
+    }
+}
+
+/// Share of the largest eigenvalue up to which ascending ones are those of rigid motions.
+fn rigid_share(values: &[f64], largest: f64, free: bool) -> f64 {
+    let is_last = |pair: &&[f64]| pair[0] <= FREE * largest && pair[1] > GAP * pair[0].max(0.0);
+    let last = values.windows(2).filter(is_last).last().filter(|_| free && largest > 0.0);
+    last.map_or(RIGID, |pair| RIGID.max(pair[0] / largest))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rounding of a stiffness is no mode of a body that nothing holds; a soft spring of one that is held is.
+    #[test]
+    fn rounding_of_a_stiffness_is_a_rigid_motion() {
+        let values = [-3.0, 0.4, 4.7, 4.9e7, 4.9e7, 4.8e10];
+        assert!(rigid_share(&values, 4.8e10, true) * 4.8e10 >= 4.7);
+        assert_eq!(rigid_share(&values, 4.8e10, false), RIGID);
+        // The lowest of many that follow each other is no gap.
+        assert_eq!(rigid_share(&[4.7, 4e3, 4e6, 4.8e10], 4.8e10, true), RIGID);
     }
 }

@@ -201,6 +201,7 @@ impl Shaft {
             measures: &self.measures,
             centre_of_mass: &self.centre_of_mass,
             polar: Some(self.j0),
+            free: true,
         };
         let all = [
             ("M", &self.mass, Scale::Mass),
@@ -225,6 +226,7 @@ impl Support {
             measures: &self.measures,
             centre_of_mass: &self.centre_of_mass,
             polar: None,
+            free: false,
         };
         let diagonal = |own: &[f64]| {
             Matrix::from_fn(own.len(), own.len(), |i, j| if i == j { own[i] } else { 0.0 })
@@ -270,12 +272,12 @@ fn roundness(
     let band = turn.alone.map_or(f64::INFINITY, |alone| 0.5 * alone);
     let matrices: Vec<(&Matrix, Scale)> =
         all.iter().map(|(_, own, scale)| (*own, *scale)).collect();
-    let mut found = turn.asymmetry(&matrices, band)?;
+    let mut found = turn.asymmetry(&matrices, band, known.free)?;
     // Below half the frequency of the first pair that is split it may be round, if it bends there.
     let below = found.first_split.map(|first| 0.5 * first);
     let band = below.filter(|below| found.lowest.is_some_and(|lowest| lowest <= *below));
     if let Some(band) = band {
-        found = turn.asymmetry(&matrices, band)?;
+        found = turn.asymmetry(&matrices, band, known.free)?;
     }
     let Asymmetry { shares, splitting, split, lowest, .. } = found;
     // What a pair lacks of turning as one.

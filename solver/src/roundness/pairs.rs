@@ -27,6 +27,8 @@ pub(super) struct Known<'a> {
     pub(super) centre_of_mass: &'a CentreOfMass,
     /// Moment of inertia about the axis (kg·m²), where it is known.
     pub(super) polar: Option<f64>,
+    /// Whether nothing holds the body sideways.
+    pub(super) free: bool,
 }
 
 impl Known<'_> {

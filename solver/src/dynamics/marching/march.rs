@@ -370,6 +370,7 @@ impl<'m> March<'m> {
             history: History::for_machine(self.machine),
             steady: self.tally.steady.as_ref().and_then(|test| test.reached),
             left: self.tally.steady.as_ref().and_then(SteadyTest::left),
+            told_until: self.settled,
             iterations: self.tally.iterations,
             factorisations: self.newton.factorisations(),
             halved_steps: self.tally.halvings.steps,

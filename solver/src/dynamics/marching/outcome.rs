@@ -38,6 +38,8 @@ pub struct Outcome {
     /// What was left to change at the end, as a fraction of what varies in a cycle, infinite where nothing settles; none where it
     /// was not estimated.
     pub left: Option<f64>,
+    /// Until when (s) something changes that is told over time, infinite where it never ends.
+    pub told_until: f64,
     /// Newton iterations in all.
     pub iterations: usize,
     /// Matrices factored in all.

@@ -3,8 +3,8 @@
 use crate::loads::{Load, Onset, TimeFunction};
 use crate::machine::{Body, Machine, Rotation};
 
-/// The last time (s) at which a load begins, a ramp ends, or a table over time or a told rotation has its last row; infinite
-/// where a prescribed speed never stops to change.
+/// The last time (s) at which a load begins, a ramp ends, or a table over time or a told rotation changes; infinite where a prescribed
+/// speed never stops to change.
 pub(crate) fn settled_from(machine: &Machine) -> f64 {
     let loads = machine.loads.iter().map(of_load);
     let rotations = machine.bodies.iter().filter_map(Body::rotation).map(of_rotation);
@@ -17,7 +17,7 @@ fn of_load(load: &Load) -> f64 {
         Onset::Step(time) | Onset::Ramp(_, time) => time,
     };
     match &load.time_function {
-        TimeFunction::OverTime(curve) => begun.max(curve.last().unwrap_or(0.0)),
+        TimeFunction::OverTime(curve) => begun.max(curve.last_change().unwrap_or(0.0)),
         _ => begun,
     }
 }

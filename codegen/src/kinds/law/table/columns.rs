@@ -22,6 +22,8 @@ pub struct Columns {
     source: Arc<Source>,
     heads: Option<Vec<Head>>,
     rows: Vec<Vec<Range<usize>>>,
+    /// Whether numbers are written with a decimal comma.
+    comma: bool,
 }
 
 /// A cell of the line of names, such as `gap [um]`.
@@ -63,16 +65,23 @@ pub struct Column {
 impl Columns {
     /// The file of a table of a law.
     pub(super) fn read(source: &Arc<Source>) -> Result<Self, Diagnostics> {
-        Columns::read_at_most(source, (MOST_ROWS, LONGEST))
+        Columns::read_as((MOST_ROWS, LONGEST), false, source)
     }
 
-    /// A file of so many rows and bytes at most.
+    /// A file of so many rows and bytes at most, as instruments and spreadsheets write them: with decimal commas, too, where no comma
+    /// separates columns.
     ///
     /// # Errors
     /// One that is longer, has fewer than two rows, or a line with more values than columns.
-    pub fn read_at_most(
-        source: &Arc<Source>,
+    pub fn read_at_most(source: &Arc<Source>, limits: (usize, usize)) -> Result<Self, Diagnostics> {
+        Columns::read_as(limits, true, source)
+    }
+
+    /// `commas`: whether numbers may have decimal commas.
+    fn read_as(
         (rows, longest): (usize, usize),
+        commas: bool,
+        source: &Arc<Source>,
     ) -> Result<Self, Diagnostics> {
         let refuse = |message: String| Diagnostic::new(source, Code::LIMIT, None, message);
         if source.text.len() > longest {
@@ -91,7 +100,9 @@ impl Columns {
                 lines.push(line);
             }
         }
-        let is_number = |cell: &Range<usize>| number(&source.text[cell.clone()]).is_some();
+        let cells = lines.iter().flatten().map(|cell| &source.text[cell.clone()]);
+        let comma = commas && has_decimal_commas(cells);
+        let is_number = |cell: &Range<usize>| written(&source.text[cell.clone()], comma).is_some();
         let headed = lines.first().is_some_and(|first| !first.iter().any(is_number));
         let heads = headed.then(|| {
             let first = lines.remove(0);
@@ -103,7 +114,7 @@ impl Columns {
             let help = "what stays the same takes two rows with equal values";
             return Err(refuse(message).maybe_help((count < 2).then(|| help.to_owned())).into());
         }
-        let columns = Columns { source: source.clone(), heads, rows: lines };
+        let columns = Columns { source: source.clone(), heads, rows: lines, comma };
         columns.check_lengths()?;
         columns.check_names()?;
         Ok(columns)
@@ -152,6 +163,11 @@ impl Columns {
         self.heads.is_none().then(|| self.rows.iter().map(Vec::len).max().unwrap_or(0))
     }
 
+    /// Whether a line of names stands above the numbers.
+    pub fn is_named(&self) -> bool {
+        self.heads.is_some()
+    }
+
     /// Whether a column is called so.
     pub fn has(&self, name: &str) -> bool {
         self.heads.iter().flatten().any(|head| head.name == name)
@@ -177,15 +193,18 @@ impl Columns {
                 errors.push(self.error(span, message).help(help));
                 continue;
             };
-            match number(&self.source.text[cell.clone()]) {
+            match written(&self.source.text[cell.clone()], self.comma) {
                 Some(value) => values.push((value, cell.clone())),
                 None => {
                     let text = self.source.text[cell.clone()].escape_debug().to_string();
                     let message = format!("expected a number, found `{text}`");
                     let error = self.error(cell.clone(), message);
-                    errors.push(
-                        error.help("write numbers with a point, such as `0.035` or `3.5e-2`"),
-                    );
+                    errors.push(error.help(match self.comma {
+                        true => {
+                            "write numbers with a decimal comma, as the others are, such as `0,035`"
+                        }
+                        false => "write numbers with a point, such as `0.035` or `3.5e-2`",
+                    }));
                 }
             }
             if errors.len() == MOST_ERRORS {
@@ -314,6 +333,28 @@ fn without_comment(line: &str) -> &str {
 fn part(line: &str, piece: &str) -> Range<usize> {
     let start = piece.as_ptr() as usize - line.as_ptr() as usize;
     start..start + piece.len()
+}
+
+/// Whether these cells have decimal commas: numbers with a comma, not all of which could be thousands, and none with a point.
+fn has_decimal_commas<'s>(cells: impl Iterator<Item = &'s str> + Clone) -> bool {
+    let numbers = |comma: bool, mark: char| {
+        cells.clone().filter(move |own| own.contains(mark) && written(own, comma).is_some())
+    };
+    let thousands = |cell: &str| {
+        let (whole, rest) = cell.split_once(',').unwrap_or((cell, ""));
+        let whole = whole.trim_start_matches(['-', '+', '0']);
+        !whole.is_empty() && rest.len() == 3 && rest.bytes().all(|own| own.is_ascii_digit())
+    };
+    numbers(false, '.').next().is_none() && !numbers(true, ',').all(thousands)
+}
+
+/// The number in a cell, which may have a decimal comma.
+fn written(text: &str, comma: bool) -> Option<Rational> {
+    match comma {
+        true if text.contains('.') => None,
+        true => number(&text.replace(',', ".")),
+        false => number(text),
+    }
 }
 
 /// A decimal number with an optional sign; programs write `.5` and `2.`, too.
