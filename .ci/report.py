@@ -4,7 +4,7 @@
 report.py FOLDER… [--shots DIR]: for every folder no message on the console, nothing fetched, axes with units, values of all
 charts over time, the value under the pointer, units that switch, keys that move and zoom. With --shots also pictures, as on
 a desk, on a telephone, in the dark and printed."""
-import base64, csv, json, math, os, re, shutil, subprocess, sys, tempfile, time
+import base64, cmath, csv, json, math, os, re, shutil, subprocess, sys, tempfile, time
 
 CHROMIUM = next((found for name in ('chromium', 'chromium-browser', 'google-chrome') if (found := shutil.which(name))), None)
 FLAGS = ['--headless', '--no-sandbox', '--disable-gpu', '--remote-debugging-pipe', '--no-first-run', '--hide-scrollbars',
@@ -138,6 +138,7 @@ def histories(browser, folder, charts):
                     assert near(line['least'][k], min(part), scale) and near(line['most'][k], max(part), scale), (column, k)
             compared += len(parts)
     compared += over_angle(browser, rows, charts) + envelopes(browser, rows, charts) + film_maps(browser, rows)
+    compared += strongest(browser, rows)
     # What stands at the pointer.
     shown = [own for own in charts if own['id'].startswith('history-') and own['title'] in groups]
     if shown:
@@ -219,6 +220,32 @@ def film_maps(browser, rows):
                 assert math.isclose(own, known[k], rel_tol=6e-4), (title, at, own, known[k])
                 compared += 1
     return compared
+
+
+def strongest(browser, rows):
+    """The strongest motion: the semi-axis at the frequency that is told, by a sum over the last cycles with a Hann window."""
+    told = browser.run('''(() => { const own = [...document.querySelectorAll('.facts div')].find((one) => one.querySelector('dt').textContent === 'strongest motion');
+        return own ? own.querySelector('small').textContent : ''; })()''')
+    found = re.fullmatch(r'(.+): (\S+) µm 0-pk at (\S+) Hz', told)
+    if not found:
+        return 0
+    title, amplitude, hertz = found.group(1), float(found.group(2)), float(found.group(3))
+    signal = next(own for own in browser.run('whirl.data.about.signals') if own['title'] == title and own['unit'] == 'µm')
+    cycle, times = browser.run('whirl.data.summary.cycle_s'), rows['t_s']
+    first = next(k for k, t in enumerate(times) if t >= times[-1] - 16 * cycle)
+    count = len(times) - first
+    sides = [0, 0]
+    total = 0
+    for k in range(count):
+        weight = 0.5 * (1 - math.cos(2 * math.pi * (k + 0.5) / count))
+        values = [rows[column][first + k] for column, _ in signal['columns']]
+        z = complex(values[0], values[1] if len(values) > 1 else 0)
+        total += weight
+        for side, sign in enumerate((-1, 1)):
+            sides[side] += weight * z * cmath.exp(sign * 2j * math.pi * hertz * (times[first + k] - times[-1]))
+    known = sum(abs(own) for own in sides) / total
+    assert math.isclose(amplitude, known, rel_tol=0.02), (told, known)
+    return 1
 
 
 def first_of(theta, revolutions):

@@ -235,7 +235,7 @@ fn check_says_what_would_be_run() {
         "226 active coordinates",
         "12807",
         "109 N m until 4500 rpm",
-        "load 1 on shaft at LOAD1, LOAD2, LOAD3: 1000 N along x, sine of 37.5 Hz",
+        "load 1 on shaft at each node of LOAD1, LOAD2, LOAD3: 1000 N along x, sine of 37.5 Hz",
         "law hu2003-nonlinear, c = 35.687 µm, 3 rings of 24 springs at z = 463.5, 476, 488.5 mm",
         "moved from 0.035687",
         "5405 steps of 7.4e-5 s",

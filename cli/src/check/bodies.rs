@@ -8,7 +8,7 @@ use whirl_solver::model::AttachmentKind;
 use whirl_text::rounded;
 
 use super::frequencies::rpm;
-use crate::case::{Attached, Case, JoinedMachine, NamedBody, Start};
+use crate::case::{Attached, Case, Form, JoinedMachine, NamedBody, Start};
 use crate::errors::Failure;
 use crate::machine::{JoinedPlan, PlannedBody};
 use crate::report::table;
@@ -31,6 +31,15 @@ pub(super) fn say(
 pub(super) fn carried(joined: &JoinedMachine) -> Vec<String> {
     let mut lines = Vec::new();
     for body in &joined.bodies {
+        if let Form::Rigid(own) = &body.form
+            && own.rocks
+        {
+            let [x, y] = [0, 1].map(|axis| rounded(1e3 * own.centre[axis], 6));
+            let name = body.name.text();
+            lines.push(format!(
+                "{name} rocks about z; its centre of mass is at x = {x}, y = {y} mm"
+            ));
+        }
         for own in &body.attached {
             let (kind, what) = match own.what {
                 AttachmentKind::Disc { mass, polar_inertia, diametral_inertia } => {

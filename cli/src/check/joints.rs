@@ -102,7 +102,11 @@ fn of_joint(
         }
         JointKind::Gear => teeth(joint, joined),
     };
-    format!("{kind} {}: {first} {a}, {second} {b}{values}", joint.name.text())
+    let at = joint.sides.iter().find_map(|side| side.at.as_ref()).map_or(String::new(), |(at, _)| {
+        let [x, y] = at.map(|own| rounded(1e3 * own, 6));
+        format!(", at x = {x}, y = {y} mm")
+    });
+    format!("{kind} {}: {first} {a}, {second} {b}{at}{values}", joint.name.text())
 }
 
 /// Its rings of springs, or the planes in which a law of a ring acts.

@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use whirl_solver::model::AttachmentKind;
+use whirl_solver::model::{AttachmentKind, LoadAction};
 use whirl_text::rounded;
 
-use crate::case::{Gravity, GroundMotion, JoinedMachine};
+use crate::case::{Gravity, GroundMotion, JoinedMachine, Spread};
 
 /// Drives, loads, unbalance, gravity and the motion of the ground.
 pub(super) fn say(text: &mut String, joined: &JoinedMachine) {
@@ -34,8 +34,14 @@ fn loads(joined: &JoinedMachine) -> Vec<String> {
     let name = |body: usize| joined.bodies[body].name.text();
     let all = joined.loads.iter().map(|own| {
         let sets: Vec<&str> = own.load.sets.iter().map(|set| set.text()).collect();
-        let place =
-            if sets.is_empty() { String::new() } else { format!(" at {}", sets.join(", ")) };
+        let each = match (&own.load.acting, own.load.spread) {
+            (LoadAction::Force(_), Spread::Each) => "each node of ",
+            _ => "the mean of ",
+        };
+        let place = match sets.is_empty() {
+            true => String::new(),
+            false => format!(" at {each}{}", sets.join(", ")),
+        };
         let of = own.load.followed().filter(|_| joined.is_named());
         let described = own.load.described("", of.map(name));
         format!("load {} on {}{place}: {described}", own.name.text(), name(own.body))

@@ -82,8 +82,19 @@ const speedOf = (name) => ({ label: `speed${whose(name)}`, unit: 'rpm' });
 
 // Between which speeds the run of the case goes.
 function runMarks(name) {
-  const ends = (analyses?.analyses || []).find((own) => own.name === name)?.run_rpm || [];
+  const own_ = (analyses?.analyses || []).find((own) => own.name === name);
+  const ends = own_?.run_rpm?.length ? own_.run_rpm : ranAt(own_?.of);
   return ends.filter((rpm) => rpm > 0).map((rpm) => ({ x: rpm, name: ends.length === 1 ? `run at ${shown(rpm, 5)}` : rpm === ends[0] ? `run from ${shown(rpm, 5)}` : `run to ${shown(rpm, 5)}` }));
+}
+
+// Speeds (rpm) at which the run of a body that turns freely begins and ends; one where that is the same.
+function ranAt(body) {
+  const column = run && about.groups.find((own) => own.title === 'Speed of rotation')?.lines.find(([, own]) => own === body)?.[0];
+  const own = columns.get(column);
+  if (!own) return [];
+  const all = numbers(own.values || own.most);
+  const [first, last] = [all[0], all[all.length - 1]].map((value) => Math.abs(value) * (30 / Math.PI));
+  return Math.abs(last - first) < 0.01 * Math.max(last, first) ? [last] : [first, last];
 }
 
 // Charts of an analysis beside its figures, which they replace: names of those.
@@ -131,9 +142,19 @@ const CHARTED = {
     if (!rows || rows.length < 2) return [];
     const marks = [...(tables.get(`${name}.thresholds.csv`)?.rows || []).map((row) => ({ x: row.speed_rpm, name: `${row.what} ${shown(row.speed_rpm, 5)}` })), ...runMarks(name)];
     const least = (column) => rows.reduce((best, row) => (typeof row[column] === 'number' && !(best?.[column] <= row[column]) ? row : best), undefined);
+    const told = (column) => {
+      const low = least(column);
+      if (!low) return '';
+      const values = rows.map((row) => row[column]).filter((value) => typeof value === 'number');
+      const hertz = column === 'body_log_decrement' ? low.body_frequency_hz : low.frequency_hz;
+      const kind = column === 'least_log_decrement' && low.whirl && low.whirl !== '-' ? `, ${low.whirl}` : '';
+      // Where it is the same all along, or nothing lies beyond, the end of the range says nothing.
+      const ends = rows.length > 1 && Math.max(...values) - low[column] > 0.01 * Math.abs(low[column]) && ((low === rows[0] && low.speed_rpm !== 0) || low === rows[rows.length - 1]);
+      return `least: ${shown(low[column], 4)} at ${shown(low.speed_rpm, 5)} rpm${typeof hertz === 'number' ? `, of a motion at ${shown(hertz, 4)} Hz${kind}` : ''}${ends ? '; at this end of the range it may fall further beyond' : ''}`;
+    };
     const chart = (id, title, column) => new Chart(host, {
       id: `${id}-${slug(name)}`, title: `${title}: unstable below zero`, sync: `speed ${name}`, x: speedOf(name), y: { label: 'log decrement', unit: '1' }, marks, levels: [{ y: 0, name: '', framed: true }],
-      series: [line(rows, 'speed_rpm', column, 'log decrement')], note: least(column) ? `least: ${shown(least(column)[column], 4)} at ${shown(least(column).speed_rpm, 5)} rpm${[rows[0], rows[rows.length - 1]].includes(least(column)) ? ', an end of the range: it may fall further beyond' : ''}` : '',
+      series: [line(rows, 'speed_rpm', column, 'log decrement')], note: told(column),
     });
     // Pads and rings may be ten times less damped than the rotor, or more.
     const apart = rows.some((row) => row.body_log_decrement !== row.least_log_decrement);

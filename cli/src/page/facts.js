@@ -85,7 +85,8 @@ function foundBox() {
     if (!summary && !failed) text.split('\n').filter((line) => /^PASSES|^stable at all/.test(line)).slice(0, 1).forEach((line) => note(name, line));
   }
   if (!lines.size) return;
-  const box = add(page, 'div', undefined, { class: bad ? 'verdict bad' : 'verdict', id: 'found' });
+  const passes = [...lines.keys()].every((words) => /^PASSES|^stable at all/.test(words));
+  const box = add(page, 'div', undefined, { class: bad ? 'verdict bad' : passes ? 'verdict' : 'verdict told', id: 'found' });
   add(box, 'strong', 'What the analyses found');
   const list = add(box, 'ul');
   for (const [words, names] of lines) add(list, 'li', plain(`${names.join(', ')}: ${words}`));
@@ -143,10 +144,12 @@ function facts() {
     const group = moments.reduce((best, own) => (of(own) > of(best) ? own : best));
     fact('largest torque', [of(group), group.unit], `${group.title}, in the whole run`);
   }
-  const top = strongest();
+  // What is nothing beside the displacements themselves is no motion.
+  const displaced = Math.max(0, ...about.signals.filter((own) => own.unit === 'µm').flatMap((own) => own.columns.filter(([name]) => columns.has(name)).flatMap(([name]) => lastCycle(name).map(Math.abs))));
+  const top = [strongest()].find((own) => own && own.amplitude > 1e-4 * displaced);
   if (top) fact('strongest motion', top.words, () => `${top.title}: ${shown(top.amplitude * Units.of(top.unit)[1] * Amplitudes.factor, 3)} ${Units.of(top.unit)[0]} ${Amplitudes.words} at ${shown(top.hertz, 4)} Hz`);
   // Not what cannot be told from another body, nor what is nothing beside the rest.
-  const matters = (own) => { const [least, most] = extremes(own.signal); return own['1X'].amplitude > 0.02 * (most - least); };
+  const matters = (own) => { const [least, most] = lastCycle(own.signal); return own['1X'].amplitude > 0.02 * (most - least); };
   const orders = (summary.orders?.signals || []).filter((own) => own.signal.endsWith('_um') && !own.mixed_with?.length && columns.has(own.signal) && matters(own) && isOrder(own));
   const last = Math.max(...orders.map((own) => own['1X'].amplitude), 0);
   // Over a run-up the last revolutions are half a window behind the last point.
@@ -216,7 +219,6 @@ function strongest() {
     if (signal.unit !== 'µm' || !(spectrum.turning_hz > 0) || signal.columns.some(([name]) => varies.has(name))) return;
     for (const line of spectrum.lines) {
       const [frequency, amplitude] = [numbers(line.frequency_hz), numbers(line.amplitude)];
-      const step = frequency.reduce((least, own, k) => (k > 0 && own - frequency[k - 1] < least ? own - frequency[k - 1] : least), Infinity);
       for (let at = 0; at < frequency.length; at++) {
         const order = frequency[at] / spectrum.turning_hz;
         // Nearer to nothing it is a drift.
@@ -227,7 +229,7 @@ function strongest() {
         // The larger circle gives its sense.
         if (other > amplitude[at] || (top && amplitude[at] + other <= top.amplitude)) continue;
         const way = !spectrum.two_sided ? '' : other > 0.9 * amplitude[at] ? ', along a line' : order > 0 ? ' forward' : ' backward';
-        const [fine, more] = between(frequency, amplitude, at, step);
+        const [fine, more] = between(frequency, amplitude, at, spectrum);
         const order_ = (frequency[at] + fine) / spectrum.turning_hz;
         top = { amplitude: more * (amplitude[at] + other), hertz: Math.abs(frequency[at] + fine), unit: signal.unit, title: signal.title, words: exciting(frequency[at] + fine) && Math.abs(Math.abs(order_) - 1) >= 0.005 ? `at the frequency of ${exciting(frequency[at] + fine)}${way}` : `${Math.abs(Math.abs(order_) - 1) < 0.005 ? '1X' : `${shown(Math.abs(order_), 3)} times the speed`}${body ? ` of ${body}` : ''}${way}` };
       }
@@ -236,14 +238,23 @@ function strongest() {
   return top;
 }
 
-// How far a line lies from the largest of its frequencies (Hz), and by what its amplitude is larger: of a sine with a Hann window.
-function between(frequency, amplitude, at, step) {
-  const beside = (k) => (k >= 0 && k < amplitude.length && Math.abs(Math.abs(frequency[k] - frequency[at]) - step) < 0.01 * step ? amplitude[k] : 0);
+// How far a line lies from the largest of its frequencies (Hz), and by what its amplitude is larger: of a sine with a Hann window. Where
+// the neighbours are not those of one sine, two lie closer than the rows resolve, and it stays where it is.
+function between(frequency, amplitude, at, { step_hz: step, resolved_hz: resolved }) {
+  const beside = (k) => (k >= 0 && k < amplitude.length && Math.abs(Math.abs(frequency[k] - frequency[at]) - step) < 0.01 * step ? amplitude[k] / amplitude[at] : 0);
   const [below, above] = [beside(at - 1), beside(at + 1)];
-  const share = Math.max(below, above) / amplitude[at];
-  const off = Math.min(Math.max((2 * share - 1) / (share + 1), 0), 0.5);
-  if (!(below > 0 && above > 0) || !(off > 0)) return [0, 1];
-  return [(above > below ? off : -off) * step, (Math.PI * off * (1 - off * off)) / Math.sin(Math.PI * off)];
+  const stays = [0, 1];
+  if (!(below > 0 && above > 0)) return stays;
+  // The transform of the window, x in parts of 1/T.
+  const lobe = (x) => (Math.abs(x) < 1e-9 ? 1 : Math.abs(Math.abs(x) - 1) < 1e-9 ? 0.5 : Math.abs(Math.sin(Math.PI * x) / (Math.PI * x * (1 - x * x))));
+  const width = step / resolved;
+  const share = (off, side) => lobe(width - side * off) / lobe(off);
+  const [more, less] = [Math.max(below, above), Math.min(below, above)];
+  let [least, most] = [0, 0.5 * width];
+  for (let k = 0; k < 50; k++) { const middle = 0.5 * (least + most); if (share(middle, 1) < more) least = middle; else most = middle; }
+  const off = 0.5 * (least + most);
+  if (Math.abs(share(off, -1) - less) > 0.1 || Math.abs(share(off, 1) - more) > 0.1) return stays;
+  return [(above > below ? off : -off) * resolved, 1 / lobe(off)];
 }
 
 // The amplitude at the frequency that is nearest.
@@ -358,7 +369,7 @@ function results() {
   contacts(own);
   if (summary.orders && !summary.orders.signals.some(isOrder)) {
     add(own, 'h3', 'Orders');
-    add(own, 'p', 'There are none: the cycle is a single revolution of a run whose speed changes. See the envelope over speed.', { class: 'soft' });
+    add(own, 'p', 'There are none: they would be fitted to less than two revolutions of a run whose speed changes. See the envelope over speed.', { class: 'soft' });
   } else if (summary.orders) {
     add(own, 'h3', 'Orders');
     const { signals } = summary.orders;

@@ -10,6 +10,11 @@ function inTheRun(name_, body, point, order) {
   const names = columnsOf(point);
   const signal = about.signals.find((one) => one.columns.some(([name]) => names.includes(name)));
   if (!signal?.angle || (severalTurn() && turningOf(signal.angle) !== body)) return none;
+  // The response of a joint is that of its journal in the bore: where the bore moves, the run has another motion.
+  const relative = (name) => name.replace(/^([XY])/, 'E$1');
+  const swing = (name) => { const [least, most] = lastCycle(name); return most - least; };
+  const moves = names.some((name) => name !== relative(name) && columns.has(relative(name)) && Math.abs(swing(relative(name)) - swing(name)) > 0.02 * Math.max(swing(relative(name)), swing(name)));
+  if (moves) return { ...none, note: 'of the journal in its bore, which moves, too: the run has 1X of the motion in space only' };
   const tracked_ = run.tracked.find((all) => all.signals.some((one) => names.includes(one.column)));
   if (tracked_) {
     const { x, turn } = overSpeed(tracked_);
@@ -70,7 +75,7 @@ Object.assign(CHARTED, {
     const charts = [];
     const unstable = [...((analyses?.analyses || []).find((own) => own.name === name)?.text || '').matchAll(/^UNSTABLE above ([\d.]+) rpm/gm)].map((own) => ({ x: Number(own[1]), name: `unstable above ${shown(Number(own[1]), 5)}` }));
     const several = new Set(rows.map((row) => row.body)).size > 1;
-    const found = tables.get(`${name}.peaks.csv`)?.rows || [];
+    const found = (tables.get(`${name}.peaks.csv`)?.rows || []).filter((row) => typeof row.major_um !== 'number' || row.major_um > 1e-6);
     const beside = grouped(tables.get(`${name}.near.csv`)?.rows || [], 'body', 'point', 'order');
     for (const [key, tabled] of all) {
       const [{ body, point, order }] = tabled;
@@ -83,7 +88,7 @@ Object.assign(CHARTED, {
       const ran = inTheRun(name, body, point, order);
       const peaks = found.filter((row) => row.body === body && row.point === point && row.order === order && typeof row.major_um === 'number');
       charts.push(new Chart(host, {
-        id: `bode-${id}`, title, zero: true, sync: `speed ${name}`, x, y: { label: 'displacement', unit: 'µm', amplitude: order !== 0 },
+        id: `bode-${id}`, title, zero: true, sync: `speed ${name}`, x, y: { label: /^joint/.test(point) ? 'displacement in the joint' : 'displacement', unit: 'µm', amplitude: order !== 0 },
         series: order === 0
           ? [line(own, 'speed_rpm', 'x_um', 'x'), line(own, 'speed_rpm', 'y_um', 'y')].map((one, k) => ({ ...one, y: one.y.map((value, at) => value * Math.cos((Math.PI * own[at][`${'xy'[k]}_phase_deg`]) / 180)) }))
           : [line(own, 'speed_rpm', 'x_um', 'x'), line(own, 'speed_rpm', 'y_um', 'y'), line(own, 'speed_rpm', 'major_um', 'major semi-axis of the orbit', { style: 6, dash: '2 3' }), ...ran.series],
@@ -96,6 +101,7 @@ Object.assign(CHARTED, {
         return { ...phase, y: unwrapped(phase.y.map((value, k) => (own[k][`${axis}_um`] > 0 ? value : NaN))) }; }),
       });
     }
+    if (!every.some(([, own]) => own[0].order !== 0)) add(host, 'p', 'Nothing in the case excites the machine once a turn, or by a multiple of that: the response is zero but for rounding.', { class: 'soft wide' });
     logarithmic(host, charts.filter((chart) => chart.spec.y.amplitude));
     if (every.length > all.length) add(host, 'p', `${every.length - all.length} more curves, ${told.length > all.length ? 'the smaller ones' : 'below 1 % of the largest'}, are in ${name}.csv.`, { class: 'soft wide' });
     if (found.length) {

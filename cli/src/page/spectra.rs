@@ -107,6 +107,9 @@ impl Sides {
 pub(super) struct Spectrum {
     /// How fast it turns on average (Hz); 0 where it does not.
     turning_hz: f64,
+    /// How far its frequencies are apart (Hz), and what the length of the rows resolves: 1/T, more where zeros are added behind them.
+    step_hz: f64,
+    resolved_hz: f64,
     /// Whether backward motion is told from forward motion.
     two_sided: bool,
     /// One a column, or one of both; none where nothing but rounding oscillates.
@@ -139,7 +142,9 @@ impl Spectrum {
         };
         let size =
             columns.iter().copied().flatten().fold(0.0, |most: f64, own| most.max(own.abs()));
-        Spectrum { turning_hz, two_sided, lines: Vec::new(), sides, size }
+        let step_hz = sides.first().map_or(0.0, |own| own.step);
+        let resolved_hz = 1.0 / (dt * rows as f64);
+        Spectrum { turning_hz, step_hz, resolved_hz, two_sided, lines: Vec::new(), sides, size }
     }
 
     /// The frequency up to which it is worth showing.

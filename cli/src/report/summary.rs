@@ -373,10 +373,12 @@ impl Summary {
             }
             // How much more is an estimate of what is slower than the cycle.
             match left.is_finite() {
-                true => "forces and displacements still drift by more than they vary by in a cycle",
-                false => "the change from cycle to cycle does not decrease",
+                true => format!(
+                    "forces and displacements are estimated to change by {} times what they vary by in a cycle yet",
+                    whirl_text::shown(left, 2, 1e-3..1e6)
+                ),
+                false => "the change from cycle to cycle does not decrease".to_owned(),
             }
-            .to_owned()
         };
         match (facts.time_s, facts.left) {
             _ if !facts.checked => format!(
