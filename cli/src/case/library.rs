@@ -6,6 +6,7 @@ use std::sync::Arc;
 use whirl_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Located, Source, suggest};
 use whirl_codegen::document::tree::{Content, Node, Place, Tree};
 use whirl_codegen::document::{Table, Wording};
+use whirl_specs::LAWS;
 
 use super::embedded::{EMBEDDED_FOLDER, embedded_cases, embedded_file, embedded_files};
 use super::text::CaseText;
@@ -44,10 +45,15 @@ impl<'a> FileStore<'a> {
         } else {
             format!("there is no file `{case}` and no built-in case of this name")
         };
+        let is_law = LAWS.iter().any(|law| law.origin.name == case);
+        let help = match is_law {
+            true => Some(format!(
+                "it is a law: a case takes it as `law = \"{case}\"`, and `whirl explain {case}` shows it"
+            )),
+            false => suggest(case, &names),
+        };
         let source = Source::new(path, "");
-        Err(Diagnostic::new(&source, Code::BAD_VALUE, None, message)
-            .maybe_help(suggest(case, &names))
-            .into())
+        Err(Diagnostic::new(&source, Code::BAD_VALUE, None, message).maybe_help(help).into())
     }
 
     /// Whether files that it does not have are looked for on the disk.

@@ -102,10 +102,11 @@ fn of_joint(
         }
         JointKind::Gear => teeth(joint, joined),
     };
-    let at = joint.sides.iter().find_map(|side| side.at.as_ref()).map_or(String::new(), |(at, _)| {
-        let [x, y] = at.map(|own| rounded(1e3 * own, 6));
-        format!(", at x = {x}, y = {y} mm")
-    });
+    let at =
+        joint.sides.iter().find_map(|side| side.at.as_ref()).map_or(String::new(), |(at, _)| {
+            let [x, y] = at.map(|own| rounded(1e3 * own, 6));
+            format!(", at x = {x}, y = {y} mm")
+        });
     format!("{kind} {}: {first} {a}, {second} {b}{at}{values}", joint.name.text())
 }
 
