@@ -4,6 +4,8 @@
 pub(super) const CSV: &str = "table.csv";
 /// The same for programs that read many rows.
 pub(super) const PARQUET: &str = "table.parquet";
+/// Folder of what is kept of points.
+pub(super) const POINTS: &str = "points";
 /// Names of all figures that a sweep may draw, without their endings.
 pub(super) const FIGURES: [&str; 17] = [
     "reactions",

@@ -7,8 +7,7 @@ use std::time::Duration;
 
 use whirl_solver::cache::{Key, pack, remove_unfinished, unpack, write_whole};
 
-use super::files::{CSV, FIGURES, PARQUET};
-use super::histories::POINTS;
+use super::files::{CSV, FIGURES, PARQUET, POINTS};
 use super::journal;
 use crate::created::CreatedFolders;
 use crate::errors::Failure;

@@ -8,14 +8,13 @@ use std::path::PathBuf;
 use whirl_solver::cache::{Key, write_whole};
 
 use super::definition::{Keep, Sweep};
+use super::files::POINTS;
 use super::folder::{SweepFolder, absent_is_fine};
 use super::points::Point;
 use crate::history;
 use crate::results::{STATE, SUMMARY};
 use crate::simulate::InMemory;
 
-/// Folder of what is kept of points.
-pub(super) const POINTS: &str = "points";
 /// The values of a point, behind what tells it from all others.
 const POINT: &str = "point.toml";
 /// Begins the first line of the latter.
