@@ -402,6 +402,18 @@ pub enum Error {
         /// See `had_angle`.
         had_speed: f64,
     },
+    /// A law whose force has no derivative where a machine stands or comes to.
+    #[error(
+        "{joint} with the law {law} has a force without a finite derivative {place}: its formula gives 0/0 or infinity there, as `sqrt(x^2)` does at x = 0. Keep roots and powers off zero, as in `sqrt(max(x^2, a^2))` with an a far below what matters"
+    )]
+    NoSlope {
+        /// The joint.
+        joint: String,
+        /// Its law.
+        law: String,
+        /// Where, in words.
+        place: String,
+    },
     /// A joint beside which nothing else of a machine is seen, in an analysis of small motions.
     #[error(
         "{joint} with the law {law} has a stiffness or damping of {stiffness:.3e} (SI), beside which rounding hides how the machine moves: give it {most:.0e} at most, as what is a thousand times as stiff as the bodies that it joins already holds them"
@@ -451,6 +463,7 @@ impl Error {
                 | Error::NeverSettles { .. }
                 | Error::Jumps { .. }
                 | Error::StiffJoint { .. }
+                | Error::NoSlope { .. }
         )
     }
 

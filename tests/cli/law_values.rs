@@ -297,3 +297,36 @@ fn a_value_that_nothing_gives_is_asked_for() {
         );
     }
 }
+
+/// A force whose derivative is 0/0 where the machine stands: analyses and a run name the law, and give no number.
+#[test]
+fn a_law_without_a_derivative_is_named() {
+    let input =
+        |name: &str, unit: &str| format!("[inputs.{name}]\nunit = \"{unit}\"\nrange = [-1, 1]\n");
+    let law = format!(
+        "kind = \"law\"\nname = \"rooted\"\ntitle = \"t\"\nsource = \"s\"\n{}{}{}[parameters]\nk = {{ value = 100, unit = \"N/mm\" }}\n\
+         c = {{ value = 100, unit = \"um\" }}\n[outputs.F_x]\nunit = \"N\"\nvalue = '-k*e_x'\n[outputs.F_y]\nunit = \"N\"\n\
+         value = '-k*e_y - 0.05*e_y_dot*sqrt((e_x^2+e_y^2)/c^2)'\n",
+        input("e_x", "mm"),
+        input("e_y", "mm"),
+        input("e_y_dot", "mm/s")
+    );
+    let case = "title = \"a rotor\"\n[body.rotor]\nturns = \"prescribed\"\nspeed = \"3000 rpm\"\nmass = \"20 kg\"\npolar_inertia = \"0.1 kg*m^2\"\n\
+                [joint.a]\nkind = \"bearing\"\njournal = { body = \"rotor\" }\nlaw = \"rooted.toml\"\n[start]\nkind = \"equilibrium\"\n\
+                [march]\ntime_step = \"20 us\"\nsteps = 5\n";
+    let bench = Workbench::new().file("rooted.toml", &law).file("case.toml", case);
+    for command in ["coefficients", "modes", "matrices", "run"] {
+        let outcome = bench.whirl(&[command, "case.toml"]);
+        assert!(outcome.status != 0, "{command}: {}", outcome.stdout);
+        for words in ["rooted", "without a finite derivative", "sqrt(max(x^2, a^2))"] {
+            let all = format!("{}{}", outcome.stdout, outcome.stderr);
+            assert!(all.contains(words), "{command}: `{words}` is not in {all}");
+        }
+    }
+    // Off zero, as the message says, the same law has its stiffness.
+    let bench = bench
+        .file("rooted.toml", &law.replace("(e_x^2+e_y^2)/c^2", "max((e_x^2+e_y^2)/c^2, 1e-12)"));
+    let outcome = bench.whirl(&["coefficients", "case.toml"]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    assert!(outcome.stdout.contains("1e5"), "{}", outcome.stdout);
+}

@@ -393,6 +393,16 @@ impl SpringState {
         })
     }
 
+    /// The first plane of springs whose law gave forces without finite derivatives when the springs were last updated.
+    pub(crate) fn without_slope<'s>(&self, springs: &'s Springs) -> Option<&'s Plane> {
+        springs.planes.iter().find(|plane| {
+            let own = &self.laws[plane.law];
+            let count = springs.laws[plane.law].springs;
+            let mut rows = own.slopes.chunks_exact(count.max(1));
+            rows.any(|row| row[plane.springs.clone()].iter().any(|slope| !slope.is_finite()))
+        })
+    }
+
     /// [`Plane::rows`] as they are at this instant.
     pub(crate) fn rows(&self, plane: usize) -> &[Vec<(usize, f64)>; 3] {
         &self.planes[plane].rows

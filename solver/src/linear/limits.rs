@@ -196,14 +196,23 @@ impl LinearMachine {
         Err(Error::Jumps { at: self.told(speeds), joint: joint.name.clone(), jump })
     }
 
-    /// Whether rounding lets the machine be seen beside the stiffness and damping of its joints.
+    /// Whether joints have stiffness and damping, and rounding lets the machine be seen beside them.
     ///
     /// # Errors
-    /// The stiffest joint, if not.
+    /// A joint without, or the stiffest one, if not.
     pub(super) fn has_no_stiff_joint(&self, at: &Standstill) -> Result<(), Error> {
         let machine = self.machine_of(at);
-        let planes = machine.springs.planes.iter().zip(&at.found.tangents.planes);
-        let sized = planes.map(|(plane, own)| {
+        let planes = || machine.springs.planes.iter().zip(&at.found.tangents.planes);
+        let lost = planes().find(|(_, own)| own.iter().flatten().flatten().any(|own| own.is_nan()));
+        if let Some((plane, _)) = lost {
+            let (joint, law) = machine.names_of(plane);
+            return Err(Error::NoSlope {
+                joint,
+                law,
+                place: "where the machine stands".to_owned(),
+            });
+        }
+        let sized = planes().map(|(plane, own)| {
             let all = own.iter().flatten().flatten();
             (plane, all.fold(0.0, |most: f64, own| most.max(own.abs())))
         });

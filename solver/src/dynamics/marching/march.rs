@@ -288,6 +288,11 @@ impl<'m> March<'m> {
             let step = self.tally.step + 1;
             return Error::NoForce { step, time, law, bearing: bearing + 1 };
         }
+        if let Some(plane) = self.equations.springs.without_slope(&self.machine.springs) {
+            let (joint, law) = self.machine.names_of(plane);
+            let place = format!("in step {} (t = {time:.6e} s)", self.tally.step + 1);
+            return Error::NoSlope { joint, law, place };
+        }
         let worst = self.newton.worst(&self.equations.residual);
         Error::NewtonDiverged {
             step: self.tally.step + 1,

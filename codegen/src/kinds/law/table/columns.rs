@@ -247,6 +247,22 @@ impl Columns {
         let head = self.heads.as_ref().and_then(|heads| heads.get(place));
         let written = head.and_then(|head| head.unit.as_ref());
         match (&wanted.unit, written, head) {
+            (Some(unit), Some(text), Some(head)) => match Unit::parse(text.text()) {
+                // One of both is wrong, and nobody can tell which.
+                Ok(own) if !same(&own, unit) => {
+                    let message = format!(
+                        "the column `{}` is in `{}` by its name, and in `{}` where it is named",
+                        head.name,
+                        text.text(),
+                        unit.text()
+                    );
+                    let error = wanted.place.error_here(Code::TABLE, message);
+                    Err(error
+                        .help("leave the `unit` out, or take it from the line of names")
+                        .into())
+                }
+                _ => Ok(unit.clone()),
+            },
             (Some(unit), ..) => Ok(unit.clone()),
             (None, Some(text), _) => Unit::parse(text.text()).map_err(|error| {
                 text.error(error.code, error.span, error.message).maybe_help(error.help).into()
@@ -284,6 +300,15 @@ impl Head {
         };
         Head { name: name.trim().to_owned(), unit, span }
     }
+}
+
+/// Whether two units are one, however they are written.
+fn same(one: &Unit, other: &Unit) -> bool {
+    one.dimension() == other.dimension()
+        && [0.0, 1.0].iter().all(|value| {
+            let [a, b] = [one, other].map(|own| own.to_si(*value));
+            (a - b).abs() <= 1e-12 * a.abs().max(b.abs())
+        })
 }
 
 /// The cells of a line that starts at byte `offset`, without the blanks and quotes around them.

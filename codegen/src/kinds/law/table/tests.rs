@@ -216,6 +216,11 @@ fn errors_point_into_the_file_of_columns() {
             "f.csv:2:1: expected a number, found `0,0` (write numbers with a point, such as `0.035` or `3.5e-2`)",
         ),
         (
+            "x = { column = 1, unit = \"um\" }",
+            "a [mm], b [N]\n1, 2\n2, 3\n",
+            "law.toml:8:9: the column `a` is in `mm` by its name, and in `um` where it is named (leave the `unit` out, or take it from the line of names)",
+        ),
+        (
             "x = { column = 1, unit = \"mm\" }",
             "0,0, 230,5\n0,5, 460,5\n",
             "law.toml:8:9: `f.csv` has 4 columns and no line of names (say which to read, as `x = 1` and `y = 2`; numbers are written with a point, not a comma)",

@@ -195,6 +195,9 @@ pub fn equilibrium(
     }
     let left = balance.worst();
     if let Some(rows) = floating(&mut balance) {
+        if let Some(error) = without_slope(&balance) {
+            return Err(error);
+        }
         let coordinates = rows.iter().map(|&row| coordinate(&balance, row)).collect();
         return Err(Error::Floating { coordinates });
     }
@@ -220,6 +223,17 @@ fn never_settles(balance: &Balance, place: usize) -> Error {
     }
 }
 
+/// A law whose force has no derivative where the search came to.
+fn without_slope(balance: &Balance) -> Option<Error> {
+    let plane = balance.equations.springs.without_slope(&balance.machine.springs)?;
+    let (joint, law) = balance.machine.names_of(plane);
+    Some(Error::NoSlope {
+        joint,
+        law,
+        place: "where the search for the equilibrium ends".to_owned(),
+    })
+}
+
 /// What is out of balance where the search came nearest.
 fn unbalanced(balance: &mut Balance, nearest: &Nearest) -> Error {
     if let Err(error) = balance.set(&nearest.z) {
@@ -233,6 +247,9 @@ fn unbalanced(balance: &mut Balance, nearest: &Nearest) -> Error {
             return Error::NoRest { joint: balance.machine.names_of(plane).0, law };
         }
         return Error::NoForce { step: 0, time: 0.0, law, bearing: bearing + 1 };
+    }
+    if let Some(error) = without_slope(balance) {
+        return error;
     }
     if !balance.gone.is_empty() {
         let mut rows = balance.gone.clone();
