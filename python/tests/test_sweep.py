@@ -331,3 +331,16 @@ def test_a_forked_process_factors_large_bodies_with_workers_of_its_own():
         assert queue.get(timeout=300) == here
     finally:
         child.kill()
+
+
+def test_what_a_sweep_cannot_do_is_refused_before_it_runs():
+    vary = {"mass.velocity": ["1 m/s", "2 m/s"]}
+    with pytest.raises(ValueError, match="at least 1, not 0"):
+        whirl.sweep(a_mass(), vary, workers=0)
+    with pytest.raises(TypeError, match="histories in `out`"):
+        whirl.sweep(a_mass(), vary, columns=["X1_um"])
+    without = whirl.sweep(a_mass(), vary, keep_histories=False)
+    pytest.importorskip("xarray")
+    assert without.to_xarray().sizes["mass.velocity"] == 2
+    with pytest.raises(whirl.WhirlError, match="no histories were kept"):
+        without.to_xarray(columns=["X1_um"])

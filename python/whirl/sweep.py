@@ -426,7 +426,8 @@ class _Layout:
             # Its arrays are known with the first point that has results.
             if point.results is not None:
                 whole = self.dataset()
-                done = whole[["done"]].drop_vars([key for key in whole.coords])
+                done = whole[["done"]]
+                done = done.drop_vars(list(done.coords))
                 whole.assign(done=whole["done"] & False).to_zarr(
                     self.path, mode="w-", zarr_format=2
                 )
