@@ -157,7 +157,9 @@ def sweep(
     if workers is not None and workers < 1:
         raise ValueError(f"`workers` is how many points run at a time, at least 1, not {workers}")
     if columns and out is None:
-        raise TypeError("`columns` are those of histories in `out`: name that, or pass them to `to_xarray`")
+        raise TypeError(
+            "`columns` are those of histories in `out`: name that, or pass them to `to_xarray`"
+        )
     case = case if isinstance(case, Case) else Case(case)
     keys, points = expanded(case, vary)
     points[0].case._inner.demand_march()
