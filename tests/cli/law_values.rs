@@ -328,5 +328,5 @@ fn a_law_without_a_derivative_is_named() {
         .file("rooted.toml", &law.replace("(e_x^2+e_y^2)/c^2", "max((e_x^2+e_y^2)/c^2, 1e-12)"));
     let outcome = bench.whirl(&["coefficients", "case.toml"]);
     assert_eq!(outcome.status, 0, "{}", outcome.stderr);
-    assert!(outcome.stdout.contains("1e5"), "{}", outcome.stdout);
+    assert!(outcome.stdout.contains("1.0000e5"), "{}", outcome.stdout);
 }

@@ -178,7 +178,7 @@ fn report(
                 let far = format!("{done} of {} points are done", sweep.count());
                 tell((sweep, order), (&counts, Some(far)), results)
             });
-            told.err().iter().for_each(|reason| streams::warn(reason));
+            told.err().iter().for_each(streams::warn);
             return Err(unfinished(reason));
         }
     };

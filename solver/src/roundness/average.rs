@@ -164,7 +164,7 @@ impl Turn {
 /// Share of the largest eigenvalue up to which ascending ones are those of rigid motions.
 fn rigid_share(values: &[f64], largest: f64, free: bool) -> f64 {
     let is_last = |pair: &&[f64]| pair[0] <= FREE * largest && pair[1] > GAP * pair[0].max(0.0);
-    let last = values.windows(2).filter(is_last).last().filter(|_| free && largest > 0.0);
+    let last = values.windows(2).rfind(is_last).filter(|_| free && largest > 0.0);
     last.map_or(RIGID, |pair| RIGID.max(pair[0] / largest))
 }
 

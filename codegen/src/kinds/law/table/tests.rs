@@ -218,7 +218,7 @@ fn errors_point_into_the_file_of_columns() {
         (
             "x = { column = 1, unit = \"um\" }",
             "a [mm], b [N]\n1, 2\n2, 3\n",
-            "law.toml:8:9: the column `a` is in `mm` by its name, and in `um` where it is named (leave the `unit` out, or take it from the line of names)",
+            "law.toml:10:16: the column `a` is in `mm` by its name, and in `um` where it is named (leave the `unit` out, or take it from the line of names)",
         ),
         (
             "x = { column = 1, unit = \"mm\" }",
